@@ -185,14 +185,10 @@ pub fn book(a: f64, level_first: bool) -> Result<Attitude> {
 
 /// The same attitude without a matrix: the three turns as quaternions.
 fn attitude([phi, theta, zeta]: [f64; 3]) -> Result<Attitude> {
-    let (x, z) = (
-        BodyVector::new(1.0, 0.0, 0.0),
-        BodyVector::new(0.0, 0.0, 1.0),
-    );
-    let (first, second) = (
-        Attitude::about_body_axis(z, phi)?,
-        Attitude::about_body_axis(x, theta)?,
-    );
+    let x = BodyVector::new(1.0, 0.0, 0.0);
+    let z = BodyVector::new(0.0, 0.0, 1.0);
+    let first = Attitude::about_body_axis(z, phi)?;
+    let second = Attitude::about_body_axis(x, theta)?;
     Ok(first * second * Attitude::about_body_axis(z, zeta)?)
 }
 
@@ -277,18 +273,14 @@ fn displacement(p: &Parameters, report: &mut Report) -> Result<()> {
     let (r, shift) = (matrix(p.angles()), p.shift());
     let [a, b] = POINTS.map(|point| times_vector(&r, point) + shift);
     let [c, d] = POINTS.map(SpaceVector::from_array);
-    let (screw, vector) = (
-        Screw::of(p.angles(), shift)?,
-        attitude(p.angles())?.rotation_vector(),
-    );
+    let screw = Screw::of(p.angles(), shift)?;
+    let vector = attitude(p.angles())?.rotation_vector();
     let (found, size) = (vector / vector.norm(), 1.0 + shift.norm());
     let bound = 1e-14 / sin(0.5 * screw.angle);
     let on_axis = times_vector(&r, screw.point.to_array()) + shift - screw.point;
     let signed = on_axis.norm().copysign(on_axis.dot(&screw.axis));
-    let (between, closed) = (
-        book(p.book, true)?.angle_to(&book(p.book, false)?),
-        apart(p.book),
-    );
+    let between = book(p.book, true)?.angle_to(&book(p.book, false)?);
+    let closed = apart(p.book);
     kit::claims! { report,
         /// distance of two points after the displacement
         distance: (a - b).norm(), "m", "before it" => (c - d).norm(), within 1e-14 * size;
@@ -365,10 +357,8 @@ fn conventions(p: &Parameters, report: &mut Report) -> Result<()> {
 /// One turn only, half a turn, turns that are small.
 fn limits(report: &mut Report) -> Result<()> {
     let shift = SpaceVector::new(1.0, 2.0, 3.0);
-    let (one, both) = (
-        Screw::of([0.0, 0.7, 0.0], shift)?,
-        Screw::of([0.3, 0.0, 0.4], shift)?,
-    );
+    let one = Screw::of([0.0, 0.7, 0.0], shift)?;
+    let both = Screw::of([0.3, 0.0, 0.4], shift)?;
     let flat = Screw::of([0.3, PI - 2e-4, -0.4], shift)?;
     let small = Screw::of([3e-4, 4e-4, 0.0], shift)?;
     let library = |theta| {

@@ -166,7 +166,7 @@ fn report(p: &Parameters) -> Result<Report> {
     let wanted = p.perigee + TAU * 0.8 + Sun::at(p.perigee + TAU * 0.8, p).centre;
     let run = move |step| orbit::longitude(&orbit, t, step);
     let error = move |(longitude, _): &(f64, Work)| Ok(sin(longitude - wanted).abs());
-    report.controlled("DOP853, error of a step", asked, run, |run| run.1, error)?;
+    report.stepped(asked, run, |run| run.1, error)?;
     let closed = p.clone();
     report.set_closed_form(ClosedForm::new(move |part| {
         Ok(sun(&closed, part * closed.year))

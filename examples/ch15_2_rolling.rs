@@ -253,10 +253,8 @@ fn swept(direction: impl Fn(f64) -> Result<SpaceVector>, t: f64) -> Result<f64> 
     let (mut sum, mut last) = (0.0, direction(0.0)?);
     for k in 1..=40 {
         let next = direction(t * f64::from(k) / 40.0)?;
-        let (across, along) = (
-            last.x() * next.y() - last.y() * next.x(),
-            last.x() * next.x() + last.y() * next.y(),
-        );
+        let across = last.x() * next.y() - last.y() * next.x();
+        let along = last.x() * next.x() + last.y() * next.y();
         sum += atan2(across, along);
         last = next;
     }
@@ -283,8 +281,7 @@ fn report(p: &Parameters) -> Result<Report> {
     let exact = cycle_turned(p, spin, circuit)?;
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
     let run = move |step| cycle_carried(&wheel, circuit, step);
-    report.controlled(
-        "DOP853, error of a step",
+    report.stepped(
         asked,
         run,
         |run| run.1,
@@ -434,11 +431,7 @@ fn unit(shaft: f64) -> Parameters {
 
 /// The cylinder's component along its axis at this tilt, measured, over its rate.
 fn along_axis(tilt: f64) -> Result<f64> {
-    let p = Parameters {
-        tilt,
-        cylinder_rate: 1.0,
-        ..Parameters::default()
-    };
+    let p = Parameters::default().but(|p| (p.tilt, p.cylinder_rate) = (tilt, 1.0));
     Ok(cylinder(&p, 0.0)?
         .to_body(measured(|t| cylinder(&p, t), 1.0)?)
         .z())

@@ -483,10 +483,8 @@ pub fn with_fly(p: &Parameters, fly: f64) -> Result<[f64; 2]> {
 
 /// Moments and product of the plate against the angle of its axes.
 fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let (centre, corner) = (
-        about_centre(p.mass, p.width, p.height),
-        about_corner(p.mass, p.width, p.height),
-    );
+    let centre = about_centre(p.mass, p.width, p.height);
+    let corner = about_corner(p.mass, p.width, p.height);
     let columns = "angle [rad], centre I_xx [kg m^2], centre I_xy [kg m^2], corner I_xx [kg m^2], \
                    corner I_xy [kg m^2]";
     Trajectory::sampled(columns.split(", "), times(0.0, PI, 180), |angle| {

@@ -29,8 +29,7 @@ kit::parameters! {
         mass: number(1.0, "kg", from_to(1e-9, 1e9).usually(0.1, 10.0));
         /// length of the plank
         length: number(1.0, "m", from_to(1e-9, 1e9).usually(0.2, 4.0));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", from_to(1e-9, 1e9).usually(1.0, 25.0));
+        gravity: gravity(from_to(1e-9, 1e9).usually(1.0, 25.0));
         /// angle from the vertical at which it is released at rest
         angle: number(0.01, "rad", from_to(1e-30, 1.5).because("counted to the side to which it falls; upright it stays for ever").usually(1e-6, 1.0));
         /// angle at which the rate is asked for, on the way from upright

@@ -63,8 +63,7 @@ kit::parameters! {
         runner_shaft: number(0.5, "m", above(0.0));
         /// angular velocity of the shaft about the vertical
         runner_rate: number(2.0, "rad/s", from_to(-1e6, 1e6).but_zero("at rest nothing rolls"));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", at_least(0.0));
+        gravity: gravity(at_least(0.0));
         /// mass of the square plate
         plate_mass: number(1.5, "kg", above(0.0));
         /// side of the plate

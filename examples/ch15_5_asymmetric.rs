@@ -232,10 +232,8 @@ impl Tumble {
         for t in times(0.0, end, pieces).skip(1) {
             state = method.advance(&scene, from, &state, t)?.0;
             let now = axis(state.attitude);
-            let (out, side) = (
-                now[0] * last[0] + now[1] * last[1],
-                last[0] * now[1] - last[1] * now[0],
-            );
+            let out = now[0] * last[0] + now[1] * last[1];
+            let side = last[0] * now[1] - last[1] * now[0];
             turned += atan2(side, out);
             (last, from) = (now, t);
         }

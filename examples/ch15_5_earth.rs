@@ -235,10 +235,8 @@ fn tries() -> Result<Table> {
 /// The card of effects. What the literature gives is named on the page.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (f, rigid) = (flattening(p)?, p.day / flattening(p)? / 86_400.0);
-    let (kappa, mean) = (
-        p.love / yielding::fluid_love_number(p),
-        TAU / (YEAR * 86_400.0),
-    );
+    let kappa = p.love / yielding::fluid_love_number(p);
+    let mean = TAU / (YEAR * 86_400.0);
     let lunisolar = (SUN.rate(f)? + MOON.rate(f)?).abs();
     let yielded = (yielding::period(p)? - 1.0 / f) * p.day / 86_400.0;
     let day = 86_400.0 / ARCSEC;
@@ -272,10 +270,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The attitude after one free period, by closed form and by stepping.
 fn strip(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (motion, body) = (
-        motion(p)?,
-        RigidBody::new(PrincipalMoments::symmetric(p.a, p.c)?),
-    );
+    let motion = motion(p)?;
+    let body = RigidBody::new(PrincipalMoments::symmetric(p.a, p.c)?);
     let start = body.state(motion.attitude(0.0), motion.angular_velocity(0.0))?;
     let end = p.day / flattening(p)?;
     let problem = Problem::new(Scene::new(body), start, end, motion.state(end));

@@ -6,7 +6,7 @@ mod figures;
 pub mod strike;
 
 use kit::interval::from_to;
-use kit::{ClosedForm, Report, Result};
+use kit::{Report, Result};
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
@@ -89,17 +89,15 @@ fn report(p: &Parameters) -> Result<Report> {
     on_table(p, &mut report)?;
     limits(&mut report)?;
     effects(p, &mut report)?;
-    let (scene, turned) = (
-        scene(p, true),
-        Answer::new(p).angular_velocity * END * p.length / p.speed.abs(),
-    );
+    let scene = scene(p, true);
+    let turned = Answer::new(p).angular_velocity * END * p.length / p.speed.abs();
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
     let run = move |tolerance| Blow::new(scene, tolerance, 0.5, END);
     let error = move |blow: &Blow| Ok::<_, rotation_dynamics::Error>(blow.end()?.q[2] - turned);
     report.controlled("contacts by DOP853", asked, run, Blow::work, move |blow| {
         Ok(largest([error(blow)?]))
     })?;
-    report.set_closed_form(ClosedForm::new(move |part| Ok(part * turned)));
+    report.in_closed_form(move |part| part * turned);
     Ok(report)
 }
 
@@ -126,10 +124,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         scene.momentum(&blow.at(t + h)?),
     ];
     let pull = rotation_dynamics::math::hypot(late[0] - early[0], late[1] - early[1]) / (2.0 * h);
-    let (w, force) = (
-        a.angular_velocity,
-        m * a.angular_velocity * a.angular_velocity * 0.5 * l,
-    );
+    let w = a.angular_velocity;
+    let force = m * a.angular_velocity * a.angular_velocity * 0.5 * l;
     // Before the impact nothing turns: velocities just after it are as good as its impulses.
     let bound = 1e-12;
     let [energy, rest] = a.energies;
@@ -237,10 +233,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         let both = MassProperties::of_parts(&[rod, particle])?.about(DesignVector::zero())?;
         Ok(w - a.momentum / both.moment_about(DesignVector::new(1.0, 0.0, 0.0))?)
     };
-    let (point, broad) = (
-        MassProperties::of_points(&[(m, end)])?,
-        solids::cuboid(p.mass, 0.02, 0.02, l)?,
-    );
+    let point = MassProperties::of_points(&[(m, end)])?;
+    let broad = solids::cuboid(p.mass, 0.02, 0.02, l)?;
     let on_face = DesignVector::new(0.0, radius, -0.5 * l);
     let sphere = solids::sphere(m, radius)?.displaced(on_face)?;
     let (yielding, slack) = (scene.pressed(0.0)?, 1e-13 * w);

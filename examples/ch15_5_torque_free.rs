@@ -251,12 +251,11 @@ pub fn seen(top: Top, t: f64) -> Result<[f64; 5]> {
 /// The height at which a cylinder of this radius is neither thin nor flat, by bisection on
 /// the library's moments.
 fn round_height(mass: f64, radius: f64) -> Result<f64> {
-    let (mut low, mut high) = (0.5 * radius, 4.0 * radius);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        let [across, along] = library_moments(mass, radius, middle)?;
-        *(if across > along { &mut high } else { &mut low }) = middle;
-    }
+    let flat = |height| -> Result<bool> {
+        let [across, along] = library_moments(mass, radius, height)?;
+        Ok(across <= along)
+    };
+    let [low, high] = kit::try_bisect([0.5 * radius, 4.0 * radius], 0.0, flat)?;
     Ok(0.5 * (low + high))
 }
 

@@ -297,10 +297,8 @@ fn free(study: &Study, report: &mut Report) -> Result<()> {
     let azimuth = simulated(&start, spin * DAY)?[7];
     let times: Vec<f64> = study.december.iter().map(|day| day.t).collect();
     let again = misses(&study.december, &by_simulation(&start, &times)?);
-    let (root, worst) = (
-        root_mean_square(&study.misses),
-        largest(study.misses.iter().copied()),
-    );
+    let root = root_mean_square(&study.misses);
+    let worst = largest(study.misses.iter().copied());
     let scattered = TAU * spin / azimuth;
     let momentum = motion.angular_momentum();
     let latitude = atan2(momentum.z(), hypot(momentum.x(), momentum.y())).to_degrees();
@@ -340,10 +338,8 @@ fn fits(study: &Study, report: &mut Report) -> Result<()> {
     ];
     let elsewhere =
         |which| other.deviation_of(|at| Ok(fit::start(at, &reference)?.periods()?[which] / DAY));
-    let (root, degrees) = (
-        root_mean_square(&study.fitted_misses),
-        fit.scatter.to_degrees(),
-    );
+    let root = root_mean_square(&study.fitted_misses);
+    let degrees = fit.scatter.to_degrees();
     kit::claims! { report,
         /// moment about x over that about the long axis, fitted
         fit_x: fit.at[6], "-", "another start, simulated" => other.at[6], within 1e-6;
@@ -520,10 +516,8 @@ pub fn simulated_under(
     let at = start.motion()?.kinematics(begin);
     let ([a, b, c], [p, q, r]) = (start.moments, (at.angular_velocity * DAY).to_array());
     let [w, x, y, z] = at.attitude.quaternion();
-    let (law, from) = (
-        pulled(start.moments, tide(path, begin)?),
-        [p, q, r, w, x, y, z, 0.0],
-    );
+    let law = pulled(start.moments, tide(path, begin)?);
+    let from = [p, q, r, w, x, y, z, 0.0];
     let (end, work) = Dop853::new(step)?.advance(&law, 0.0, &from, (end - begin) / DAY)?;
     let attitude = Attitude::from_quaternion([end[3], end[4], end[5], end[6]])?;
     let momentum = BodyVector::new(a * end[0], b * end[1], c * end[2]) / DAY;
@@ -533,19 +527,15 @@ pub fn simulated_under(
 /// The flyby of 2004 put in; and the Sun.
 fn tides(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) -> Result<()> {
     let (start, path) = (study.start, flyby(p));
-    let (changed, span) = (
-        Changed::by(&start, path, p.tolerance)?,
-        [path.when - path::HALF, path.when + path::HALF],
-    );
+    let changed = Changed::by(&start, path, p.tolerance)?;
+    let span = [path.when - path::HALF, path.when + path::HALF];
     let (attitude, momentum, _) = simulated_under(&start, path, span, 1e-14)?;
     let free = changed.free.angular_momentum;
     let (size, other) = (changed.momentum(), (momentum - free).norm() / free.norm());
     let off = |attitude: &Attitude| attitude.angle_to(&changed.free.attitude).to_degrees();
-    let (apart, number, speed) = (
-        off(&changed.after.attitude),
-        number(&start, &path)?,
-        start.angular_velocity.norm(),
-    );
+    let apart = off(&changed.after.attitude);
+    let number = number(&start, &path)?;
+    let speed = start.angular_velocity.norm();
     let (n, [x, y, _]) = ((EARTH / p.closest).sqrt() / p.closest, start.moments);
     let by_hand = 3.0 * (n / speed) * (n / speed) * (1.0 - 1.0 / x.max(y));
     let slope = ((path.eccentricity - 1.0) * (path.eccentricity + 1.0)).sqrt();

@@ -26,8 +26,7 @@ parameters! {
         friction: number(0.5, "N m", from_to(1e-9, 1e9).usually(0.1, 2.0)).drawn(0.2, 1.0, 0.1);
         /// height of the fall
         drop: number(0.2, "m", at_least(0.0).usually(0.0, 1.0));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", from_to(1e-6, 1e6).usually(1.0, 25.0));
+        gravity: gravity(from_to(1e-6, 1e6).usually(1.0, 25.0));
         /// friction of the bearing of the lower disc, for the claims about it
         bearing: effect(0.05, "N m", above_to(0.0, 1e6));
         /// relative error of the simulations
@@ -116,15 +115,11 @@ fn rate(p: &Parameters) -> f64 {
 pub type Fall = ContactMotion<Discs, 3, 1>;
 
 /// The motion from the release until `ends`, in units of the time of the slip.
-pub fn fallen(
-    p: &Parameters,
-    bounce: f64,
-    ends: f64,
-    tolerance: f64,
-) -> rotation_dynamics::Result<Fall> {
+pub fn fallen(p: &Parameters, bounce: f64, ends: f64, tolerance: f64) -> Result<Fall> {
     let (q, v) = ([p.drop, 0.0, 0.0], [0.0, p.upper_rate, p.lower_rate]);
-    let (p, end) = (p.clone(), ends * Answer::new(p).time);
-    motion_within(Discs { p, bounce }, tolerance, MechanismState { q, v }, end)
+    let (start, end) = (MechanismState { q, v }, ends * Answer::new(p).time);
+    let p = p.clone();
+    Ok(motion_within(Discs { p, bounce }, tolerance, start, end)?)
 }
 
 // ANCHOR: laws
@@ -139,17 +134,13 @@ pub fn rubbing(p: &Parameters, torque: impl Fn(f64) -> f64) -> impl Ode<3> {
 }
 
 /// That motion until the slip is over, or has come down to this part of it.
-pub fn rubbed(
-    p: &Parameters,
-    left: f64,
-    torque: impl Fn(f64) -> f64,
-) -> rotation_dynamics::Result<Solution<3>> {
+pub fn rubbed(p: &Parameters, left: f64, torque: impl Fn(f64) -> f64) -> Result<Solution<3>> {
     let a = Answer::new(p);
     let over = move |_: f64, y: &[f64; 3]| (y[0] - y[1]) / a.relative - left;
     let start = [p.upper_rate, p.lower_rate, 0.0];
     let over = Event::falling("over", over).terminal();
-    let (law, end) = (rubbing(p, torque), 1e3 * a.time);
-    Dop853::new(p.tolerance.min(1e-9))?.solve(&law, 0.0, &start, end, &[over])
+    let method = Dop853::new(p.tolerance.min(1e-9))?;
+    Ok(method.solve(&rubbing(p, torque), 0.0, &start, 1e3 * a.time, &[over])?)
 }
 // ANCHOR_END: laws
 
@@ -213,14 +204,13 @@ pub fn left_over(slips: &[(f64, f64)]) -> f64 {
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, size) = (Answer::new(p), rate(p));
-    let moving = above(0.0).because("one of them must turn");
-    moving.check("the larger of the two rates", size)?;
-    let slips = from_to(1e-3, 2.0).because("discs of equal rates do not slip");
-    slips.check("|O1 - O2| over the larger rate,", a.relative.abs() / size)?;
-    let longest = 0.45 * p.gravity * a.time * a.time;
-    let lands = from_to(0.0, longest)
-        .because("the disc must land before twice the time of the slip is over");
-    lands.check("drop, with time left to slip,", p.drop)?;
+    allowed! {
+        "the larger of the two rates": size, above(0.0), "one of them must turn";
+        "|O1 - O2| over the larger rate,": a.relative.abs() / size,
+            from_to(1e-3, 2.0), "discs of equal rates do not slip";
+        "drop, with time left to slip,": p.drop, from_to(0.0, 0.45 * p.gravity * a.time * a.time),
+            "the disc must land before twice the time of the slip is over";
+    }?;
     let run = fallen(p, 0.0, 2.0, p.tolerance)?;
     let (sticks, end) = (run.event("discs sticks")?, run.at(run.end_time())?);
     let momentum = |[upper, lower]: [f64; 2]| p.upper * upper + p.lower * lower;
@@ -229,15 +219,12 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let oil = rubbed(p, 1e-9, |slip| torque(p, "oil", slip))?;
     let dry = rubbed(p, 0.0, |slip| torque(p, "dry", slip))?;
     let (bound, whole) = (100.0 * p.tolerance, p.upper + p.lower);
-    let (near, time) = (
-        bound * whole * size,
-        bound * a.time * size / a.relative.abs(),
-    );
+    let near = bound * whole * size;
+    let time = bound * a.time * size / a.relative.abs();
     let (square, both) = (bound * whole * size * size, p.upper_rate + p.lower_rate);
     claims! { report,
         /// the rate at which both turn in the end
-        common: a.common, "rad/s", "discs simulated" => end.v[1], within bound * size,
-        in "The common rate":
+        common: a.common, "rad/s", "discs simulated" => end.v[1], within bound * size, in "The common rate":
             0.5 * both => "the discs are not equal",
             momentum(first.map(f64::abs)) / whole => "rates have signs",
             (2.0 * before / whole).sqrt() => "energy is not kept: the discs rub";
@@ -253,8 +240,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// angular momentum of both, before and after
         momentum: momentum(first), "kg m^2/s", "discs simulated, after" => momentum(last), within near;
         /// how long they slip, without a fall
-        time: a.time, "s", "located event" => dry.end_time(), within time,
-        in "The time":
+        time: a.time, "s", "located event" => dry.end_time(), within time, in "The time":
             p.upper * a.relative.abs() / p.friction => "the lower disc gets faster meanwhile",
             p.lower * a.relative.abs() / p.friction => "the upper disc gets slower meanwhile",
             whole * a.relative.abs() / p.friction => "which inertia belongs to the slip?",
@@ -270,19 +256,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     // Over the moment of inertia and the rate of the upper disc.
     let of = |lower: f64, lower_rate: f64| {
-        let (upper, upper_rate, rest) = (1.0, 1.0, p.clone());
-        let p = Parameters {
-            upper,
-            lower,
-            upper_rate,
-            lower_rate,
-            ..rest
-        };
-        let (a, before) = (
-            Answer::new(&p),
-            kinetic_energy(&p, [upper_rate, lower_rate]),
-        );
-        (a.common, a.lost / before)
+        let p = p.but(|p| (p.upper, p.upper_rate) = (1.0, 1.0));
+        let p = p.but(|p| (p.lower, p.lower_rate) = (lower, lower_rate));
+        let a = Answer::new(&p);
+        (a.common, a.lost / kinetic_energy(&p, [1.0, lower_rate]))
     };
     let ((heavy, all), (light, _), (like, half)) = (of(1e12, 0.0), of(1e-12, -1.0), of(1.0, 0.0));
     limits! { report,
@@ -309,21 +286,19 @@ fn rough(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(bearing) = p.bearing else {
         return Ok(());
     };
-    let driven = between(0.0, 0.99).because("or the bearing holds the lower disc");
-    driven.check(
-        "bearing over the friction of the discs",
-        bearing / p.friction,
-    )?;
+    allowed! {
+        "bearing over the friction of the discs": bearing / p.friction,
+            between(0.0, 0.99), "or the bearing holds the lower disc";
+    }?;
     let rubs = p.friction * Answer::new(p).relative.signum();
     let (fast, slow) = (-rubs / p.upper, |brake: f64| (rubs - brake) / p.lower);
     // Until the lower disc stops, if it turns against the friction; then it is driven on.
     let against = p.lower_rate * rubs < 0.0;
-    let stops = -p.lower_rate / slow(-bearing * rubs.signum());
-    let (wait, rates) = match against {
-        true if stops < Answer::new(p).relative / (slow(-bearing * rubs.signum()) - fast) => {
-            (stops, [p.upper_rate + fast * stops, 0.0])
-        }
-        _ => (0.0, [p.upper_rate, p.lower_rate]),
+    let held = slow(-bearing * rubs.signum());
+    let stops = -p.lower_rate / held;
+    let (wait, rates) = match against && stops < Answer::new(p).relative / (held - fast) {
+        true => (stops, [p.upper_rate + fast * stops, 0.0]),
+        false => (0.0, [p.upper_rate, p.lower_rate]),
     };
     let way = if against && wait == 0.0 { -1.0 } else { 1.0 };
     let time = (rates[0] - rates[1]) / (slow(way * bearing * rubs.signum()) - fast);
@@ -348,11 +323,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let mean = |from: f64, power: f64| {
         let turned = a.common - from;
         let grown = pow(a.common.abs(), power + 1.0) - pow(from.abs(), power + 1.0);
-        if turned == 0.0 {
-            0.0
-        } else {
-            grown / ((power + 1.0) * turned)
-        }
+        let mean = grown / ((power + 1.0) * turned);
+        if turned == 0.0 { 0.0 } else { mean }
     };
     let by_bearing = bearing * mean(p.lower_rate, 0.0) * a.time / whole;
     let blown = mean(p.upper_rate, 1.5) + mean(p.lower_rate, 1.5);
@@ -361,9 +333,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let wind = |rate: f64| 0.5 * air * rate / size * (rate.abs() / size).sqrt();
     // What brakes more than the discs rub stops both, and tells nothing of the slip.
     let common = |torque: f64, brake: &dyn Fn(f64, f64) -> [f64; 2]| {
-        (torque < 0.3 * p.friction)
-            .then(|| braked(p, brake))
-            .transpose()
+        when(torque < 0.3 * p.friction, || braked(p, brake))
     };
     let dried = common(bearing, &dry)?;
     let blown = common(air, &|upper, lower| [wind(upper), wind(lower)])?;
@@ -387,12 +357,8 @@ fn naive(p: &Parameters, report: &mut Report) -> Result<()> {
     let (mut table, end) = (Table::new("naive", columns)?, 2.0 * time);
     let mut row = |solver: &str, steps: u64, t: f64, slip: Option<f64>| {
         let slip = slip.map_or("-".into(), |slip| format!("{slip:.3}"));
-        table.push([
-            solver.into(),
-            steps.to_string(),
-            format!("{:.6}", t / time),
-            slip,
-        ])
+        let t = format!("{:.6}", t / time);
+        table.push([solver.into(), steps.to_string(), t, slip])
     };
     for steps in [51, 501, 5001] {
         let slip = left_over(&chattering(p, steps, end));
@@ -408,13 +374,9 @@ fn naive(p: &Parameters, report: &mut Report) -> Result<()> {
         row(&format!("sign, DOP853 with {tolerance:e}"), steps, t, None)?;
     }
     let run = fallen(p, 0.0, 2.0, p.tolerance)?;
-    let MechanismState { v, .. } = run.at(end)?;
-    row(
-        "stick located",
-        run.work().steps,
-        end,
-        Some((v[1] - v[2]).abs()),
-    )?;
+    let [_, upper, lower] = run.at(end)?.v;
+    let left = Some((upper - lower).abs());
+    row("stick located", run.work().steps, end, left)?;
     report.add(table)
 }
 
@@ -427,8 +389,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
         let rate = (sticks.after.v[1] - a.common).abs() / size;
         Ok((sticks.t / a.time - 1.0).abs().max(rate))
     };
-    let slip = move |part| Ok(a.common + (1.0 - part) * a.relative);
-    report.set_closed_form(ClosedForm::new(slip));
+    report.in_closed_form(move |part| a.common + (1.0 - part) * a.relative);
     let run = move |step| fallen(&p, 0.0, 2.0, step);
     report.controlled("contacts by DOP853", asked, run, Fall::work, error)
 }

@@ -105,11 +105,8 @@ impl Mechanism<2, 2> for Wheels {
     // ANCHOR_END: scene
 
     fn scale(&self, _: &MechanismState<2>) -> MechanismState<2> {
-        let (v, time) = (
-            [self.p.rate.abs(), rate_b(&self.p, 0.0).abs()],
-            time(&self.p),
-        );
-        let q = v.map(|rate| rate * time);
+        let v = [self.p.rate.abs(), rate_b(&self.p, 0.0).abs()];
+        let q = v.map(|rate| rate * time(&self.p));
         MechanismState { q, v }
     }
 }
@@ -118,22 +115,16 @@ impl Mechanism<2, 2> for Wheels {
 pub type Run = ContactMotion<Wheels, 2, 2>;
 
 /// B at rest at first; until 1.5 times the time that it needs.
-pub fn spun_up(p: &Parameters, driven: bool, tolerance: f64) -> rotation_dynamics::Result<Run> {
+pub fn spun_up(p: &Parameters, driven: bool, tolerance: f64) -> Result<Run> {
     let (q, v, end) = ([0.0; 2], [p.rate, 0.0], 1.5 * time(p));
-    let p = p.clone();
-    motion_within(
-        Wheels { p, driven },
-        tolerance,
-        MechanismState { q, v },
-        end,
-    )
+    let (p, start) = (p.clone(), MechanismState { q, v });
+    Ok(motion_within(Wheels { p, driven }, tolerance, start, end)?)
 }
 
 /// What the motor has given until B is up to speed, torque times time, by Simpson's rule.
 pub fn motor(run: &Run) -> Result<f64> {
     let sticks = run.event("rims sticks")?.t;
-    let torque =
-        |part: f64| Ok::<_, rotation_dynamics::Error>(run.forces(part * sticks)?[1].normal);
+    let torque = |part: f64| Ok::<_, kit::Error>(run.forces(part * sticks)?[1].normal);
     Ok(sticks / 6.0 * (torque(0.0)? + 4.0 * torque(0.5)? + torque(1.0)?))
 }
 
@@ -175,8 +166,9 @@ pub fn particles(p: &Parameters, rates: [f64; 2], about: [f64; 2]) -> f64 {
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (r, b, arm, bound) = (ratio(p), rate_b(p, 0.0), p.arm_rate, 100.0 * p.tolerance);
-    let ratios = from_to(1e-3, 1e3).because("the simulation of the rims loses its digits beyond");
-    ratios.check("radius_a/radius_b", r)?;
+    allowed! {
+        "radius_a/radius_b": r, from_to(1e-3, 1e3), "the simulation of the rims loses its digits beyond";
+    }?;
     let [run, free] = [true, false].map(|driven| spun_up(p, driven, p.tolerance));
     let (run, free) = (run?, free?);
     let (end, loose) = (run.at(run.end_time())?.v, free.at(free.end_time())?.v);
@@ -189,15 +181,12 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     // The rims push up or down, by the sense of A.
     let sense = p.rate.signum();
     // Nothing turns if the two would have no angular momentum together.
-    let kept = match la + lb {
-        0.0 => 0.0,
-        sum => la / sum * p.rate,
-    };
+    let sum = la + lb;
+    let kept = if sum == 0.0 { 0.0 } else { la / sum * p.rate };
     let near = 1e-9 * (all + moving.abs() + p.inertia_b * carried.abs());
     claims! { report,
         /// rate of gear B
-        rate_b: b, "rad/s", "wheels simulated" => end[1], within bound * b.abs(),
-        in "The gears":
+        rate_b: b, "rad/s", "wheels simulated" => end[1], within bound * b.abs(), in "The gears":
             -b => "two gears that touch turn in opposite senses",
             -p.rate / r => "the smaller gear turns faster",
             -p.rate => "the speeds of the rims are equal, not the rates";
@@ -212,8 +201,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         in "The gears":
             0.5 * (la + lb) * p.rate => "that is not a body that turns as one";
         /// time until B is up to speed
-        time: time(p), "s", "located event" => sticks, within bound * time(p),
-        in "Setting B going":
+        time: time(p), "s", "located event" => sticks, within bound * time(p), in "Setting B going":
             p.inertia_b * p.rate / (p.friction * p.radius_b) => "which rate has B in the end?";
         /// push of the rims, summed over the time
         push: push, "N s", "wheels simulated" => p.friction * sticks, within bound * push;
@@ -244,10 +232,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// Gears like these with other ratios of radii and of moments of inertia.
 fn like(p: &Parameters, ratio: f64, inertia: f64) -> Parameters {
-    let mut like = p.clone();
-    (like.inertia_a, like.inertia_b) = (1.0, inertia);
-    (like.radius_a, like.radius_b, like.rate) = (ratio, 1.0, 1.0);
-    like
+    let like = p.but(|p| (p.inertia_a, p.inertia_b) = (1.0, inertia));
+    like.but(|p| (p.radius_a, p.radius_b, p.rate) = (ratio, 1.0, 1.0))
 }
 
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -278,31 +264,25 @@ pub struct Besides {
 
 impl Load<2> for Besides {
     fn force(&self, MechanismState { v, .. }: &MechanismState<2>) -> [f64; 2] {
-        [
-            self.motor * (self.rate - v[0]),
-            self.rate.signum() * self.bearing,
-        ]
+        let motor = self.motor * (self.rate - v[0]);
+        [motor, self.rate.signum() * self.bearing]
     }
 }
 
+/// A motion with them.
+type Laden = ContactMotion<With<Wheels, Besides>, 2, 2>;
+
 /// The wheels with such torques, a motor that gives way and a bearing.
-fn besides(
-    p: &Parameters,
-    [motor, bearing]: [f64; 2],
-    driven: bool,
-    end: f64,
-) -> rotation_dynamics::Result<ContactMotion<With<Wheels, Besides>, 2, 2>> {
+fn besides(p: &Parameters, [motor, bearing]: [f64; 2], driven: bool, end: f64) -> Result<Laden> {
     let (p, rate) = (p.clone(), p.rate);
+    let (q, v) = ([0.0; 2], [rate, 0.0]);
     let load = Besides {
         rate,
         motor,
         bearing,
     };
-    let start = MechanismState {
-        q: [0.0; 2],
-        v: [rate, 0.0],
-    };
-    motion_within(Wheels { p, driven }.with(load), 1e-10, start, end)
+    let wheels = Wheels { p, driven }.with(load);
+    Ok(motion_within(wheels, 1e-10, MechanismState { q, v }, end)?)
 }
 
 /// When B is up to speed with them, the rates then, and what the simulation costs.
@@ -319,8 +299,9 @@ fn rough(p: &Parameters, report: &mut Report) -> Result<()> {
         return Ok(());
     };
     let (grip, b) = (p.friction * p.radius_b, rate_b(p, 0.0).abs());
-    let held = between(0.0, 0.99).because("or the bearing holds B");
-    held.check("bearing over the torque of the rims", bearing / grip)?;
+    allowed! {
+        "bearing over the torque of the rims": bearing / grip, between(0.0, 0.99), "or the bearing holds B";
+    }?;
     let end = 1.5 * p.inertia_b * b / (grip - bearing);
     let (longer, run) = (end / 1.5, besides(p, [0.0, bearing], true, end)?);
     let sticks = run.event("rims sticks")?.t;
@@ -335,10 +316,8 @@ fn rough(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The card of effects, for friction wheels with bearings of 5 mm and a motor under load.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (which, whole) = (
-        p.inertia_b / p.inertia_a * ratio(p) * ratio(p),
-        momentum(p, 0.0),
-    );
+    let which = p.inertia_b / p.inertia_a * ratio(p) * ratio(p);
+    let whole = momentum(p, 0.0);
     let of_b = (p.inertia_b * rate_b(p, 0.0)).abs();
     let all = (p.inertia_a * p.rate).abs() + of_b;
     let rubs = 1.5e-3 * (p.mass_b * 9.80665 + p.friction) * 0.005;
@@ -347,21 +326,10 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // A motor that friction slows by this part in the end, in a time of its own.
     let gives = droop * (1.0 - exp(-which / droop));
     let motor = p.friction * p.radius_a / (droop * p.rate.abs());
-    let sluggish = (which < 1e3 * droop)
-        .then(|| with(p, [motor, 0.0], false))
-        .transpose()?;
-    let rough = (bearing < 0.3)
-        .then(|| with(p, [0.0, rubs], true))
-        .transpose()?;
-    let (radius_b, free) = (p.radius_b + 1e-4, with(p, [0.0, 0.0], false)?);
-    let larger = with(
-        &Parameters {
-            radius_b,
-            ..p.clone()
-        },
-        [0.0, 0.0],
-        true,
-    )?;
+    let sluggish = when(which < 1e3 * droop, || with(p, [motor, 0.0], false))?;
+    let rough = when(bearing < 0.3, || with(p, [0.0, rubs], true))?;
+    let free = with(p, [0.0, 0.0], false)?;
+    let larger = with(&p.but(|p| p.radius_b += 1e-4), [0.0, 0.0], true)?;
     let both = |[a, b]: [f64; 2]| p.inertia_a * a + p.inertia_b * b;
     effect_card! { report,
         "the motor gives way by 3 %": "dOmega1/Omega1" = droop, costs gives * whole.abs(), "kg m^2/s",
@@ -385,7 +353,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
         let rate = (sticks.after.v[1] / b - 1.0).abs();
         Ok((sticks.t / time - 1.0).abs().max(rate))
     };
-    report.set_closed_form(ClosedForm::new(move |part| Ok(b * part)));
+    report.in_closed_form(move |part| b * part);
     let run = move |step| spun_up(&p, true, step);
     report.controlled("contacts by DOP853", asked, run, Run::work, error)
 }

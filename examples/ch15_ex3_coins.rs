@@ -74,13 +74,15 @@ pub fn rolling(r: f64) -> impl Ode<6> {
 // ANCHOR_END: rolling
 
 /// That motion until the line of centres has turned by `orbit`.
-pub fn rolled(r: f64, orbit: f64, step: f64) -> rotation_dynamics::Result<Solution<6>> {
+pub fn rolled(r: f64, orbit: f64, step: f64) -> Result<Solution<6>> {
     let there = Event::rising("there", |_, y: &[f64; 6]| y[4] - orbit).terminal();
-    let (start, long) = (
-        [1.0 + r, 0.0, 1.0, 0.0, 0.0, 0.0],
-        2.0 * orbit * angular_velocity(r).abs(),
-    );
-    Dop853::new(step)?.solve(&rolling(r), 0.0, &start, long, &[there])
+    let long = 2.0 * orbit * angular_velocity(r).abs();
+    Ok(Dop853::new(step)?.solve(&rolling(r), 0.0, &start(r), long, &[there])?)
+}
+
+/// At the start the mark of the coin touches.
+fn start(r: f64) -> [f64; 6] {
+    [1.0 + r, 0.0, 1.0, 0.0, 0.0, 0.0]
 }
 
 /// The place of a point of the coin, at this distance from its middle and with this angle from
@@ -131,8 +133,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             rate * (net - 1.0) => "that is relative to the line of centres",
             rate * (1.0 + r) => "which of the two radii is it divided by?";
         /// how often it turns in a circuit
-        turns: net, "-", "rolled about the contact" => turned, within bound,
-        in "The motion":
+        turns: net, "-", "rolled about the contact" => turned, within bound, in "The motion":
             net - 1.0 => "the line of centres turns as well";
         /// angular momentum about the middle of the fixed coin
         momentum: unit * l, "kg m^2/s", "four particles" => unit * momentum, within 1e-11 * unit * (1.0 + r) * (1.0 + r).max(1.0),
@@ -220,24 +221,12 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let faster = 1.0 / (1.0 - slip / (1.0 + r));
     let slipping = ode(|t, y: &[f64; 6]| rolling(r).derivative(t, y).map(|rate| faster * rate))
         .scaled(size_or([1.0; 6]));
-    let start = [1.0 + r, 0.0, 1.0, 0.0, 0.0, 0.0];
-    let slipped = match faster > 0.0 && faster < 2.0 {
-        true => {
-            Some(
-                Dop853::new(1e-12)?.zero(&slipping, start, 1, (1e3 / r.abs()).max(20.0), |y| {
-                    y[4] - TAU
-                })?,
-            )
-        }
-        false => None,
-    };
-    let worn = ratio(&Parameters {
-        outer: p.outer + 1e-5,
-        ..p.clone()
-    })
-    .ok()
-    .map(|r| rolled(r, TAU, 1e-12))
-    .transpose()?;
+    let long = (1e3 / r.abs()).max(20.0);
+    let slipped = when(faster > 0.0 && faster < 2.0, || {
+        Dop853::new(1e-12)?.zero(&slipping, start(r), 1, long, |y| y[4] - TAU)
+    })?;
+    let larger = ratio(&p.but(|p| p.outer += 1e-5)).ok();
+    let worn = larger.map(|r| rolled(r, TAU, 1e-12)).transpose()?;
     let fewer = |end: f64| (around.end_time() - end) / TAU;
     effect_card! { report,
         "rubbing on the table; the rate is held":
@@ -264,7 +253,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     report.set_closed_form(ClosedForm::new(at));
     let run = move |step| rolled(r, TAU, step);
-    report.controlled("DOP853, error of a step", asked, run, Solution::work, error)
+    report.stepped(asked, run, Solution::work, error)
 }
 
 example! {

@@ -55,10 +55,8 @@ impl Answer {
         let inertia = p.mass * length * length / 12.0 + reduced * arm * arm;
         let angular_velocity = momentum / inertia;
         let moving = 0.5 * whole * velocity * velocity;
-        let energies = [
-            0.5 * p.particle * p.speed * p.speed,
-            moving + 0.5 * momentum * angular_velocity,
-        ];
+        let before = 0.5 * p.particle * p.speed * p.speed;
+        let energies = [before, moving + 0.5 * momentum * angular_velocity];
         Self {
             length,
             centre,
@@ -84,14 +82,13 @@ impl Answer {
 
 /// The scene of these parameters.
 pub fn scene(p: &Parameters) -> Strike {
-    let (rod, particle, length, speed) = (p.mass, p.particle, p.length, p.speed);
     Strike {
-        rod,
-        particle,
-        length,
-        speed,
+        rod: p.mass,
+        particle: p.particle,
+        length: p.length,
+        speed: p.speed,
         hinged: false,
-        arm: 0.5 * length,
+        arm: 0.5 * p.length,
         rub: 0.0,
     }
 }
@@ -102,11 +99,8 @@ fn turn(p: &Parameters) -> f64 {
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (a, scene, blow) = (
-        Answer::new(p),
-        scene(p),
-        Blow::new(scene(p), p.tolerance, 0.5, turn(p))?,
-    );
+    let (a, scene) = (Answer::new(p), scene(p));
+    let blow = Blow::new(scene, p.tolerance, 0.5, turn(p))?;
     let (before, after, end) = (blow.before, blow.after, blow.end()?);
     let (m, v, l, bound) = (p.particle, p.speed, p.length, 1e-12);
     let whole = p.mass + m;
@@ -140,8 +134,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             a.momentum / (p.mass * l * l / 12.0) => "the particle turns with the rod",
             half / ((p.mass / 12.0 + 0.25 * m) * l * l - whole * a.centre * a.centre) => "moment and angular momentum about the same point";
         /// distance of the point at rest from the centre of mass, just after
-        rest: rest, "m", "contacts simulated" => middle / w - a.centre, within bound * l,
-        in "(d) The motion":
+        rest: rest, "m", "contacts simulated" => middle / w - a.centre, within bound * l, in "(d) The motion":
             rest + a.centre => "that is from the middle of the rod";
         /// way of the centre of mass in one turn
         way: TAU * rest, "m", "contacts simulated" => way.abs(), within 100.0 * p.tolerance * way,
@@ -164,21 +157,16 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// kinetic energy after
         energy: a.energies[1], "J", "contacts simulated" => scene.energy(&after), within bound * a.energies[0];
         /// part of it that is lost
-        lost: lost, "-", "contacts simulated" => lost_there, within bound,
-        in "(d) The motion":
+        lost: lost, "-", "contacts simulated" => lost_there, within bound, in "(d) The motion":
             p.mass / whole => "the rod also turns";
     }
 }
 
 /// The answer for the ratio particle over rod, in units of the rod, its length and the speed.
 pub fn ratio(particle: f64) -> Answer {
-    Answer::new(&Parameters {
-        mass: 1.0,
-        particle,
-        length: 1.0,
-        speed: 1.0,
-        tolerance: 1e-9,
-    })
+    let unit =
+        |p: &mut Parameters| (p.mass, p.particle, p.length, p.speed) = (1.0, particle, 1.0, 1.0);
+    Answer::new(&Parameters::default().but(unit))
 }
 
 fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
@@ -203,11 +191,8 @@ fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
 /// A rod 2 cm thick, a ball of steel on its face, a table that rubs with 0.1, and a miss by 1 mm.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, scene, m, l) = (Answer::new(p), scene(p), p.particle, p.length);
-    let (w, inertia, whole) = (
-        a.angular_velocity,
-        a.momentum / a.angular_velocity,
-        p.mass + m,
-    );
+    let (w, whole) = (a.angular_velocity, p.mass + m);
+    let inertia = a.momentum / w;
     let thick = p.mass * 0.02 * 0.02 / 12.0 / inertia;
     let radius = cbrt(3.0 * m / (4.0 * PI * 7850.0));
     let ball = (0.4 * m + m * p.mass / whole) * radius * radius / inertia;
@@ -221,9 +206,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // How much slower solids turn than rod and point, with the same angular momentum.
     let slower = |rod: MassProperties, particle: MassProperties| -> Result<f64> {
         let both = MassProperties::of_parts(&[rod, particle])?;
-        let about = both
-            .about_centre_of_mass()
-            .moment_about(DesignVector::new(1.0, 0.0, 0.0))?;
+        let about = both.about_centre_of_mass();
+        let about = about.moment_about(DesignVector::new(1.0, 0.0, 0.0))?;
         Ok(w - a.momentum / about)
     };
     let point = MassProperties::of_points(&[(m, DesignVector::new(0.0, 0.0, -0.5 * l))])?;
@@ -232,21 +216,13 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let sphere = solids::sphere(m, radius)?.displaced(on_face)?;
     let (yielding, slack) = (scene.pressed(0.0)?, 1e-13 * w);
     // The rod is hit on this side of its middle, and the table does not stop it.
-    let run = |sound: bool, strike: Strike, end: f64| {
-        sound.then(|| Blow::new(strike, 1e-8, 0.5, end)).transpose()
-    };
-    let arm = scene.arm - 1e-3;
-    let off = run(miss < 0.5, Strike { arm, ..scene }, 0.1)?;
-    let table = run(
-        rub < 0.5,
-        Strike { rub: 0.1, ..scene },
-        1.0 / (w.abs() * scene.unit()),
-    )?;
-    let push = table
-        .as_ref()
-        .map(Blow::end)
-        .transpose()?
-        .map(|end| scene.momentum(&end)[0]);
+    let run = |sound, strike, end: f64| when(sound, || Blow::new(strike, 1e-8, 0.5, end));
+    let aside = scene.but(|strike| strike.arm -= 1e-3);
+    let off = run(miss < 0.5, aside, 0.1)?;
+    let rough = scene.but(|strike| strike.rub = 0.1);
+    let table = run(rub < 0.5, rough, 1.0 / (w.abs() * scene.unit()))?;
+    let end = table.as_ref().map(Blow::end).transpose()?;
+    let push = end.map(|end| scene.momentum(&end)[0]);
     effect_card! { report,
         "thickness of the rod": "M b^2/(12 I)" = thick, costs thick * w, "rad/s", measured slower(broad, point)?, within slack;
         "size of the particle, a ball": "(2/5 m + mu) r^2/I" = ball, costs ball * w, "rad/s",
@@ -268,7 +244,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
     let run = move |tolerance| Blow::new(scene, tolerance, 0.5, end);
     let error = |blow: &Blow| Ok(largest([blow.end()?.q[2].abs() - TAU]));
-    report.set_closed_form(ClosedForm::new(move |part| Ok(part * TAU)));
+    report.in_closed_form(move |part| part * TAU);
     report.controlled("contacts by DOP853", asked, run, Blow::work, error)
 }
 

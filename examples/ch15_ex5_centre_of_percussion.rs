@@ -92,24 +92,16 @@ pub fn shape(x: f64) -> f64 {
     0.5 * (grown * (1.0 - ratio) + shrunk * (1.0 + ratio)) + c - ratio * s
 }
 
-/// Where the mode has its second node, by halving.
+/// Where the mode has its second node, by bisection.
 pub fn node() -> f64 {
-    let (mut low, mut high) = (0.5, 1.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        match shape(middle) < 0.0 {
-            true => low = middle,
-            false => high = middle,
-        }
-    }
-    high
+    bisect([0.5, 1.0], 0.0, |x| shape(x) < 0.0)[1]
 }
 
 /// The same by integrating w'''' = beta^4 w from a free end, with the end values of curvature and shear.
 pub fn shot(tolerance: f64) -> Result<(f64, [f64; 4])> {
     let fourth = BETA * BETA * BETA * BETA;
-    let law =
-        ode(move |_, &[w, a, b, c]: &[f64; 4]| [a, b, c, fourth * w]).scaled(size_or([1.0; 4]));
+    let law = ode(move |_, &[w, a, b, c]: &[f64; 4]| [a, b, c, fourth * w]);
+    let law = law.scaled(size_or([1.0; 4]));
     let node = Event::rising("node", |_, w: &[f64; 4]| w[0]);
     let start = [2.0, -2.0 * BETA * sigma(), 0.0, 0.0];
     let run = Dop853::new(tolerance)?.solve(&law, 0.0, &start, 1.0, &[node])?;
@@ -128,42 +120,33 @@ fn turn(p: &Parameters) -> f64 {
 
 /// Refuses hands and blows that are not on the bat, and contacts that are no blow.
 fn check(p: &Parameters) -> Result<()> {
-    let below = from_to(0.0, 0.45).because("held at its middle a bat has no such place");
-    below.check("hands/length", p.hands / p.length)?;
-    let beyond = from_to(p.hands / p.length, 1.0).because("between the hands and the tip");
-    beyond.check("hit/length", p.hit / p.length)?;
-    let alike = from_to(1e-3, 1e3).because("what one gets is lost beside the other");
-    alike.check("ball/mass", p.ball / p.mass)?;
-    let near = above(1e-10).because("a slower ball is lost in rounding beside the bat");
-    near.check(
-        "|speed| contact/length",
-        p.speed.abs() * p.contact / p.length,
-    )?;
-    let short = from_to(0.0, 1.0).because("or it is no blow");
-    short.check(
-        "Omega t_c, the angle in the time of contact,",
-        turn(p).abs() * p.contact,
-    )?;
-    Ok(())
+    allowed! {
+        "hands/length": p.hands / p.length, from_to(0.0, 0.45), "held at its middle a bat has no such place";
+        "hit/length": p.hit / p.length, from_to(p.hands / p.length, 1.0), "between the hands and the tip";
+        "ball/mass": p.ball / p.mass, from_to(1e-3, 1e3), "what one gets is lost beside the other";
+        "|speed| contact/length": p.speed.abs() * p.contact / p.length,
+            above(1e-10), "a slower ball is lost in rounding beside the bat";
+        "Omega t_c, the angle in the time of contact,": turn(p).abs() * p.contact,
+            from_to(0.0, 1.0), "or it is no blow";
+    }
 }
 
 /// Another place for the blow, as a part of the length.
 pub fn at(p: &Parameters, part: f64) -> Parameters {
-    let hit = part * p.length;
-    Parameters { hit, ..p.clone() }
+    p.but(|p| p.hit = part * p.length)
 }
 
 /// The impact of rigid bodies, hands as a hinge or none.
-pub fn rigid(p: &Parameters, held: bool) -> rotation_dynamics::Result<Blow> {
+pub fn rigid(p: &Parameters, held: bool) -> Result<Blow> {
     Blow::new(Strike::rigid(p, held), p.tolerance)
 }
 
 /// The place of the blow that is not felt, from the hands: two blows simulated, and the straight
 /// line through the two reactions.
 fn unfelt(p: &Parameters) -> Result<f64> {
-    let reaction = |part: f64| Ok::<_, kit::Error>(rigid(&at(p, part), true)?.reaction());
     let (near, far) = (0.55, 0.95);
-    let [a, b] = [reaction(near)?, reaction(far)?];
+    let [a, b] = [near, far].map(|part| rigid(&at(p, part), true));
+    let (a, b) = (a?.reaction(), b?.reaction());
     Ok((near - a * (far - near) / (b - a)) * p.length - p.hands)
 }
 
@@ -178,15 +161,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (reaction, centre) = (reaction(p), centre(p));
     claims! { report,
         /// distance from the hands at which a blow is not felt
-        centre: centre, "m", "two impacts simulated" => unfelt(p)?, within bound * l,
-        in "The place":
+        centre: centre, "m", "two impacts simulated" => unfelt(p)?, within bound * l, in "The place":
             arm => "that is the centre of mass; the bat turns about the hands",
             centre - arm => "that is from the centre of mass",
             l - p.hands => "that is the tip",
             0.75 * l => "compare the velocity of the centre of mass with the angular velocity";
         /// impulse of the hands over that of the ball
-        reaction: reaction, "-", "impact simulated" => held.reaction(), within bound,
-        in "The hands":
+        reaction: reaction, "-", "impact simulated" => held.reaction(), within bound, in "The hands":
             -reaction => "that is the impulse on the hands",
             hit / centre => "the momentum of the bat comes from the ball as well",
             free_hands(p) => "that is how a free bat would move there";
@@ -208,15 +189,11 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 /// A blow at each end and in the middle, and hands that hold elsewhere.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let unit = |hands: f64, hit: f64| {
-        let mut unit = p.clone();
-        (unit.length, unit.hands, unit.hit) = (1.0, hands, hit);
-        (unit.mass, unit.speed, unit.restitution) = (1.0, 1.0, 1.0);
-        unit
+        let p = p.but(|p| (p.length, p.hands, p.hit) = (1.0, hands, hit));
+        p.but(|p| (p.mass, p.speed, p.restitution) = (1.0, 1.0, 1.0))
     };
-    let [light, heavy] = [1e-9, 1e9].map(|ball| {
-        let tip = unit(0.0, 1.0);
-        impulse(&Parameters { ball, ..tip }, true)
-    });
+    let tip = |ball| impulse(&unit(0.0, 1.0).but(|p| p.ball = ball), true);
+    let [light, heavy] = [1e-9, 1e9].map(tip);
     limits! { report,
         /// a blow on the hands: they carry all of it
         "d = 0: J_h/J": reaction(&unit(0.0, 0.0)) => -1.0, within 1e-15;
@@ -240,17 +217,16 @@ fn soft(p: &Parameters, report: &mut Report) -> Result<()> {
     let [forces, turned] = ["largest force, ball / kN", "turned meanwhile / rad"];
     let columns = ["contact / s", "J_h/J", forces, "hands / kN", turned];
     let rate = turn(p).abs();
-    let contacts = [0.0001, 0.001, 0.01]
-        .into_iter()
-        .filter(|contact: &f64| rate * contact <= 1.0);
-    let table = Table::of("soft", columns, contacts, |contact: f64| {
-        let p = p.clone();
-        let blow = Blow::new(Strike::soft(&Parameters { contact, ..p }), SOFT)?;
-        let ([ball, hands], reaction) = (blow.largest_forces()?, blow.reaction());
-        let forces = [ball, hands].map(|force| format!("{:.2}", 1e-3 * force));
+    let brief = |contact: &f64| rate * contact <= 1.0;
+    let contacts = [0.0001, 0.001, 0.01].into_iter().filter(brief);
+    let table = Table::of("soft", columns, contacts, |contact| {
+        let blow = Blow::new(Strike::soft(&p.but(|p| p.contact = contact)), SOFT)?;
+        let forces = blow
+            .largest_forces()?
+            .map(|force| format!("{:.2}", 1e-3 * force));
         let [ball, hands] = forces;
-        let turned = format!("{:.4}", blow.turned()?);
-        let reaction = format!("{reaction:.4}");
+        let (reaction, turned) = (blow.reaction(), blow.turned()?);
+        let [reaction, turned] = [reaction, turned].map(|number| format!("{number:.4}"));
         Ok([contact.to_string(), reaction, ball, hands, turned])
     })?;
     report.add(table)
@@ -265,18 +241,9 @@ pub fn turning() -> Result<[f64; 3]> {
     // Depth, angle and place with their rates, then the three means; the impulse is 1.
     let law = ode(move |_, &[d, dd, a, da, x, dx, ..]: &[f64; 9]| {
         let force = 0.5 * stiffness * d.max(0.0) * d.max(0.0).sqrt();
-        let means = [a * a, x, a * d].map(|mean| force * mean);
-        [
-            dd,
-            -2.0 * force,
-            da,
-            force,
-            dx,
-            force * a,
-            means[0],
-            means[1],
-            means[2],
-        ]
+        let [square, place, depth] = [a * a, x, a * d].map(|mean| force * mean);
+        let (slower, aside) = (-2.0 * force, force * a);
+        [dd, slower, da, force, dx, aside, square, place, depth]
     })
     .scaled(size_or([1.0; 9]));
     let mut start = [0.0; 9];
@@ -295,9 +262,8 @@ pub fn in_pieces(p: &Parameters, e: f64) -> Result<f64> {
     };
     let pieces: Vec<_> = (0..1000).map(piece).collect();
     let bat = MassProperties::of_points(&pieces)?;
-    let moment = bat
-        .about(DesignVector::zero())?
-        .moment_about(DesignVector::new(0.0, 0.0, 1.0))?;
+    let about = bat.about(DesignVector::zero())?;
+    let moment = about.moment_about(DesignVector::new(0.0, 0.0, 1.0))?;
     Ok(moment / (bat.mass() * bat.centre_of_mass().x()))
 }
 
@@ -316,27 +282,17 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     let bends = (shape(p.hands / l) * shape(p.hit / l)).abs();
     // Samples of the force do not tell what goes to and fro many times meanwhile.
-    let swings = (x < 20.0)
-        .then(|| soft.left_swinging(2.0 * PI * frequency))
-        .transpose()?;
+    let swings = when(x < 20.0, || soft.left_swinging(2.0 * PI * frequency))?;
     // Mean of the place along the bat and of its square, from the hands, over l and l^2.
     let (heavier, part) = (0.5, p.hands / l);
     let mean = 0.5 + heavier / 6.0 - part;
     let square = 1.0 / 3.0 + heavier / 6.0 - part * (2.0 * mean + part);
     let shifted = square / mean * l - centre(p);
     // The elastic ball: angle and way of the ball along the bat in the time of contact, squared.
-    let (elastic, moment) = (
-        Parameters {
-            restitution: 1.0,
-            ..p.clone()
-        },
-        p.mass * inertia(p, arm),
-    );
-    let push = impulse(&elastic, true) * contact;
-    let [angle, way] = [
-        push * hit / moment * (push * hit / moment),
-        push * push / (moment * p.ball),
-    ];
+    let elastic = p.but(|p| p.restitution = 1.0);
+    let (push, moment) = (impulse(&elastic, true) * contact, p.mass * inertia(p, arm));
+    let angle = push * hit / moment * (push * hit / moment);
+    let way = push * push / (moment * p.ball);
     // It is read when the bat has turned by all of this angle, and so its half square is lost.
     let [turned, along, deep] = turning()?;
     let turns = angle * (turned + 0.5 * deep - 0.5) + way * (along + 0.5 * deep);
@@ -348,8 +304,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         "half as heavy again at the tip, lighter at the handle": "e" = heavier, costs shifted, "m of the place",
             measured in_pieces(p, heavier)? - centre(p), within 1e-5 * l;
         "the contact lasts": "Omega t_c" = soft.after.v[2] * contact, costs (1.0 + reaction(p)) * turns, "of J_h/J",
-            measured soft.reaction() - reaction(p), within slack,
-            at_work soft.motion.work();
+            measured soft.reaction() - reaction(p), within slack, at_work soft.motion.work();
         "weight during the contact": "m g t_c/J" = weight, costs weight * reaction(&at(p, 0.5)).abs(), "of J_h/J, at most";
     }
 }
@@ -360,15 +315,10 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let asked = [p.tolerance, 1e-4, 1e-6, 1e-8, 1e-12];
     let error = move |blow: &Blow| Ok((blow.reaction() - exact).abs());
     let line = p.clone();
-    report.set_closed_form(ClosedForm::new(move |part| Ok(reaction(&at(&line, part)))));
+    report.in_closed_form(move |part| reaction(&at(&line, part)));
     let run = move |tolerance| Blow::new(Strike::rigid(&p, true), tolerance);
-    report.controlled(
-        "contacts by DOP853",
-        asked,
-        run,
-        |blow| blow.motion.work(),
-        error,
-    )
+    let work = |blow: &Blow| blow.motion.work();
+    report.controlled("contacts by DOP853", asked, run, work, error)
 }
 
 example! {

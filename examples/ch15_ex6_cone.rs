@@ -5,13 +5,12 @@ pub mod cone;
 #[path = "ch15_ex6_cone/figures.rs"]
 mod figures;
 
-use cone::{Cone, Sums, left_to_itself, level, placed, spin_at_rest};
+use cone::{Sums, blown, left_to_itself, level, placed, spin_at_rest};
 use core::f64::consts::TAU;
-use kit::interval::{above_to, between};
+use kit::interval::above_to;
 use kit::prelude::*;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Work, ode, size_or};
-use rotation_dynamics::math::expm1;
 
 parameters! {
     /// The cone of the exercise; the notes leave all numbers open.
@@ -26,23 +25,13 @@ parameters! {
         rate: number(1.5, "rad/s", from_to(-1e6, 1e6).but_zero("at rest nothing rolls").usually(0.5, 6.0)).drawn(0.8, 2.4, 0.2);
         /// coefficient of friction of cone and table
         friction: number(0.5, "-", above(0.0).usually(0.1, 1.5)).drawn(0.30, 0.80, 0.05);
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", from_to(1e-6, 1e6).usually(1.0, 25.0));
+        gravity: gravity(from_to(1e-6, 1e6).usually(1.0, 25.0));
         /// lever by which the pressure of the table runs ahead, for the claims about it
         rolling: effect(2e-5, "m", above_to(0.0, 1.0));
         /// density of the air that brakes it, for the claims about it
         air: effect(1.204, "kg/m^3", above_to(0.0, 1e6));
         /// error of a step of the simulations
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
-    }
-}
-
-/// The cone of these parameters.
-fn body(p: &Parameters) -> Cone {
-    Cone {
-        mass: p.mass,
-        height: p.height,
-        half_angle: p.half_angle,
     }
 }
 
@@ -55,10 +44,8 @@ pub fn angular_velocity(a: f64) -> f64 {
 /// L over M h^2 Omega, outward along the line of contact and upward.
 pub fn angular_momentum(a: f64) -> [f64; 2] {
     let square = cos(a) * cos(a);
-    [
-        -0.15 * tan(a) * (1.0 + 5.0 * square),
-        0.15 * (5.0 * square - 1.0),
-    ]
+    let rho = -0.15 * tan(a) * (1.0 + 5.0 * square);
+    [rho, 0.15 * (5.0 * square - 1.0)]
 }
 
 /// T over M h^2 Omega^2.
@@ -91,21 +78,17 @@ pub fn rolled(a: f64, turn: f64) -> rotation_dynamics::Result<Attitude> {
 
 /// The sums over the particles at this rate, when the line of contact has the azimuth 0.
 pub fn summed(p: &Parameters, rate: f64) -> rotation_dynamics::Result<Sums> {
-    body(p).sums(
-        |t| rolled(p.half_angle, rate * t),
-        0.02 * sin(p.half_angle) / rate,
-    )
+    let h = 0.02 * sin(p.half_angle) / rate;
+    p.sums(|t| rolled(p.half_angle, rate * t), h)
 }
 
 /// Where the table must bear the cone, m from the vertex, by the particles: what they need beyond
 /// their weight comes from the table, whose upward part has this moment about the vertex.
 pub fn borne_at(p: &Parameters, rate: f64) -> Result<f64> {
     let (sums, weight) = (summed(p, rate)?, p.mass * p.gravity);
-    let centre: SpaceVector = body(p)
-        .particles()
-        .iter()
-        .map(|(m, r)| Ok(rolled(p.half_angle, 0.0)?.to_space(*r) * *m))
-        .sum::<Result<_>>()?;
+    let at = rolled(p.half_angle, 0.0)?;
+    let parts = p.particles();
+    let centre: SpaceVector = parts.iter().map(|(m, r)| at.to_space(*r) * *m).sum();
     // About phi = Z x rho, which is Y here: N d = (moment of the weight) - (moment needed).
     Ok((p.gravity * centre.x() - sums.moment.y()) / (weight + sums.force.z()))
 }
@@ -126,12 +109,8 @@ pub fn tipping(p: &Parameters) -> Result<f64> {
 fn carried(angular_velocity: impl Fn(f64) -> SpaceVector) -> impl Ode<4> {
     ode(move |t, &[w, x, y, z]: &[f64; 4]| {
         let [a, b, c] = (angular_velocity(t) * 0.5).to_array();
-        [
-            -a * x - b * y - c * z,
-            a * w + b * z - c * y,
-            b * w + c * x - a * z,
-            c * w + a * y - b * x,
-        ]
+        let (scalar, along) = (-a * x - b * y - c * z, a * w + b * z - c * y);
+        [scalar, along, b * w + c * x - a * z, c * w + a * y - b * x]
     })
     .scaled(size_or([1.0; 4]))
 }
@@ -148,27 +127,18 @@ fn check(p: &Parameters) -> Result<()> {
     let (a, unit) = (p.half_angle, (p.gravity / p.height).sqrt());
     let slips = unit * (p.friction / needed(a, 1.0)).sqrt();
     let (tips, slow) = (unit * tips(a).sqrt(), p.rate.abs());
-    let stands = above_to(0.0, tips).because("faster, it tips over its rim");
-    let grips = above_to(0.0, slips).because("faster, it slips");
-    stands.check("|rate|, beyond which the cone tips,", slow)?;
-    grips.check("|rate|, beyond which the cone slips,", slow)?;
-    Ok(())
+    allowed! {
+        "|rate|, beyond which the cone tips,": slow, above_to(0.0, tips), "faster, it tips over its rim";
+        "|rate|, beyond which the cone slips,": slow, above_to(0.0, slips), "faster, it slips";
+    }
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     check(p)?;
     let (a, m, h, rate) = (p.half_angle, p.mass, p.height, p.rate);
-    let (s, c, unit, w) = (
-        sin(a),
-        cos(a),
-        m * h * h * rate,
-        h * rate * rate / p.gravity,
-    );
-    let (omega, [rho, up], energy) = (
-        rate * angular_velocity(a),
-        angular_momentum(a),
-        kinetic_energy(a),
-    );
+    let ((s, c), unit, w) = (sincos(a), m * h * h * rate, h * rate * rate / p.gravity);
+    let (omega, energy) = (rate * angular_velocity(a), kinetic_energy(a));
+    let [rho, up] = angular_momentum(a);
     let spin = spin_at_rest(a, level(0.0), rate)?;
     // The spin about the axis and the turning about the vertical, added.
     let net = SpaceVector::new(spin * c, 0.0, rate + spin * s);
@@ -203,8 +173,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             unit * rate * energy * 2.0 => "half of that",
             0.5 * m * (0.75 * h * c * rate) * (0.75 * h * c * rate) => "that is the part of the centre of mass only";
         /// turns about its axis in a circuit, seen from the line of contact
-        turns: 1.0 / s, "-", "the line of contact at rest" => -spin / rate, within near / s,
-        in "The motion":
+        turns: 1.0 / s, "-", "the line of contact at rest" => -spin / rate, within near / s, in "The motion":
             1.0 / tan(a) => "the table meets the slanted side, not the base";
         /// where the table bears the cone, from the vertex
         borne_at: h * centre_of_pressure(a, w), "m", "24 particles" => borne_at(p, rate)?, within near * h,
@@ -251,28 +220,17 @@ fn left(p: &Parameters, report: &mut Report) -> Result<()> {
     if let Some(lever) = p.rolling {
         let bears = p.mass * p.gravity * lever * -angular_velocity(a);
         let lost = 2.0 * TAU * bears / (inertia * rate * rate);
-        between(0.0, 0.9)
-            .because("it would stop within a circuit")
-            .check(
-                "part of the energy that rolling resistance takes in a circuit",
-                lost,
-            )?;
+        allowed! {
+            "part of the energy that rolling resistance takes in a circuit": lost,
+                between(0.0, 0.9), "it would stop within a circuit";
+        }?;
         let (ran, _) = left_to_itself(lost, [inertia, rate], |_| bears)?;
         claims! { report,
             /// with rolling resistance: rate after a circuit
             rolled_rate: rate * (1.0 - lost).sqrt(), "rad/s", "simulated" => rate * (1.0 - ran.unwrap_or(1.0)).sqrt(), within 1e-10 * rate;
         }?;
     }
-    let Some(density) = p.air else { return Ok(()) };
-    let strips = body(p).air(a, density);
-    let lost = -expm1(-2.0 * TAU * strips / inertia);
-    let goes_on = between(0.0, 0.9).because("it would stop within a circuit");
-    goes_on.check("part of the energy that the air takes in a circuit", lost)?;
-    let (ran, _) = left_to_itself(lost, [inertia, rate], |rate| strips * rate * rate)?;
-    claims! { report,
-        /// in air: rate after a circuit
-        blown_rate: rate * exp(-TAU * strips / inertia), "rad/s", "simulated" => rate * (1.0 - ran.unwrap_or(1.0)).sqrt(), within 1e-10 * rate;
-    }
+    blown(p, report, a, inertia)
 }
 
 /// The card of effects: hard smooth surfaces, in air.
@@ -287,7 +245,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (side, speed) = (h * h * tan(a), 0.75 * h * rate * cos(a));
     let air = 0.5 * 1.204 * side * speed * speed * TAU * 0.75 * h * cos(a) / energy;
     let rolling = bears * TAU / energy;
-    let (turning, strips) = ([2.0 * energy / (rate * rate), rate], body(p).air(a, 1.204));
+    let (turning, strips) = ([2.0 * energy / (rate * rate), rate], p.air(a, 1.204));
     let (rolled, its_work) = left_to_itself(rolling, turning, |_| bears)?;
     let (blown, work) = left_to_itself(air, turning, |rate| strips * rate * rate)?;
     effect_card! { report,
@@ -309,7 +267,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let error = move |run: &(Attitude, Work)| Ok(run.0.angle_to(&exact));
     report.set_closed_form(ClosedForm::new(move |part| rolled(a, part * TAU)));
     let run = move |step| circuit(a, step);
-    report.controlled("DOP853, error of a step", asked, run, |run| run.1, error)
+    report.stepped(asked, run, |run| run.1, error)
 }
 
 example! {

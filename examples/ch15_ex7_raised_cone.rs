@@ -5,16 +5,14 @@ pub mod cone;
 #[path = "ch15_ex7_raised_cone/figures.rs"]
 mod figures;
 
-use cone::{Cone, Sums, UP, left_to_itself, level, placed, spin_at_rest};
+use cone::{Sums, UP, blown, left_to_itself, level, placed, spin_at_rest};
 use core::f64::consts::TAU;
-use kit::interval::between;
 use kit::prelude::*;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{Effect, Torque};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::math::expm1;
 use rotation_dynamics::scene::Scene;
 
 parameters! {
@@ -28,21 +26,11 @@ parameters! {
         half_angle: number(0.4, "rad", from_to(1e-3, 1.5698).because("a thinner or flatter cone needs more digits than doubles have").usually(0.1, 1.2)).drawn(0.25, 0.70, 0.05);
         /// rate at which its axis turns about the vertical
         rate: number(1.5, "rad/s", from_to(-1e6, 1e6).but_zero("at rest nothing rolls").usually(0.5, 12.0)).drawn(1.0, 4.0, 0.5);
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", from_to(1e-6, 1e6).usually(1.0, 25.0));
+        gravity: gravity(from_to(1e-6, 1e6).usually(1.0, 25.0));
         /// density of the air that brakes it, for the claims about it
         air: effect(1.204, "kg/m^3", above_to(0.0, 1e6));
         /// error of the solved attitude
         tolerance: number(1e-9, "rad", from_to(1e-11, 1e-3));
-    }
-}
-
-/// The cone of these parameters.
-fn body(p: &Parameters) -> Cone {
-    Cone {
-        mass: p.mass,
-        height: p.height,
-        half_angle: p.half_angle,
     }
 }
 
@@ -77,13 +65,13 @@ pub fn rolled(a: f64, turn: f64) -> rotation_dynamics::Result<Attitude> {
 /// The sums over the particles at this rate, when the axis points along X.
 pub fn summed(p: &Parameters, rate: f64) -> rotation_dynamics::Result<Sums> {
     let step = 0.02 * sin(p.half_angle) / rate;
-    body(p).sums(|t| rolled(p.half_angle, rate * t), step)
+    p.sums(|t| rolled(p.half_angle, rate * t), step)
 }
 
 /// The force of the table, N, by the particles: what their motion needs beyond the moment of
 /// their weight about the vertex, the table must supply at the distance h.
 pub fn pressed(p: &Parameters, rate: f64) -> Result<f64> {
-    let particles = body(p).particles();
+    let particles = p.particles();
     let moment: f64 = particles.iter().map(|(m, r)| m * p.gravity * r.z()).sum();
     Ok((moment - summed(p, rate)?.moment.y()) / p.height)
 }
@@ -95,10 +83,9 @@ pub fn without_table(
     n: f64,
 ) -> Result<(Scene<impl Effect + Clone + Send + Sync + 'static>, State)> {
     let (a, h, i) = (p.half_angle, p.height, p.mass * p.height * p.height);
-    let moments = PrincipalMoments::symmetric(
-        0.6 * i * (1.0 + 0.25 * tan(a) * tan(a)),
-        0.3 * i * tan(a) * tan(a),
-    )?;
+    let own = 0.3 * i * tan(a) * tan(a);
+    let across = 0.6 * i * (1.0 + 0.25 * tan(a) * tan(a));
+    let moments = PrincipalMoments::symmetric(across, own)?;
     // N at the rim, at the distance h, and the weight at 3 h/4; taken together, since they all
     // but cancel if the cone is slender.
     let lever = h * (n - 0.75 * p.mass * p.gravity);
@@ -135,18 +122,16 @@ fn asked(p: &Parameters) -> f64 {
 /// How high the axis points in the end, rad, with that force in place of the table.
 pub fn rises(p: &Parameters, n: f64) -> Result<f64> {
     let (scene, start) = without_table(p, n)?;
-    let axis = scene
-        .solve(&start, followed(p), asked(p))?
-        .state
-        .attitude
-        .axis();
+    let solved = scene.solve(&start, followed(p), asked(p))?;
+    let axis = solved.state.attitude.axis();
     Ok(atan2(axis.z(), hypot(axis.x(), axis.y())))
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, m, h, rate) = (p.half_angle, p.mass, p.height, p.rate);
-    let rates = from_to(1e-3, 1e3).because("the weight or the turning is lost beside the other");
-    rates.check("h Omega^2/g", h * rate * rate / p.gravity)?;
+    allowed! {
+        "h Omega^2/g": h * rate * rate / p.gravity, from_to(1e-3, 1e3), "the weight or the turning is lost beside the other";
+    }?;
     let (s, c, unit, weight) = (sin(a), cos(a), m * h * h * rate, m * p.gravity);
     let ([along, up], [rho, vertical]) = (angular_velocity(a), angular_momentum(a));
     let (w, energy) = (h * rate * rate / p.gravity, unit * rate * kinetic_energy(a));
@@ -177,18 +162,15 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             0.6 * unit => "the cone is not a thin rod",
             unit * (0.0375 + 0.15 * tan(a) * tan(a)) => "that is about the centre of mass";
         /// kinetic energy
-        energy: energy, "J", "24 particles" => sums.kinetic_energy, within near * energy,
-        in "The motion":
+        energy: energy, "J", "24 particles" => sums.kinetic_energy, within near * energy, in "The motion":
             2.0 * energy => "half of that",
             energy * c * c => "that is the cone that lies on the table",
             0.5 * unit * rate * vertical => "the cone spins as well";
         /// turns about its axis in a circuit, seen from the axis
-        turns: 1.0 / tan(a), "-", "the lowest point at rest" => -spin / rate, within near / s,
-        in "The motion":
+        turns: 1.0 / tan(a), "-", "the lowest point at rest" => -spin / rate, within near / s, in "The motion":
             1.0 / s => "that is the cone that lies on the table";
         /// force of the table
-        pressure: n, "N", "24 particles" => pressed(p, rate)?, within near * n,
-        in "The forces":
+        pressure: n, "N", "24 particles" => pressed(p, rate)?, within near * n, in "The forces":
             weight => "the joint bears a part of the weight",
             0.75 * weight => "so it is at rest";
         /// how high the axis points after a circuit, with that force in place of the table
@@ -218,18 +200,8 @@ fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
 
 /// What `--with air` adds: the rate that is left after a circuit, if nothing drives the cone.
 fn left(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (a, h, rate) = (p.half_angle, p.height, p.rate);
-    let inertia = 2.0 * p.mass * h * h * kinetic_energy(a);
-    let Some(density) = p.air else { return Ok(()) };
-    let strips = body(p).air(0.0, density);
-    let lost = -expm1(-2.0 * TAU * strips / inertia);
-    let goes_on = between(0.0, 0.9).because("it would stop within a circuit");
-    goes_on.check("part of the energy that the air takes in a circuit", lost)?;
-    let (ran, _) = left_to_itself(lost, [inertia, rate], |rate| strips * rate * rate)?;
-    claims! { report,
-        /// in air: rate after a circuit
-        blown_rate: rate * exp(-TAU * strips / inertia), "rad/s", "simulated" => rate * (1.0 - ran.unwrap_or(1.0)).sqrt(), within 1e-10 * rate;
-    }
+    let unit = p.mass * p.height * p.height;
+    blown(p, report, 0.0, 2.0 * unit * kinetic_energy(p.half_angle))
 }
 
 /// The card of effects: hard smooth surfaces, in air.
@@ -244,10 +216,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // speed of the base.
     let (side, speed) = (h * h * tan(a), h * rate);
     let air = 0.4 * 0.5 * 1.204 * side * speed * speed * TAU * h / energy;
-    let (turning, strips) = (
-        [2.0 * energy / (rate * rate), rate],
-        body(p).air(0.0, 1.204),
-    );
+    let turning = [2.0 * energy / (rate * rate), rate];
+    let strips = p.air(0.0, 1.204);
     // Slower, it also presses less.
     let pressed = |rate: f64| bears(h * rate * rate / p.gravity);
     let (rolled, its_work) = left_to_itself(rolling, turning, pressed)?;

@@ -8,7 +8,7 @@ pub mod pull;
 use core::f64::consts::{FRAC_PI_2, TAU};
 use kit::prelude::*;
 use pull::{Pulled, across, direction, energy, outward, radius};
-use rotation_dynamics::integrators::{after, newton, ode, size_or};
+use rotation_dynamics::integrators::{Ode, after, newton, ode, place_and_velocity, size_or};
 
 parameters! {
     /// The string of the exercise; the notes leave all numbers open.
@@ -25,8 +25,7 @@ parameters! {
         time: number(3.0, "s", above(0.0).usually(0.5, 6.0)).drawn(1.0, 4.0, 0.5);
         /// radius of the hole
         hole: number(0.05, "m", above(0.0).usually(0.01, 0.1));
-        /// error of a step of the simulations: from 1e-15 to 1e-6
-        tolerance: number(1e-14, "-", from_to(1e-15, 1e-6));
+        tolerance: step(1e-14, 1e-6);
     }
 }
 
@@ -65,22 +64,19 @@ impl Answer {
 pub fn scene(p: &Parameters) -> Result<(Answer, f64, f64)> {
     let (pull, hole) = (p.pull / p.speed.abs(), p.hole / p.radius);
     let end = p.time * p.speed.abs() / p.radius;
-    let room = from_to(0.005, 0.95).because("at the edge of a smaller hole the turns are too many");
-    room.check("hole/radius", hole)?;
-    let fast =
-        from_to(1e-3, 1e2).because("slower, the turns to the hole are too many; faster, too few");
-    fast.check("pull/|speed|", pull)?;
-    let much = above(1e-6).because("less is lost in rounding");
-    much.check("pull time/radius, what is pulled in,", pull * end)?;
-    let left = p.radius - p.pull * p.time;
-    let outside = above(p.hole).because("the radius of the hole");
-    outside.check("radius - pull time, what is left of the string,", left)?;
+    allowed! {
+        "hole/radius": hole, from_to(0.005, 0.95), "at the edge of a smaller hole the turns are too many";
+        "pull/|speed|": pull, from_to(1e-3, 1e2), "slower, the turns to the hole are too many; faster, too few";
+        "pull time/radius, what is pulled in,": pull * end, above(1e-6), "less is lost in rounding";
+        "radius - pull time, what is left of the string,": p.radius - p.pull * p.time,
+            above(p.hole), "the radius of the hole";
+    }?;
     Ok((Answer { pull }, end, hole))
 }
 
 /// Newton's law for a string that winds on a post of this radius: it pulls towards the point
 /// where it leaves the post, at right angles to the velocity.
-pub fn on_post(post: f64) -> impl rotation_dynamics::integrators::Ode<6> {
+pub fn on_post(post: f64) -> impl Ode<6> {
     newton(move |_, [place, velocity]| {
         let free = string_on_post(post, place);
         free * (velocity.dot(&velocity) / free.dot(&free))
@@ -119,12 +115,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let flight = (direction(&flown) - direction(&last)).rem_euclid(TAU);
     // On to the edge of the hole.
     let edge = Pulled::new(a.pull, hole, p.tolerance, 2.0 * far)?;
-    let naive = after(
-        end,
-        &ode(|t, _: &[f64; 1]| [a.across(t)]).scaled(size_or([1.0; 1])),
-        &[0.0],
-        1e-13,
-    )?[0];
+    let turning = ode(|t, _: &[f64; 1]| [a.across(t)]).scaled(size_or([1.0; 1]));
+    let naive = after(end, &turning, &[0.0], 1e-13)?[0];
     let keeping = -log(r) / a.pull;
     claims! { report,
         /// length of string that is left on the table
@@ -244,16 +236,14 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, end, hole) = scene(p)?;
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
     let ((s, c), r) = (sincos(a.angle(end)), a.radius(end));
-    report.set_closed_form(ClosedForm::new(move |part| {
-        let t = part * end;
-        Ok([a.radius(t), a.angle(t), a.force(t)])
-    }));
+    let state = move |t| [a.radius(t), a.angle(t), a.force(t)];
+    report.in_closed_form(move |part| state(part * end));
     let run = move |step| Pulled::new(a.pull, hole, step, end);
     let error = move |run: &Pulled| {
         let [x, y, _] = run.at(end)?.q;
         Ok(hypot(x - r * c, y - r * s) / r)
     };
-    report.controlled("DOP853, error of a step", asked, run, Pulled::work, error)
+    report.stepped(asked, run, Pulled::work, error)
 }
 
 example! {

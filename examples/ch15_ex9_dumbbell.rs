@@ -69,16 +69,12 @@ pub fn cycloids(a: Answer, reach: f64, angle: f64) -> [hit::Plane; 3] {
 
 /// The scene of these parameters.
 pub fn scene(p: &Parameters) -> Result<Hit> {
-    let apart = between(0.0, 0.5).because("or the masses overlap");
-    apart.check("knob/length", p.knob / p.length)?;
-    let sizes =
-        from_to(2e-3, 10.0).because("a smaller ball passes a mass within a step of the simulation");
-    let reach = sizes.check("(ball + knob)/length", (p.ball + p.knob) / p.length)?;
-    let (restitution, slant) = (p.restitution, p.slant);
-    Ok(Hit {
-        slant,
-        ..Hit::across(restitution, reach)
-    })
+    let reach = (p.ball + p.knob) / p.length;
+    allowed! {
+        "knob/length": p.knob / p.length, between(0.0, 0.5), "or the masses overlap";
+        "(ball + knob)/length": reach, from_to(2e-3, 10.0), "a smaller ball passes a mass within a step of the simulation";
+    }?;
+    Ok(Hit::across(p.restitution, reach).but(|hit| hit.slant = p.slant))
 }
 
 /// Distance from the ball to the upper mass, from middle to middle, after this angle.
@@ -108,22 +104,18 @@ pub fn touching() -> f64 {
 
 /// The same by simulations, between one with a second hit and one without.
 pub fn touching_simulated(within: f64) -> Result<f64> {
-    let (mut clear, mut met) = (1.0, 1.5);
-    while met - clear > within {
-        let reach = 0.5 * (clear + met);
+    // A contact that only grazes can pass between two steps, so the distance decides.
+    let clears = |reach: f64| -> Result<bool> {
         let blow = Blow::new(Hit::across(1.0, reach), 1e-9, 2.0)?;
-        // A contact that only grazes can pass between two steps, so the distance decides.
-        match blow.nearest(0.7, 1.8) <= reach + 1e-10 {
-            true => met = reach,
-            false => clear = reach,
-        }
-    }
+        Ok(blow.nearest(0.7, 1.8) > reach + 1e-10)
+    };
+    let [clear, met] = try_bisect([1.0, 1.5], within, clears)?;
     Ok(0.5 * (clear + met))
 }
 
 /// A hit that returns half of the relative velocity, for two thirds of a turn.
-pub fn halved(reach: f64, step: f64) -> rotation_dynamics::Result<Blow> {
-    Blow::new(Hit::across(0.5, reach), step, 4.2)
+pub fn halved(reach: f64, step: f64) -> Result<Blow> {
+    Ok(Blow::new(Hit::across(0.5, reach), step, 4.2)?)
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -160,12 +152,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             0.5 * v0 / l * a.angular_velocity => "the arm is half of the stick",
             2.0 * v0 / l * c => "the ball keeps a part of its momentum";
         /// speed of the struck mass
-        v_hit: of(1.0), "m/s", "contacts simulated" => struck, within bound * v0,
-        in "The velocities":
+        v_hit: of(1.0), "m/s", "contacts simulated" => struck, within bound * v0, in "The velocities":
             v0.abs() * a.centre => "that is the centre of mass";
         /// speed of the other mass just after the hit
-        v_other: of(-1.0), "m/s", "contacts simulated" => other, within bound * v0,
-        in "The velocities":
+        v_other: of(-1.0), "m/s", "contacts simulated" => other, within bound * v0, in "The velocities":
             v0.abs() * a.centre => "the turning takes it backward";
         /// impulse of the hit
         impulse: m * v0 * a.impulse, "N s", "contacts simulated" => m * v0 * (1.0 - along([after.v[3], after.v[4]])), within bound * m * v0,
@@ -227,37 +217,26 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (plain, struck) = (scene(p)?, |hit: Hit| Blow::new(hit, 1e-13, 0.02));
     let free = struck(plain)?;
     let after = &free.after;
-    let heavy = struck(Hit {
-        moment: 0.25 * (1.0 + size),
-        ..plain
-    })?;
-    let staff = struck(Hit {
-        mass: 1.01,
-        moment: 0.25 + 0.01 / 12.0,
-        ..plain
-    })?;
+    let heavy = struck(plain.but(|hit| hit.moment = 0.25 * (1.0 + size)))?;
+    let staff = struck(plain.but(|hit| (hit.mass, hit.moment) = (1.01, 0.25 + 0.01 / 12.0)))?;
     let cost = |other: &Blow| {
         let [without, with] = [&free, other].map(|blow| blow.work().derivatives);
         format!("{without} derivatives, {with} derivatives")
     };
     // Along the stick nothing turns; a ball that is far aside misses; what rubs much stops it.
     let turned = (square > 1e-6).then(|| 1.0 - heavy.after.v[2] / after.v[2]);
-    let (mut astray, mut its_cost) = (None, "-".into());
-    if aside < 0.5 {
-        let askew = struck(Hit {
-            aside: 1e-3 / l,
-            ..plain
-        })?;
-        let [x, y, ..] = askew.after.v;
-        (astray, its_cost) = (Some((atan2(y, x) - p.slant).abs()), cost(&askew));
-    }
+    let astray = when(aside < 0.5, || {
+        struck(plain.but(|hit| hit.aside = 1e-3 / l))
+    })?;
+    let its_cost = astray.as_ref().map_or("-".into(), cost);
+    let off = |blow: &Blow| (atan2(blow.after.v[1], blow.after.v[0]) - p.slant).abs();
     let held = rub * hit::held_back(after);
-    let braked = (held < 0.4).then(|| hit::rubbed(after, weak)).transpose()?;
+    let braked = when(held < 0.4, || hit::rubbed(after, weak))?;
     effect_card! { report,
         "size of the masses": "8 a^2/(5 l^2)" = size, costs size * 2.0 / (2.0 + square), "of Omega, to first order",
             measured turned, within 1e-9, at_cost cost(&heavy);
         "it hits 1 mm off the middle": "d/(a + b)" = aside, costs aside, "rad of the direction, to first order",
-            measured astray, within 1e-9, at_cost its_cost;
+            measured astray.as_ref().map(off), within 1e-9, at_cost its_cost;
         "the contact lasts 0.1 ms": "Omega t_c" = contact, costs 0.5 * contact, "rad of the angle";
         "mass of the stick, 1 %": "m_s/m" = 0.01, costs 0.01 * (1.0 + 2.0 / 3.0 * square) / (2.0 + square), "of V, to first order",
             measured 1.0 - hypot(staff.after.v[0], staff.after.v[1]) / a.centre, within 1e-9, at_cost cost(&staff);
@@ -271,10 +250,10 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (reach, a) = (scene(p)?.reach.min(1.0), Answer::new(0.5, 0.0));
     let time = second(reach) / a.angular_velocity;
     let asked = [p.tolerance, 1e-6, 1e-9, 1e-12];
-    report.set_closed_form(ClosedForm::new(move |_| Ok(second(reach))));
+    report.in_closed_form(move |_| second(reach));
     let error = move |blow: &Blow| Ok(blow.again()?.0 - time);
     let run = move |step| halved(reach, step);
-    report.controlled("DOP853, error of a step", asked, run, Blow::work, error)
+    report.stepped(asked, run, Blow::work, error)
 }
 
 example! {

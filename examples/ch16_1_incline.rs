@@ -36,8 +36,7 @@ parameters! {
         friction: number(0.5, "-", at_least(0.0).usually(0.0, 1.0));
         /// speed at the start, up the slope, rolling
         speed: number(2.0, "m/s", above(0.0).because("started downward it never turns").usually(0.5, 5.0));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// arm of the normal force ahead of the body, for the claims about it
         rolling: effect(2e-4, "m", above_to(0.0, 1.0));
         /// drag coefficient of a cylinder of wood in air, for the claims about it
@@ -272,10 +271,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let ((s, c), k, a) = (sincos(p.angle), p.shape, body.acceleration());
     let (top, bound) = (-v / a, 8.0 * p.tolerance);
     let up = body.run(Goal::Top, v, 2.0 * top, p.tolerance)?;
-    let (turns, whole) = (
-        up.event("turns")?,
-        body.run(Goal::Never, v, 2.0 * top, p.tolerance)?,
-    );
+    let turns = up.event("turns")?;
+    let whole = body.run(Goal::Never, v, 2.0 * top, p.tolerance)?;
     let force = |part: f64| Ok::<_, rotation_dynamics::Error>(whole.forces(part * top)?[0]);
     let (rising, falling) = (force(0.3)?, force(1.7)?);
     let (rubbing, pressing, needed) = (m * g * c * body.grip(), m * g * c, body.needed());
@@ -405,10 +402,8 @@ fn resisted(p: &Parameters, report: &mut Report) -> Result<()> {
     let (goal, v, [_, drag]) = (Goal::Top, p.speed, resisting(p));
     let body = Roller::new(p);
     let (roller, start) = (Roller { goal, ..body }, body.rolling(v));
-    let (end, far) = (
-        -4.0 * v / body.acceleration(),
-        -0.5 * v * v / body.acceleration(),
-    );
+    let end = -4.0 * v / body.acceleration();
+    let far = -0.5 * v * v / body.acceleration();
     if p.rolling.is_some() || p.air.is_some() {
         // What slides is slowed down otherwise.
         let rolls = at_least(body.needed()).because("less does not let it roll");
@@ -435,10 +430,8 @@ fn resisted(p: &Parameters, report: &mut Report) -> Result<()> {
     let number = air.number(v, p.gravity * sin(p.angle));
     let rolls = at_least(body.needed() * (1.0 + number)).because("less lets it slip in the drag");
     rolls.check("friction", p.friction)?;
-    let (far, blown) = (
-        far * log1p(number) / number,
-        way(roller.with(air), start, end)?,
-    );
+    let far = far * log1p(number) / number;
+    let blown = way(roller.with(air), start, end)?;
     claims! { report,
         /// in air: distance to the highest place
         blown_way: far, "m", "located event" => blown, within 1e-8 * far;
@@ -450,10 +443,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (v, sliding) = (p.speed, body.grip() < body.needed());
     // With the effect in and without: up to the highest place.
     let (up, start, end) = (
-        Roller {
-            goal: Goal::Top,
-            ..body
-        },
+        body.but(|body| body.goal = Goal::Top),
         body.rolling(v),
         -4.0 * v / body.acceleration(),
     );
@@ -469,10 +459,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         false if all_but_held => None,
         false => Some((1.0 - way(resisted, start, end)? / still).max(0.0)),
     };
-    let (arm, drag) = (
-        arm / (p.radius * tan(p.angle)),
-        air.number(v, p.gravity * sin(p.angle)),
-    );
+    let arm = arm / (p.radius * tan(p.angle));
+    let drag = air.number(v, p.gravity * sin(p.angle));
     // Slowed down much, it slips.
     let slowed = match sliding || body.needed() * (1.0 + drag) > body.mu {
         true => None,

@@ -163,10 +163,8 @@ fn motions(p: &Parameters) -> Result<Vec<Motion>> {
 fn near_the_cusps() -> Result<ClaimEntry> {
     let (top, energy) = (ReducedTop::new(2.0, 0.6, 0.2)?, -0.0801);
     let waves = Motion::with_energy("hair", top, energy, Start::ThetaMin)?;
-    let (meaning, advance) = (
-        "advance of phi in one nod at E~ = -0.0801",
-        waves.exact.precession_per_period(),
-    );
+    let meaning = "advance of phi in one nod at E~ = -0.0801";
+    let advance = waves.exact.precession_per_period();
     let nod = Nod::by_quadrature(&top, energy);
     Ok(claim("hair_precession", meaning, advance, "rad")
         .within(1e-12)

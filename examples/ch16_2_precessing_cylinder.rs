@@ -30,8 +30,7 @@ parameters! {
         tilt: number(0.5, "rad", between(0.0, FRAC_PI_2).because("upright and level it needs no torque").usually(0.05, 1.5));
         /// angular velocity about the vertical
         rate: number(10.0, "rad/s", any().usually(1.0, 100.0));
-        /// error of a step of the simulations: from 1e-15 to 1e-3
-        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+        tolerance: step(1e-13, 1e-3);
     }
 }
 
@@ -67,8 +66,7 @@ impl Cylinder {
             rate: p.rate,
         };
         let apart = ((i1 - i3) / i1).abs();
-        let differ = from_to(1e-3, 1.0).because("like a ball it needs no torque");
-        differ.check("|I1 - I3|/I1", apart)?;
+        allowed! { "|I1 - I3|/I1": apart, from_to(1e-3, 1.0), "like a ball it needs no torque"; }?;
         let most = 0.1 * body.slowness();
         let told = from_to(0.0, most).because("so near to upright or level the swing goes over");
         told.check("tolerance", p.tolerance)?;
@@ -183,10 +181,8 @@ impl Cylinder {
     /// The time of a swing with L_Z kept: an integral over a period, by equal steps.
     fn coasting(&self) -> f64 {
         let (s, c) = sincos(self.tilt);
-        let (edge, here) = (
-            if self.long() { c } else { s },
-            self.about_vertical(self.tilt),
-        );
+        let edge = if self.long() { c } else { s };
+        let here = self.about_vertical(self.tilt);
         let slope = |psi: f64| {
             let off = edge * sin(psi);
             let square = off * off;
@@ -278,15 +274,11 @@ fn held(
 
 /// The height at which the grains need no torque, by bisection.
 fn balanced(p: &Parameters) -> Result<f64> {
-    let (mut low, mut high) = (0.0, 4.0 * p.radius);
-    for _ in 0..60 {
-        let height = 0.5 * (low + high);
-        let [_, torque] = by_grains(&Parameters {
-            height,
-            ..p.clone()
-        })?;
-        *(if torque < 0.0 { &mut high } else { &mut low }) = height;
-    }
+    let lower = |height| -> Result<bool> {
+        let [_, torque] = by_grains(&p.but(|p| p.height = height))?;
+        Ok(torque >= 0.0)
+    };
+    let [low, high] = try_bisect([0.0, 4.0 * p.radius], 0.0, lower)?;
     Ok(0.5 * (low + high))
 }
 
@@ -303,10 +295,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([far, motor_time], [_, clamp_time]) = (body.swung(motor)?, body.swung(clamp)?);
     let [all_far, all_time] = body.swung(all)?;
     let error = 100.0 * p.tolerance.max(1e-14);
-    let (bound, free_bound) = (
-        error / body.slowness(),
-        error / (body.lean() - p.tilt).abs(),
-    );
+    let bound = error / body.slowness();
+    let free_bound = error / (body.lean() - p.tilt).abs();
     let free = body.freed(0.0)?;
     // L of one that is turned the other way points down.
     let lean = if w > 0.0 {
@@ -405,11 +395,9 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (body, (s, c)) = (Cylinder::new(p)?, sincos(p.tilt));
     let torque = body.torque().abs();
     let (gravity, aside, turning) = (9.80665, 1e-4, 7.292115e-5);
-    let (off, earth, yields) = (
-        p.mass * gravity * aside * s / torque,
-        2.0 * turning / p.rate.abs(),
-        torque / 1e3,
-    );
+    let off = p.mass * gravity * aside * s / torque;
+    let earth = 2.0 * turning / p.rate.abs();
+    let yields = torque / 1e3;
     // Towards level if it is long; the torque changes by this part on the way.
     let way = if body.long() { yields } else { -yields };
     let part = way * (c - s) * (c + s) / (s * c);

@@ -35,8 +35,7 @@ parameters! {
         cone: number(0.35, "rad", from_to(1e-3, 1.57).because("nearer to 0 it hardly wobbles, to pi/2 it hardly spins").usually(0.05, 1.0));
         /// angle between L and Z
         lean: number(0.6, "rad", from_to(1e-3, 3.1).because("nearer to 0 or pi, along L, it hardly nods").usually(0.01, 1.2));
-        /// error of a step of the simulations: from 1e-15 to 1e-3
-        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+        tolerance: step(1e-13, 1e-3);
     }
 }
 
@@ -71,11 +70,7 @@ impl Top {
     pub fn small(p: &Parameters) -> Self {
         let top = Self::new(p);
         let cone = atan2(top.i1 * p.omega_y.abs(), top.i3 * top.along);
-        Self {
-            cone,
-            lean: 0.0,
-            ..top
-        }
+        top.but(|top| (top.cone, top.lean) = (cone, 0.0))
     }
 
     // ANCHOR: momenta
@@ -207,18 +202,14 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let steady = small.stepped(second, p.tolerance)?;
     let ([least, turn, ..], free) = (*steady.end_state(), top.free_body()?);
     let rate = small.spin_momentum() / (small.i1 * cos(small.cone));
-    let (far, back) = (
-        top.turning(1, p.tolerance)?.0.state,
-        top.turning(2, p.tolerance)?.0,
-    );
+    let far = top.turning(1, p.tolerance)?.0.state;
+    let back = top.turning(2, p.tolerance)?.0;
     let after = free.state(0.4 * nod);
     let omega = free.angular_velocity(0.4 * nod);
     let (max, min) = (top.lean + top.cone, (top.lean - top.cone).abs());
     let outside = top.lean > top.cone;
-    let (spin, around) = (
-        (1.0 - top.i3 / top.i1) * top.along * nod,
-        TAU * top.along.signum(),
-    );
+    let spin = (1.0 - top.i3 / top.i1) * top.along * nod;
+    let around = TAU * top.along.signum();
     let fastest = top.precession(min).abs().max(1.0 / nod);
     claims! { report,
         /// small wobble, Z along L: tilt
@@ -262,10 +253,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 /// Z all but along L, all but on the cone, and at right angles; a sphere and a disc.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let (top, small) = (wide(p)?, Top::small(p));
-    let (at, around) = (
-        |lean, cone| Top { lean, cone, ..top },
-        TAU * top.along.signum(),
-    );
+    let at = |lean, cone| Top { lean, cone, ..top };
+    let around = TAU * top.along.signum();
     let turned = |top: Top| Ok::<_, rotation_dynamics::Error>(top.turning(2, 1e-14)?.0);
     let [_, steady, ..] = *small.stepped(1.0, 1e-14)?.end_state();
     limits! { report,

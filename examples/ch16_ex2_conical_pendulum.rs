@@ -5,12 +5,10 @@ mod figures;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use kit::prelude::*;
-use rotation_dynamics::Error;
 use rotation_dynamics::exact::{Modulus, carlson, legendre};
-use rotation_dynamics::integrators::{
-    Dop853, LocatedEvent, Ode, Solution, Work, after, newton, size_or,
-};
-use rotation_dynamics::integrators::{place_and_velocity, second_order, small_frequency};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work};
+use rotation_dynamics::integrators::{after, newton, place_and_velocity};
+use rotation_dynamics::integrators::{second_order, size_or, small_frequency};
 
 parameters! {
     /// The pendulum of the exercise; the notes leave all numbers open.
@@ -21,38 +19,28 @@ parameters! {
         length: number(0.8, "m", above(0.0).usually(0.2, 2.0)).drawn(0.5, 1.5, 0.1);
         /// angular velocity about the vertical
         rate: number(5.0, "rad/s", any().usually(1.0, 12.0)).drawn(5.0, 9.0, 0.5);
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// angle of the wide swing, from rest in the turning plane; of a rod if a string goes slack
         release: number(0.5, "rad", between(-PI, PI).because("pi is upright").usually(0.1, 1.5));
-        /// error of a step of the simulations: from 1e-15 to 1e-3
-        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+        tolerance: step(1e-13, 1e-3);
     }
 }
 
 /// q = g/(l w^2), the one number that decides: infinite in a plane that does not turn.
-fn ratio(p: &Parameters) -> rotation_dynamics::Result<f64> {
+fn ratio(p: &Parameters) -> Result<f64> {
     let q = p.gravity / (p.length * p.rate * p.rate);
-    let refused = |name, value, allowed| Err(Error::out_of_range(name, value, allowed));
-    let off = (1.0 - q).abs();
-    if off < NEAREST || off.is_nan() {
-        let allowed = "it must differ from 1 by 1e-8: at this threshold nothing drives the bob \
-                       back or away, and small oscillations take for ever";
-        return refused("g/(l w^2)", q, allowed);
-    }
-    if (1.0 - opposite(q, p.release)).abs() < NEAREST {
-        let allowed = "from there the bob creeps up to the vertical and takes for ever: \
-                       2 g/(l w^2) - cos(release) must differ from 1 by 1e-8";
-        return refused("release", p.release, allowed);
-    }
-    if [0.0, cone(q)]
-        .iter()
-        .any(|rest| (rest - p.release.abs()).abs() < NEAREST)
-    {
-        let allowed = "at rest there the bob stays, at the vertical as on the cone: \
-                       it must be off by 1e-8 rad";
-        return refused("release", p.release, allowed);
-    }
+    let differs = "it must differ from 1 by 1e-8: at this threshold nothing drives the bob \
+                   back or away, and small oscillations take for ever";
+    require((1.0 - q).abs() >= NEAREST, "g/(l w^2)", q, differs)?;
+    let far = |off: f64| off.abs() >= NEAREST;
+    let turns = "from there the bob creeps up to the vertical and takes for ever: \
+                 2 g/(l w^2) - cos(release) must differ from 1 by 1e-8";
+    let creeps = opposite(q, p.release) - 1.0;
+    require(far(creeps), "release", p.release, turns)?;
+    let stays = "at rest there the bob stays, at the vertical as on the cone: \
+                 it must be off by 1e-8 rad";
+    let moves = far(p.release) && far(cone(q) - p.release.abs());
+    require(moves, "release", p.release, stays)?;
     Ok(q)
 }
 
@@ -88,7 +76,7 @@ pub fn free(q: f64) -> f64 {
 }
 
 /// Period of the swing from rest at `angle` in the turning plane.
-pub fn period(q: f64, angle: f64) -> rotation_dynamics::Result<f64> {
+pub fn period(q: f64, angle: f64) -> Result<f64> {
     // h = sin^2(theta/2) swings between h0 and h1 or, if that is negative, 0.
     let (h0, rest) = (sin(0.5 * angle).powi(2), cos(0.5 * angle).powi(2));
     let h1 = (1.0 - q) - h0;
@@ -111,8 +99,7 @@ pub fn in_plane(q: f64, damping: f64) -> impl Ode<2> {
 pub fn force(q: f64, theta: f64) -> f64 {
     let ([turning, hanging], half) = (squares(q), sin(0.5 * theta));
     let upright = if q < 1.0 { 1.0 - q } else { 1.0 / q - 1.0 };
-    let near = upright.abs() < 1e-2;
-    let difference = match near {
+    let difference = match upright.abs() < 1e-2 {
         true => upright - 2.0 * turning * half * half,
         false => turning * cos(theta) - hanging,
     };
@@ -137,58 +124,44 @@ pub fn tension(q: f64, [r, v]: [SpaceVector; 2]) -> f64 {
 pub fn in_space([theta, rate]: [f64; 2], w: f64, turn: f64) -> [f64; 6] {
     let ((s, c), (y, x), out) = (sincos(theta), sincos(turn), rate * cos(theta));
     let along = w * s;
-    [
-        s * x,
-        s * y,
-        -c,
-        out * x - along * y,
-        out * y + along * x,
-        rate * s,
-    ]
+    let (vx, vy) = (out * x - along * y, out * y + along * x);
+    [s * x, s * y, -c, vx, vy, rate * s]
 }
 
 /// The motion from rest at `angle` in the turning plane.
-pub fn swung(
-    q: f64,
-    damping: f64,
-    angle: f64,
-    end: f64,
-    step: f64,
-) -> rotation_dynamics::Result<Solution<2>> {
-    Dop853::new(step)?.solve(&in_plane(q, damping), 0.0, &[angle, 0.0], end, &[])
+pub fn swung(q: f64, damping: f64, angle: f64, end: f64, step: f64) -> Result<Solution<2>> {
+    Ok(Dop853::new(step)?.solve(&in_plane(q, damping), 0.0, &[angle, 0.0], end, &[])?)
 }
 
 /// Turning point number `n` of the swing from rest at `angle`, undamped, and the work.
-fn turning(
-    q: f64,
-    angle: f64,
-    n: u32,
-    step: f64,
-) -> rotation_dynamics::Result<(LocatedEvent<2>, Work)> {
+fn turning(q: f64, angle: f64, n: u32, step: f64) -> Result<(LocatedEvent<2>, Work)> {
     let long = 1e4 / driven(q);
-    Dop853::new(step)?.zero(&in_plane(q, 0.0), [angle, 0.0], n, long, |y| y[1])
+    Ok(Dop853::new(step)?.zero(&in_plane(q, 0.0), [angle, 0.0], n, long, |y| y[1])?)
 }
 
 /// Where the pendulum comes to rest if it is damped, rad.
-pub fn settled(q: f64, step: f64) -> rotation_dynamics::Result<f64> {
+pub fn settled(q: f64, step: f64) -> Result<f64> {
     Ok(swung(q, driven(q), 0.1, 80.0 / driven(q), step)?.end_state()[0].abs())
 }
 
 /// [`driven`], simulated.
-pub fn measured_driven(q: f64) -> rotation_dynamics::Result<f64> {
+pub fn measured_driven(q: f64) -> Result<f64> {
     // The period is even in how far cos(theta), below the threshold theta, is off rest.
     let start = |size| match q < 1.0 {
         true => [cone(q + size * (1.0 - q)), 0.0],
         false => [size * driven(q), 0.0],
     };
-    small_frequency(&in_plane(q, 0.0), start, 1e2 / driven(q), |y| y[1])
+    let until = 1e2 / driven(q);
+    Ok(small_frequency(&in_plane(q, 0.0), start, until, |y| y[1])?)
 }
 
 /// [`free`], simulated.
-pub fn measured_free(q: f64) -> rotation_dynamics::Result<f64> {
+pub fn measured_free(q: f64) -> Result<f64> {
     let knocked = |size| in_space([cone(q), size * sin(cone(q))], 1.0, 0.0);
     let rest = knocked(0.0)[2];
-    small_frequency(&on_string(q, 0.0), knocked, 10.0, |y| y[2] - rest)
+    Ok(small_frequency(&on_string(q, 0.0), knocked, 10.0, |y| {
+        y[2] - rest
+    })?)
 }
 
 /// The greater of |w| and sqrt(g/l), rad/s: one over the unit of time.
@@ -207,32 +180,24 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (start, unit) = (in_space([theta, 0.0], turned, 0.0), m * (l * w * w));
     let end = after(2.0 * PI, &on_string(q, 0.0), &start, p.tolerance)?;
     let [r, v] = place_and_velocity(&end);
-    let (pull, out, newton) = (
-        unit * tension(q, [r, v]),
-        hypot(r.x(), r.y()),
-        if q < 1.0 { unit } else { m * g },
-    );
-    let turns = |angle, n| Ok::<_, Error>(turning(q, angle, n, p.tolerance)?.0);
+    let (pull, out) = (unit * tension(q, [r, v]), hypot(r.x(), r.y()));
+    let newton = if q < 1.0 { unit } else { m * g };
+    let turns = |angle, n| Ok::<_, kit::Error>(turning(q, angle, n, p.tolerance)?.0);
     let wide = turns(p.release, 1)?;
     // If no angle has that cosine, the wide swing goes through the vertical.
-    let far = if last < 1.0 {
-        cone(last).copysign(p.release)
-    } else {
-        -p.release
+    let far = match last < 1.0 {
+        true => cone(last).copysign(p.release),
+        false => -p.release,
     };
     // An error of a step is one of the energy: it counts the more, the weaker the pull is where a
     // swing begins and where it turns back.
     let creeps = |from: f64, to: f64| {
-        let (begins, turns) = (
-            from / force(q, from),
-            from.abs().max(to.abs()) / force(q, to),
-        );
+        let begins = from / force(q, from);
+        let turns = from.abs().max(to.abs()) / force(q, to);
         10.0 * p.tolerance * (begins * begins + turns * turns)
     };
-    let (late, late_touch) = (
-        creeps(p.release, far),
-        creeps(1e-9, cone(opposite(q, 1e-9))),
-    );
+    let late = creeps(p.release, far);
+    let late_touch = creeps(1e-9, cone(opposite(q, 1e-9)));
     let further = 10.0 * p.tolerance * p.release.abs().max(far.abs()) / force(q, far).abs();
     // Else no step can confirm it.
     let told = late < 1e-2;
@@ -240,15 +205,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let touched = 0.5 * period(q, 1e-9)? / w;
     claims! { report,
         /// angle from the vertical
-        theta: theta, "rad", "where it settles" => settled(q, p.tolerance)?, within bound,
-        in "The angle":
+        theta: theta, "rad", "where it settles" => settled(q, p.tolerance)?, within bound, in "The angle":
             FRAC_PI_2 - theta => "measure from the vertical",
             cone(1.5 * q) => "that is a uniform rod without a bob",
             cone(q / (4.0 * PI * PI)) => "not turns but radians a second",
             (2.0 - 2.0 * q).max(0.0).sqrt() => "the angle is not small";
         /// rate where it rises
-        omega_threshold: w0, "rad/s", "swings in a slower plane" => slower, within 1e-9 * w0,
-        in "The angle":
+        omega_threshold: w0, "rad/s", "swings in a slower plane" => slower, within 1e-9 * w0, in "The angle":
             g / l => "that is its square";
         /// reaction: tension of the string
         tension: newton, "N", "a turn in space" => pull, within bound * newton, in "The reaction":
@@ -256,8 +219,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             unit * s => "that is its horizontal part only",
             m * g * c => "along the string the bob is accelerated";
         /// its part towards the axis
-        horizontal: unit * s, "N", "a turn in space" => pull * out, within bound * newton,
-        in "The reaction":
+        horizontal: unit * s, "N", "a turn in space" => pull * out, within bound * newton, in "The reaction":
             newton => "that is the whole of it";
         /// the plane kept turning
         driven: small, "rad/s", "simulated" => w * measured_driven(q)?, within 1e-9 * small,
@@ -320,8 +282,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let sunk = cone(q) - atan2(hypot(x, y), -z);
     effect_card! { report,
         "air drag, bob left to itself":
-            "rho C S l/(2 M)" = drag, costs sinking(q, drag), "rad a turn",
-            measured sunk, within 1e-9;
+            "rho C S l/(2 M)" = drag, costs sinking(q, drag), "rad a turn", measured sunk, within 1e-9;
         "stretch of the string": "T/(E A_s)" = stretch, costs slope * stretch, "rad of theta";
         "mass of the string": "m/M" = string, costs slope * string / 6.0, "rad of theta";
         "size of the bob": "2 r^2/(5 l^2)" = size, costs 0.5 * size, "of Omega";
@@ -335,7 +296,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (q, release) = (ratio(p)?, p.release);
     let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
     let swing = move |step| turning(q, release, 2, step);
-    report.set_closed_form(ClosedForm::new(move |_| period(q, release)));
+    report.in_closed_form(move |_| period(q, release));
     report.dial_of_return(asked, swing, period(q, release)?, release)
 }
 

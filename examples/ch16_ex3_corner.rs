@@ -5,7 +5,6 @@ mod figures;
 
 use core::f64::consts::{SQRT_2, TAU};
 use kit::prelude::*;
-use rotation_dynamics::Error;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::log1p;
 use rotation_dynamics::planar::contact::{
@@ -23,16 +22,14 @@ parameters! {
         friction: number(0.25, "-", at_least(0.0).usually(0.05, 3.0)).drawn(0.15, 0.40, 0.05);
         /// angular velocity at the start
         spin: number(60.0, "rad/s", any().usually(5.0, 100.0)).drawn(30.0, 80.0, 5.0);
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// what changes: how friction falls with the slip speed s, as 1/(1 + fading s)
         fading: number(0.05, "s/m", at_least(0.0).usually(0.01, 0.5));
         /// the moving picture: the sense that presses it to the wall, or the other one
         sense: choice("pressed", "away");
         /// angle by which the wall leans back, for the claims about it
         lean: effect(0.0175, "rad", above_to(0.0, 1.5).because("backward, and not down to the floor"));
-        /// error of a step of the simulations: from 1e-15 to 1e-3
-        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+        tolerance: step(1e-13, 1e-3);
     }
 }
 
@@ -116,17 +113,16 @@ pub fn faded(mu: f64, fading: f64, w: f64) -> f64 {
 // ANCHOR_END: forms
 
 /// The motion from rest with this spin, set down in the corner, until then.
-pub fn set_down(
-    cylinder: Cylinder,
-    spin: f64,
-    end: f64,
-    step: f64,
-) -> rotation_dynamics::Result<Ride> {
-    let start = MechanismState {
-        q: [0.0, 1.0, 0.0],
-        v: [0.0, 0.0, spin],
-    };
-    motion(cylinder, &Dop853::new(step)?, start, end)
+pub fn set_down(cylinder: Cylinder, spin: f64, end: f64, step: f64) -> Result<Ride> {
+    let (q, v) = ([0.0, 1.0, 0.0], [0.0, 0.0, spin]);
+    let start = MechanismState { q, v };
+    Ok(motion(cylinder, &Dop853::new(step)?, start, end)?)
+}
+
+/// When a cylinder with this spin stops that should stop `about` then.
+fn stopped(cylinder: Cylinder, spin: f64, about: f64, step: f64) -> Result<f64> {
+    let ride = set_down(cylinder, spin, 2.0 * about, step)?;
+    Ok(ride.event("floor sticks")?.t)
 }
 
 // ANCHOR: wrong
@@ -134,11 +130,8 @@ pub fn set_down(
 /// friction is mu N, against the sign of the slip, whatever the slip.
 pub fn by_sign(mu: f64, spin: f64, away: bool, end: f64, steps: u32) -> Vec<[f64; 2]> {
     let (mut v, mut spin, h) = (0.0, spin, end / f64::from(steps));
-    let [floor, wall] = if away {
-        [1.0, 0.0]
-    } else {
-        Cylinder::alike(mu).pressed()
-    };
+    let held = Cylinder::alike(mu).pressed();
+    let [floor, wall] = if away { [1.0, 0.0] } else { held };
     let step = |_| {
         let sign = f64::signum(v + spin);
         spin -= 2.0 * mu * (floor + wall) * sign * h;
@@ -161,22 +154,15 @@ struct Units {
 fn units(p: &Parameters) -> Result<Units> {
     let time = (p.radius / p.gravity).sqrt();
     let spin = p.spin.abs() * time;
-    if spin == 0.0 {
-        return Err(Error::out_of_range(
-            "spin",
-            p.spin,
-            "without spin the cylinder stays at rest where it is set down",
-        )
-        .into());
-    }
-    let turns = from_to(1e-9, 1e9).because("the turn in rad while a stone falls by R/2");
-    turns.check("spin sqrt(R/g)", spin)?;
-    let rim = p.fading * p.spin.abs() * p.radius;
-    let rubs = from_to(0.0, 1e4).because("beyond it a ten-thousandth of friction is left");
-    rubs.check("fading*spin*radius", rim)?;
+    let still = "without spin the cylinder stays at rest where it is set down";
+    require(spin != 0.0, "spin", p.spin, still)?;
+    allowed! {
+        "spin sqrt(R/g)": spin, from_to(1e-9, 1e9), "the turn in rad while a stone falls by R/2";
+        "fading*spin*radius": p.fading * p.spin.abs() * p.radius,
+            from_to(0.0, 1e4), "beyond it a ten-thousandth of friction is left";
+    }?;
     if p.friction > 0.0 {
-        let felt = from_to(1e-9, 1e6).because("less is none, more jams it");
-        felt.check("friction", p.friction)?;
+        allowed! { "friction": p.friction, from_to(1e-9, 1e6), "less is none, more jams it"; }?;
     }
     let (weight, speed) = (p.mass * p.gravity, p.radius / time);
     Ok(Units {
@@ -206,34 +192,30 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (spin, time, weight, speed) = (u.spin, u.time, u.weight, u.speed);
     let (unit, [pressed, away]) = (p.gravity / p.radius, senses(p)?);
     let (whole, rubs) = (pressed.end_time(), mu > 0.0);
-    let halfway = match rubs {
-        true => 0.5 * pressed.event("floor sticks")?.t,
-        false => 0.5 * whole,
+    let to_stop = if rubs {
+        pressed.event("floor sticks")?.t
+    } else {
+        whole
     };
+    let halfway = 0.5 * to_stop;
     let [stops, rolls] = [&pressed, &away].map(|ride| move || ride.event("floor sticks"));
     let ([floor, wall], end) = (pressed.forces(halfway)?, pressed.at(whole)?);
     let turned_fast = p.spin.abs();
     let (n_floor, n_wall) = (weight / (1.0 + mu * mu), mu * weight / (1.0 + mu * mu));
     let alpha = 2.0 * mu * (1.0 + mu) / (1.0 + mu * mu) * unit;
-    let (stop, roll, exact) = (
-        turned_fast / alpha,
-        turned_fast * p.radius / (3.0 * mu * p.gravity),
-        1e-12,
-    );
+    let roll = turned_fast * p.radius / (3.0 * mu * p.gravity);
+    let (stop, exact) = (turned_fast / alpha, 1e-12);
     let (turns, v_roll) = (0.5 * stop * turned_fast / TAU, turned_fast * p.radius / 3.0);
     let heat = 0.25 * p.mass * p.radius * p.radius * p.spin * p.spin;
-    let kept = || {
+    let kept = || -> Result<f64> {
         let v = rolls()?.after.v;
-        Ok::<_, Error>((2.0 * v[0] * v[0] + v[2] * v[2]) / (spin * spin))
+        Ok((2.0 * v[0] * v[0] + v[2] * v[2]) / (spin * spin))
     };
     let rubbed = [floor, wall].map(|force| -force.tangential * end.q[2]);
     let joule = weight * p.radius;
-    let slower = Cylinder {
-        fading: p.fading * speed,
-        ..Cylinder::alike(mu)
-    };
-    let faded = faded(mu, slower.fading, spin) * time;
-    let fades = || set_down(slower, spin, 2.0 * faded / time, p.tolerance);
+    let slower = Cylinder::alike(mu).but(|cylinder| cylinder.fading = p.fading * speed);
+    let fade = faded(mu, slower.fading, spin);
+    let (faded, fades) = (fade * time, || stopped(slower, spin, fade, p.tolerance));
     claims! { report,
         /// force of the floor
         n_floor: n_floor, "N", "contact forces" => floor.normal * weight, within exact * n_floor,
@@ -288,12 +270,11 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         in "The other sense":
             v_roll * roll => "it starts from rest";
         /// part of the energy that is left
-        kept: 1.0 / 3.0, "-", "simulated" => kept()?, within exact, if rubs,
-        in "The other sense":
+        kept: 1.0 / 3.0, "-", "simulated" => kept()?, within exact, if rubs, in "The other sense":
             2.0 / 3.0 => "that is the part that is lost",
             1.0 / 9.0 => "it also moves along";
         /// pressed, friction that fades: time to the stop
-        t_fading: faded, "s", "located event" => fades()?.event("floor sticks")?.t * time,
+        t_fading: faded, "s", "located event" => fades()? * time,
         within (exact + 100.0 * p.tolerance) * faded, if rubs;
     }
 }
@@ -326,20 +307,14 @@ fn leaning(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(lean) = p.lean else { return Ok(()) };
     let (u, cylinder) = (units(p)?, Cylinder::new([p.friction; 2], lean));
     let [floor, wall] = cylinder.pressed();
-    if !(floor > 0.0 && wall > 0.0) {
-        return Err(Error::out_of_range(
-            "lean",
-            lean,
-            "at this wall no forces hold the axis at rest: the cylinder climbs out, is jammed, \
-                      or nothing rubs",
-        )
-        .into());
-    }
+    let told = "at this wall no forces hold the axis at rest: the cylinder climbs out, is jammed, \
+                or nothing rubs";
+    require(floor > 0.0 && wall > 0.0, "lean", lean, told)?;
     let (time, stop) = (u.time, u.spin / cylinder.braking());
-    let ride = set_down(cylinder, u.spin, 2.0 * stop, p.tolerance.min(1e-9))?;
+    let found = stopped(cylinder, u.spin, stop, p.tolerance.min(1e-9))?;
     claims! { report,
         /// at a wall that leans back: time to the stop
-        t_leaning: stop * time, "s", "located event" => ride.event("floor sticks")?.t * time, within 1e-7 * stop * time;
+        t_leaning: stop * time, "s", "located event" => found * time, within 1e-7 * stop * time;
     }
 }
 
@@ -354,16 +329,16 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let drop = (2.0 * 1e-3 / p.radius).sqrt() * alpha / u.spin;
     // Torque over that of the friction: the length of the cylinder follows from its mass.
     let air = 1.204 * 0.01 * rim * rim * 2.0 / (700.0 * p.radius * p.gravity * alpha);
-    let fades = faded(mu, p.fading * u.speed, u.spin) * alpha / u.spin - 1.0;
     let yields = 1e-4 / (mu * p.radius);
+    let slower = cylinder.but(|cylinder| cylinder.fading = p.fading * u.speed);
+    let fading = faded(mu, slower.fading, u.spin);
     // How much later it stops, simulated.
     let later = |cylinder: Cylinder, about: f64| -> Result<f64> {
-        let ride = set_down(cylinder, u.spin, 2.0 * about, p.tolerance.min(1e-9))?;
-        Ok(ride.event("floor sticks")?.t * alpha / u.spin - 1.0)
+        let stop = stopped(cylinder, u.spin, about, p.tolerance.min(1e-9))?;
+        Ok(stop * alpha / u.spin - 1.0)
     };
-    let fading = p.fading * u.speed;
     let leans = later(leaning, u.spin / leaning.braking())?;
-    let faded = later(Cylinder { fading, ..cylinder }, faded(mu, fading, u.spin))?;
+    let (fades, faded) = (fading * alpha / u.spin - 1.0, later(slower, fading)?);
     effect_card! { report,
         "friction that falls with the slip": "fading Omega R" = p.fading * rim, costs fades, "of t_stop", measured faded, within 1e-7;
         "a wall that leans back by one degree": "beta" = leaning.lean, costs alpha / leaning.braking() - 1.0, "of t_stop", measured leans, within 1e-7;
@@ -380,18 +355,13 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     if mu == 0.0 {
         return Ok(()); // it never stops
     }
-    let cylinder = Cylinder {
-        fading,
-        ..Cylinder::alike(mu)
-    };
+    let cylinder = Cylinder::alike(mu).but(|cylinder| cylinder.fading = fading);
     let stop = faded(mu, fading, spin);
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15];
-    report.set_closed_form(ClosedForm::new(move |part| {
-        Ok::<_, Error>(faded(mu, fading, part * spin))
-    }));
+    report.in_closed_form(move |part| faded(mu, fading, part * spin));
     let run = move |step| set_down(cylinder, spin, 2.0 * stop, step);
     let error = move |ride: &Ride| Ok((ride.event("floor sticks")?.t / stop - 1.0).abs());
-    report.controlled("DOP853, error of a step", asked, run, Ride::work, error)
+    report.stepped(asked, run, Ride::work, error)
 }
 
 /// Other surfaces: forces and time to the stop, and the same time simulated.
@@ -414,9 +384,8 @@ fn surfaces(p: &Parameters, report: &mut Report) -> Result<()> {
             continue;
         }
         let stop = u.spin / cylinder.braking();
-        let ride = set_down(cylinder, u.spin, 2.0 * stop, p.tolerance)?;
-        let stopped = ride.event("floor sticks")?.t;
-        let cells = [floor, wall, stop * u.time, stopped * u.time].map(|x| format!("{x:.7}"));
+        let found = stopped(cylinder, u.spin, stop, p.tolerance)?;
+        let cells = [floor, wall, stop * u.time, found * u.time].map(|x| format!("{x:.7}"));
         table.push([name.into()].into_iter().chain(cells))?;
     }
     if table.is_empty() {
@@ -440,7 +409,7 @@ fn signs(p: &Parameters, report: &mut Report) -> Result<()> {
         let after = &all[steps as usize + 1..];
         let left = after
             .iter()
-            .fold(0.0, |m: f64, [_, spin]| m.max(spin.abs()));
+            .fold(0.0, |most: f64, [_, spin]| most.max(spin.abs()));
         let turns = |pair: &&[[f64; 2]]| pair[0][1] * pair[1][1] < 0.0;
         let changes = after.windows(2).filter(turns).count();
         let part = changes as f64 / (after.len() - 1) as f64;

@@ -6,13 +6,11 @@ mod figures;
 pub mod string;
 
 use core::f64::consts::{FRAC_PI_2, PI};
-use kit::driven_in_air;
 use kit::interval::above_to;
 use kit::prelude::*;
+use kit::{driven_in_air, taken_by_air};
 use rotation_dynamics::exact::{Modulus, legendre};
-use rotation_dynamics::integrators::{after, ode, size_or};
 use rotation_dynamics::planar::Run;
-use rotation_dynamics::planar::contact::QuadraticDrag;
 use string::{Disc, Leaves, long_string};
 
 parameters! {
@@ -32,44 +30,26 @@ parameters! {
         time: number(0.5, "s", above(0.0).usually(0.1, 0.55)).drawn(0.20, 0.45, 0.05);
         /// E A of a string that gives: of nylon, 2 mm thick
         stiffness: number(9400.0, "N", above(0.0).usually(1000.0, 50000.0));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 11.0));
+        gravity: gravity(above(0.0).usually(1.0, 11.0));
         /// drag coefficient of a disc of steel in air, for the claims about it
         air: effect(1.0, "-", above_to(0.0, 1e3).because("more is a parachute"));
-        /// error of a step of the simulations: from 1e-15 to 1e-6
-        tolerance: number(1e-14, "-", from_to(1e-15, 1e-6));
+        tolerance: step(1e-14, 1e-6);
     }
 }
 
 // ANCHOR: answer
-/// The fall while the string unwinds, in SI units.
-#[derive(Debug, Clone, Copy)]
-pub struct Answer {
-    pub acceleration: f64,
-    pub tension: f64,
-    radius: f64,
+/// The fall while the string unwinds: acceleration of the centre and tension of the string.
+pub fn fall(p: &Parameters) -> [f64; 2] {
+    let weight = p.mass * p.gravity;
+    [
+        p.gravity / (1.0 + p.shape),
+        weight * p.shape / (1.0 + p.shape),
+    ]
 }
 
-impl Answer {
-    pub fn new(p: &Parameters) -> Self {
-        let acceleration = p.gravity / (1.0 + p.shape);
-        let tension = p.mass * p.gravity * p.shape / (1.0 + p.shape);
-        Self {
-            acceleration,
-            tension,
-            radius: p.radius,
-        }
-    }
-    pub fn velocity(&self, t: f64) -> f64 {
-        self.acceleration * t
-    }
-    pub fn angular_velocity(&self, t: f64) -> f64 {
-        self.velocity(t) / self.radius
-    }
-    /// The time after which this much string has unwound.
-    pub fn unwound(&self, length: f64) -> f64 {
-        (2.0 * length / self.acceleration).sqrt()
-    }
+/// The time after which this much string has unwound.
+pub fn unwound(p: &Parameters, length: f64) -> f64 {
+    (2.0 * length / fall(p)[0]).sqrt()
 }
 // ANCHOR_END: answer
 
@@ -79,21 +59,14 @@ const LEAST: f64 = 0.5;
 /// The disc in units of its radius, and of its mass and g.
 pub fn disc(p: &Parameters) -> Result<Disc> {
     let (wound, free) = (p.wound / p.radius, p.free / p.radius);
-    let turns =
-        from_to(LEAST, 1e6).because("with less string it is not wound up again on the other side");
-    turns.check("wound/radius", wound)?;
-    let hangs = above_to(1.0, 1e6).because("at 1 the disc touches the roof");
-    hangs.check("free/radius", free)?;
-    let all = Answer::new(p).unwound(p.wound);
-    let falls = from_to(0.0, all).because("then no string is left to unwind");
-    falls.check("time", p.time)?;
-    let spreads = from_to(1e-3, 1e3).because("all mass near the axis falls, far from it hangs");
-    spreads.check("shape", p.shape)?;
-    Ok(Disc {
-        shape: p.shape,
-        wound,
-        free,
-    })
+    let shape = p.shape;
+    allowed! {
+        "wound/radius": wound, from_to(LEAST, 1e6), "with less string it is not wound up again on the other side";
+        "free/radius": free, above_to(1.0, 1e6), "at 1 the disc touches the roof";
+        "time": p.time, from_to(0.0, unwound(p, p.wound)), "then no string is left to unwind";
+        "shape": shape, from_to(1e-3, 1e3), "all mass near the axis falls, far from it hangs";
+    }?;
+    Ok(Disc { shape, wound, free })
 }
 
 /// The largest tension over the weight if the string is so long that it stays vertical.
@@ -107,16 +80,16 @@ fn gives(d: &Disc, peak: f64, stiffness: f64) -> f64 {
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (d, a, bound) = (disc(p)?, Answer::new(p), 1e3 * p.tolerance);
+    let (d, [a, pull], bound) = (disc(p)?, fall(p), 1e3 * p.tolerance);
     let (g, weight, k) = (p.gravity, p.mass * p.gravity, p.shape);
     let (second, speed) = ((p.radius / g).sqrt(), (p.radius * g).sqrt());
     let run = d.run(p.tolerance)?;
     let [_, _, _, _, fall, spin] = run.at(p.time / second)?.1;
     let ends = run.transition("all unwound")?;
     let taut = d.taut(Leaves::Unwinding, &ends.before);
-    let (v, w) = (a.velocity(p.time), a.angular_velocity(p.time));
-    let end = a.unwound(p.wound);
-    let last = a.velocity(end);
+    let (v, w) = (a * p.time, a * p.time / p.radius);
+    let end = unwound(p, p.wound);
+    let last = a * end;
     // What follows, by two routes.
     let over = run.transition("winds up")?;
     let (peak, [turn, largest, wound_up, rises]) = (d.peak(&run)?, d.by_angles(1e-14)?);
@@ -138,13 +111,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let long = long_peak(&d);
     claims! { report,
         /// acceleration of the centre, downward
-        a: a.acceleration, "m/s^2", "simulated" => -g * taut.acceleration[1], within bound * g,
+        a: a, "m/s^2", "simulated" => -g * taut.acceleration[1], within bound * g,
         in "While the string unwinds":
             g => "the string pulls as well",
             g / k => "the weight has no moment about the centre; which force turns the disc?",
             weight * k / (1.0 + k) / p.mass => "that is the tension over the mass";
         /// tension
-        tension: a.tension, "N", "simulated" => weight * taut.tension, within bound * weight,
+        tension: pull, "N", "simulated" => weight * taut.tension, within bound * weight,
         in "While the string unwinds":
             weight => "then the disc would not fall",
             weight / (1.0 + k) => "that is the mass times the acceleration, and the string pulls upward";
@@ -191,15 +164,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// A hoop, a weight with a thread, and turns over the knot with nothing sideways or no gravity.
 fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
-    let (gravity, rest) = (1.0, Parameters::default());
-    let over_g = |shape| {
-        let other = Parameters {
-            shape,
-            gravity,
-            ..rest
-        };
-        Answer::new(&other).acceleration
-    };
+    let rest = Parameters::default();
+    let over_g = |shape| fall(&rest.but(|p| (p.shape, p.gravity) = (shape, 1.0)))[0];
     let shape = 0.5;
     let disc = |wound, free| Disc { shape, wound, free };
     let (long, fast) = (disc(5.0, 1e6), disc(1e6, 2e6));
@@ -229,21 +195,18 @@ fn width(p: &Parameters) -> f64 {
 
 /// What `--with air` adds: it takes longer, and ends slower.
 fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
-    let Some(coefficient) = p.air else {
-        return Ok(());
-    };
-    let (a, inertia) = (Answer::new(p).acceleration, p.mass * (1.0 + p.shape));
-    let drag = QuadraticDrag::in_air(1.204, coefficient, 2.0 * p.radius * width(p))?;
-    driven_in_air(report, drag, [a, inertia, p.wound])
+    let Some(drag) = p.air else { return Ok(()) };
+    let driven = [fall(p)[0], p.mass * (1.0 + p.shape), p.wound];
+    driven_in_air(report, [drag, 2.0 * p.radius * width(p)], driven)
 }
 
 /// A nylon line of 2 mm (3 GPa: E A = 9400 N; 1150 kg/m^3), a disc of steel, the air.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (d, a, weight) = (disc(p)?, Answer::new(p), p.mass * p.gravity);
+    let (d, [a, pull], weight) = (disc(p)?, fall(p), p.mass * p.gravity);
     let (k, area) = (p.shape, 1e-6 * PI);
     let thick = 1e-3 / p.radius;
     let string = 1150.0 * area * p.wound / p.mass;
-    let hangs = a.tension / p.stiffness;
+    let hangs = pull / p.stiffness;
     let run = d.run(p.tolerance)?;
     let (start, peak) = (run.transition("all unwound")?.before, d.peak(&run)?);
     let firm = p.stiffness / weight;
@@ -254,42 +217,30 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         true => 0.0,
         false => 1.0,
     };
-    let last = a.velocity(a.unwound(p.wound));
+    let last = a * unwound(p, p.wound);
     let air = 0.5 * 1.204 * 2.0 * p.radius * width(p) * last * last / weight;
-    // The square of the speed on the way down, over that without air.
-    let law = ode(|_, &[square]: &[f64; 1]| [1.0 - air * square]).scaled(size_or([1.0; 1]));
-    let blown = air * after(1.0, &law, &[0.0], 1e-12)?[0];
     effect_card! { report,
         "stretch of the string, at the turn": "T_max l/(R E A)" = jerked, costs spared, "of T_max";
         "thickness of the string": "d/(2 R)" = thick, costs 2.0 * thick * k / (1.0 + k), "of a";
         "mass of the string": "m/M" = string, costs string * (1.0 - k).abs() / (1.0 + k), "of a, at the start";
         "stretch of the string, in the fall": "T/(E A)" = hangs, costs hangs, "of the way";
-        "air drag, at the end": "rho C S v^2/(2 M g)" = air, costs air, "of a, at the end", measured blown;
+        "air drag, at the end": "rho C S v^2/(2 M g)" = air, costs air, "of a, at the end", measured taken_by_air(air)?;
     }
 }
 
 /// The accuracy strip: the string that is wound up at the top, by Newton's law.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (d, a, end) = (disc(p)?, Answer::new(p), Answer::new(p).unwound(p.wound));
+    let (d, [a, _], end, radius) = (disc(p)?, fall(p), unwound(p, p.wound), p.radius);
     let [_, _, climb, _] = d.by_angles(1e-15)?;
     let error = move |run: &Run<Leaves, 6>| {
-        let last = run
-            .transitions()
-            .last()
-            .map_or(run.pieces()[0].solution.end_state(), |event| &event.before);
+        let last = run.transitions().last();
+        let start = run.pieces()[0].solution.end_state();
+        let last = last.map_or(start, |event| &event.before);
         Ok(d.taut(Leaves::Winding, last).margin / climb - 1.0)
     };
-    report.set_closed_form(ClosedForm::new(move |part| {
-        Ok::<_, rotation_dynamics::Error>([a.velocity(part * end), a.angular_velocity(part * end)])
-    }));
+    report.in_closed_form(move |part| [a * (part * end), a * (part * end) / radius]);
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
-    report.controlled(
-        "DOP853, error of a step",
-        asked,
-        move |step| d.run(step),
-        Run::work,
-        error,
-    )
+    report.stepped(asked, move |step| d.run(step), Run::work, error)
 }
 
 example! {

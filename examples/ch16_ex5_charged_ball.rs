@@ -6,12 +6,10 @@ mod figures;
 use core::f64::consts::{FRAC_PI_2, PI};
 use kit::driven_in_air;
 use kit::prelude::*;
-use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::integrators::{after, second_order};
 use rotation_dynamics::planar::contact::{
-    Contact, ContactMotion, Mechanism, MechanismState, Mode, QuadraticDrag, Surface, entry,
-    motion_within,
+    Contact, ContactMotion, Mechanism, MechanismState, Mode, Surface, entry, motion_within,
 };
 
 parameters! {
@@ -35,8 +33,7 @@ parameters! {
         shot: number(-0.3, "m/s", any().usually(-1.0, 1.0));
         /// how far off its middle a charged spot is, over R
         spot: number(0.5, "-", from_to(0.0, 1.0).because("inside the ball").usually(0.0, 1.0));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// drag coefficient of the ball in air, for the claims about it
         air: effect(0.47, "-", above_to(0.0, 1e3).because("more is a parachute"));
         /// relative error asked for, at every event: from 1e-13 to 0.001
@@ -91,11 +88,8 @@ impl Mechanism<3, 1> for Ball {
 
     fn scale(&self, _: &MechanismState<3>) -> MechanismState<3> {
         let (r, v) = (self.radius, (2.0 * self.pull.abs() * self.length).sqrt());
-        let q = [self.length, r, self.length / r];
-        MechanismState {
-            q,
-            v: [v, v, v / r],
-        }
+        let (q, v) = ([self.length, r, self.length / r], [v, v, v / r]);
+        MechanismState { q, v }
     }
 }
 
@@ -107,20 +101,15 @@ impl Ball {
     pub fn new(p: &Parameters) -> Result<Self> {
         let pull = p.charge * p.field / p.mass;
         let weights = pull / p.gravity;
-        if !(1e-9..=1e9).contains(&weights.abs()) {
-            return Err(Error::out_of_range(
-                "q E/(m g)",
-                weights,
-                "its size must be from 1e-9, below which nothing drives the ball, to 1e9",
-            )
-            .into());
-        }
-        let told = "contacts do not tell a smaller part of the weight from none";
-        let needed = p.shape / (1.0 + p.shape) * weights.abs();
-        let holds = above(1e-11).because(told);
-        holds.check("coefficient of friction that rolling needs", needed)?;
-        let far = between(0.0, 1e6).because("after so many turns the angle has lost its digits");
-        far.check("length/radius", p.length / p.radius)?;
+        let told = "its size must be from 1e-9, below which nothing drives the ball, to 1e9";
+        let drives = (1e-9..=1e9).contains(&weights.abs());
+        require(drives, "q E/(m g)", weights, told)?;
+        allowed! {
+            "coefficient of friction that rolling needs": p.shape / (1.0 + p.shape) * weights.abs(),
+                above(1e-11), "contacts do not tell a smaller part of the weight from none";
+            "length/radius": p.length / p.radius,
+                between(0.0, 1e6), "after so many turns the angle has lost its digits";
+        }?;
         Ok(Self {
             pull,
             press: p.gravity,
@@ -135,10 +124,7 @@ impl Ball {
 
     /// The same with its charge off the middle.
     pub fn spotted(p: &Parameters) -> Result<Self> {
-        Ok(Self {
-            spot: p.spot * p.radius,
-            ..Self::new(p)?
-        })
+        Ok(Self::new(p)?.but(|ball| ball.spot = p.spot * p.radius))
     }
 
     /// Where the field pulls: 1 to the right, -1 to the left.
@@ -153,20 +139,20 @@ impl Ball {
 
     /// At the start, turned by this angle, with this velocity and no spin.
     pub fn start(&self, angle: f64, velocity: f64) -> MechanismState<3> {
-        MechanismState {
-            q: [0.0, self.radius, angle],
-            v: [velocity, 0.0, 0.0],
-        }
+        let (q, v) = ([0.0, self.radius, angle], [velocity, 0.0, 0.0]);
+        MechanismState { q, v }
     }
 
     /// The motion from there, at most until `end`.
-    pub fn run(
-        self,
-        start: MechanismState<3>,
-        end: f64,
-        tolerance: f64,
-    ) -> rotation_dynamics::Result<Roll> {
-        motion_within(self, tolerance, start, end)
+    pub fn run(self, start: MechanismState<3>, end: f64, tolerance: f64) -> Result<Roll> {
+        Ok(motion_within(self, tolerance, start, end)?)
+    }
+
+    /// The same from rest, to the end of the slab: when it arrives, and with which velocities.
+    pub fn rolled(self, end: f64, tolerance: f64) -> Result<(f64, [f64; 3])> {
+        let run = self.run(self.start(0.0, 0.0), end, tolerance)?;
+        let arrives = run.event("arrives")?;
+        Ok((arrives.t, arrives.before.v))
     }
 
     // ANCHOR: law
@@ -203,17 +189,11 @@ impl Ball {
 
 /// The least coefficient of friction with which the solver lets the ball stick: by bisection.
 fn holds_from(ball: Ball) -> Result<f64> {
-    let most = 2.0 * ball.pull.abs() / ball.press;
-    let (mut slips, mut sticks) = (0.0, most);
-    for _ in 0..60 {
-        let mu = 0.5 * (slips + sticks);
-        let there = Ball { mu, ..ball };
-        match entry(&there, there.start(0.0, 0.0))? {
-            ([Mode::Stick], _) => sticks = mu,
-            _ => slips = mu,
-        }
-    }
-    Ok(sticks)
+    let slips = |mu| -> Result<bool> {
+        let there = ball.but(|ball| ball.mu = mu);
+        Ok(entry(&there, there.start(0.0, 0.0))?.0 != [Mode::Stick])
+    };
+    Ok(try_bisect([0.0, 2.0 * ball.pull.abs() / ball.press], 0.0, slips)?[1])
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -231,22 +211,15 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let field = p.field.abs();
     // A ball that is put down sliding.
     let ([catch, then], shot) = (ball.caught(p.shot), p.shot.abs());
-    let far = Ball {
-        length: d + 10.0 * shot * catch.abs(),
-        ..ball
-    };
+    let far = ball.but(|ball| ball.length = d + 10.0 * shot * catch.abs());
     let slid = || far.run(far.start(0.0, p.shot), 2.0 * catch, p.tolerance);
     let catches =
         shot > 0.0 && catch > 0.0 && catch.is_finite() && p.friction > needed * (1.0 + 1e-9);
     // A charged spot: below the middle it needs most friction.
     let spotted = Ball::spotted(p)?;
-    let rough = Ball {
-        mu: 1e3 + 2.0 * driven / g,
-        ..spotted
-    };
-    let lowest = rough
-        .run(rough.start(-FRAC_PI_2, 0.0), 1e-3 * time, p.tolerance)?
-        .forces(0.0)?[0];
+    let rough = spotted.but(|ball| ball.mu = 1e3 + 2.0 * driven / g);
+    let low = rough.start(-FRAC_PI_2, 0.0);
+    let lowest = rough.run(low, 1e-3 * time, p.tolerance)?.forces(0.0)?[0];
     let most = (k + p.spot) / (1.0 + k) * pull;
     let further = d - spotted.spot * (1.0 - cos(d / r));
     let rolls = side * (2.0 * driven * further / (1.0 + k)).sqrt();
@@ -311,33 +284,33 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// Bodies of known shape, and fields far from the threshold and near it.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
-    let plain = Ball {
-        mu: 1e3,
-        pull: p.gravity,
-        ..Ball::new(p)?
-    };
+    let (k, gravity) = (p.shape, p.gravity);
+    let plain = Ball::new(p)?.but(|ball| (ball.mu, ball.pull) = (1e3, gravity));
     let goes = |ball: Ball| -> Result<f64> {
-        let long = 10.0 * (ball.length / ball.pull).sqrt();
-        let run = ball.run(ball.start(0.0, 0.0), long, 1e-12)?;
-        Ok(0.5 * run.event("arrives")?.before.v[0].powi(2) / (ball.length * ball.pull))
+        let [v, ..] = ball
+            .rolled(10.0 * (ball.length / ball.pull).sqrt(), 1e-12)?
+            .1;
+        Ok(0.5 * v.powi(2) / (ball.length * ball.pull))
     };
-    let shaped = |shape| Ball { shape, ..plain };
+    let shaped = |shape| plain.but(|ball| ball.shape = shape);
+    let rubbed = |mu| plain.but(|ball| ball.mu = mu);
     let held = plain.holding() / p.gravity;
-    let spot = p.radius;
-    let top = Ball { spot, ..plain }.run(plain.start(FRAC_PI_2, 0.0), 1e-6, 1e-12)?;
-    let top = top.forces(0.0)?[0].tangential;
+    let top = plain.but(|ball| ball.spot = p.radius);
+    let top = top
+        .run(plain.start(FRAC_PI_2, 0.0), 1e-6, 1e-12)?
+        .forces(0.0)?[0]
+        .tangential;
     limits! { report,
         /// all mass in the middle: it goes like a particle
         "k = 1e-9: m x''/(q E)": goes(shaped(1e-9))? => 1.0, within 2e-9;
         /// a thin shell, I = 2/3 m R^2
         "k = 2/3: m x''/(q E)": goes(shaped(2.0 / 3.0))? => 0.6, within 1e-11;
         /// no friction: nothing turns it
-        "mu = 0: m x''/(q E)": goes(Ball { mu: 0.0, ..plain })? => 1.0, within 1e-11;
+        "mu = 0: m x''/(q E)": goes(rubbed(0.0))? => 1.0, within 1e-11;
         /// just below the threshold it still goes as if it rolled
-        "mu = 0.9999999 mu_min: (1 + k) m x''/(q E)":
-            (1.0 + p.shape) * goes(Ball { mu: 0.999_999_9 * held, ..plain })? => 1.0, within 1e-6;
+        "mu = 0.9999999 mu_min: (1 + k) m x''/(q E)": (1.0 + k) * goes(rubbed(0.999_999_9 * held))? => 1.0, within 1e-6;
         /// a pull at the top of the ball: friction helps, by 1 - k
-        "charge at the top: -(1 + k) F/(q E)": (1.0 + p.shape) * top / plain.pull => 1.0 - p.shape, within 1e-9;
+        "charge at the top: -(1 + k) F/(q E)": (1.0 + k) * top / plain.pull => 1.0 - k, within 1e-9;
     }
 }
 
@@ -352,24 +325,20 @@ const EPSILON_0: f64 = 8.854_187_8e-12;
 pub fn left_out(p: &Parameters) -> (f64, [f64; 2]) {
     let square = p.radius * p.radius;
     let image = p.charge * p.charge / (16.0 * PI * EPSILON_0 * square);
-    (
-        image / (p.mass * p.gravity),
-        [2e-5, 0.5 * 1.204 * 0.47 * PI * square / p.mass],
-    )
+    let drag = 0.5 * 1.204 * 0.47 * PI * square / p.mass;
+    (image / (p.mass * p.gravity), [2e-5, drag])
 }
 
 /// What `--with air` adds: it takes longer, and ends slower.
 fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
-    let Some(coefficient) = p.air else {
-        return Ok(());
-    };
+    let Some(drag) = p.air else { return Ok(()) };
     let ball = Ball::new(p)?;
     let [a, _] = ball.accelerations();
     // What rolls has the inertia of its turning as well.
     let rolls = p.friction * p.gravity > ball.holding().abs();
     let inertia = p.mass * if rolls { ball.pull / a } else { 1.0 };
-    let drag = QuadraticDrag::in_air(1.204, coefficient, PI * p.radius * p.radius)?;
-    driven_in_air(report, drag, [a.abs(), inertia, p.length])
+    let area = PI * p.radius * p.radius;
+    driven_in_air(report, [drag, area], [a.abs(), inertia, p.length])
 }
 
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -380,15 +349,12 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let spark = (own + 3.0 * p.field.abs()) / 3e6;
     let grip = p.friction * p.gravity / ball.holding().abs();
     // A ball that slips is faster than one that rolls.
-    let slipping = if grip < 1.0 {
-        1.0 - pull / ((1.0 + p.shape) * a)
-    } else {
-        0.0
-    };
+    let faster = 1.0 - pull / ((1.0 + p.shape) * a);
+    let slipping = if grip < 1.0 { faster } else { 0.0 };
     // The part of the work that a ball which rolls has lost at the end, by the contact solver.
-    let arrives = |resisting: [f64; 2]| {
-        let run = Ball { resisting, ..ball }.run(ball.start(0.0, 0.0), 4.0 * time, 1e-10)?;
-        Ok::<_, Error>(run.event("arrives")?.before.v[0])
+    let arrives = |resisting: [f64; 2]| -> Result<f64> {
+        let run = ball.but(|ball| ball.resisting = resisting);
+        Ok(run.rolled(4.0 * time, 1e-10)?.1[0])
     };
     let lost = |resisting: [f64; 2], predicted: f64| -> Result<Option<f64>> {
         if grip < 1.01 || predicted > 0.5 {
@@ -416,11 +382,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The accuracy strip: the ball with a charged spot, which does not accelerate evenly.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
-    let ball = Ball {
-        mu: 1e3,
-        length: p.length.min(TURNING * p.radius),
-        ..Ball::spotted(p)?
-    };
+    let far = p.length.min(TURNING * p.radius);
+    let ball = Ball::spotted(p)?.but(|ball| (ball.mu, ball.length) = (1e3, far));
     let further = ball.length - ball.spot * (1.0 - cos(ball.length / p.radius));
     let pull = ball.pull.abs();
     let speed = ball.side() * (2.0 * pull * further / (1.0 + p.shape)).sqrt();
@@ -429,9 +392,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let error = move |run: &Roll| Ok(largest([run.event("arrives")?.before.v[0] / speed - 1.0]));
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
     report.controlled("contact by DOP853", asked, run, Roll::work, error)?;
-    report.set_closed_form(ClosedForm::new(move |part| {
-        Ok::<_, Error>(part.sqrt() * speed)
-    }));
+    report.in_closed_form(move |part| part.sqrt() * speed);
     Ok(())
 }
 

@@ -12,7 +12,6 @@ mod variations;
 
 use core::f64::consts::FRAC_PI_2;
 use kit::prelude::*;
-use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::exact::ladder::Ladder as Exact;
 use rotation_dynamics::math::{EPS, acosh};
@@ -25,8 +24,7 @@ parameters! {
     pub struct Parameters {
         /// length of the ladder
         length: number(3.0, "m", above(0.0).usually(1.0, 6.0)).drawn(2.0, 6.0, 0.1);
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// angle from the wall at the start
         angle: number(0.25, "rad", between(0.0, FRAC_PI_2).because("upright it stands for ever, flat it lies").usually(0.01, 1.5)).drawn(0.15, 0.60, 0.05);
         /// relative error asked for, at every event: from 3.2e-14 to 0.1
@@ -77,10 +75,8 @@ impl Mechanism<3, 2> for Ladder {
     fn scale(&self, ladder: &MechanismState<3>) -> MechanismState<3> {
         let rate = (1.5 * self.gravity / self.length).sqrt();
         let q = [ladder.q[0].abs(), self.length, ladder.q[2].abs()];
-        MechanismState {
-            q,
-            v: q.map(|size| rate * size),
-        }
+        let v = q.map(|size| rate * size);
+        MechanismState { q, v }
     }
 }
 
@@ -128,15 +124,9 @@ struct Solved {
 // ANCHOR: solve
 fn solve(p: &Parameters) -> Result<Solved> {
     let exact = Exact::new(p.length, p.gravity, p.angle)?;
-    if rounding(p) > 0.1 {
-        return Err(Error::out_of_range(
-            "angle",
-            p.angle,
-            "the ladder all but lies: within 5e-15 rad of pi/2 rounding leaves no digit of \
-                      its elevation",
-        )
-        .into());
-    }
+    let told = "the ladder all but lies: within 5e-15 rad of pi/2 rounding leaves no digit of \
+                its elevation";
+    require(rounding(p) <= 0.1, "angle", p.angle, told)?;
     let ladder = Ladder::smooth(p);
     let start = ladder.at_rest(p.angle);
     let end = 2.0 * exact.landing_time();

@@ -23,14 +23,12 @@ parameters! {
         disc: number(1.1, "kg", above(0.0).usually(0.1, 3.0)).drawn(0.5, 2.0, 0.1);
         /// radius of the disc
         radius: number(0.2, "m", above(0.0).usually(0.05, 0.9)).drawn(0.10, 0.30, 0.02);
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// angle of the wide swing, released at rest
         release: number(1.0, "rad", between(-PI, PI).because("pi is upright").usually(0.1, 3.0)).drawn(0.6, 1.4, 0.1);
         /// torque in a greased axle over how fast the disc turns in it
         friction: number(0.07, "N m s", at_least(0.0).usually(0.005, 1.0));
-        /// error of a step of the simulations: from 1e-15 to 1e-3
-        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+        tolerance: step(1e-13, 1e-3);
     }
 }
 
@@ -76,33 +74,26 @@ impl Moments {
 }
 
 /// The pendulum in closed form, with this moment of inertia about the pivot.
-pub fn pendulum(p: &Parameters, moment: f64, release: f64) -> rotation_dynamics::Result<Pendulum> {
-    let mass = p.rod + p.disc;
+pub fn pendulum(p: &Parameters, moment: f64, release: f64) -> Result<Pendulum> {
+    let (mass, gravity) = (p.rod + p.disc, p.gravity);
     let lever = (0.5 * p.rod + p.disc) * p.length / mass;
-    Pendulum::new(
-        Suspension {
-            moment,
-            mass,
-            gravity: p.gravity,
-            lever,
-        },
-        release,
-        0.0,
-    )
+    let hung = Suspension {
+        moment,
+        mass,
+        gravity,
+        lever,
+    };
+    Ok(Pendulum::new(hung, release, 0.0)?)
 }
 // ANCHOR_END: moments
 
-/// The release, where a swing follows.
-fn swings(p: &Parameters) -> rotation_dynamics::Result<()> {
+/// Refuses a release that no swing follows.
+fn swings(p: &Parameters) -> Result<()> {
     let (release, size) = (p.release, p.release.abs());
-    let refused = |allowed| Err(Error::out_of_range("release", release, allowed));
-    if size < 1e-6 {
-        return refused("it must be off the vertical by 1e-6 rad: smaller swings are small swings");
-    }
-    if size > PI - 1e-9 {
-        return refused("it must be off pi by 1e-9 rad: released upright it stays there");
-    }
-    Ok(())
+    let small = "it must be off the vertical by 1e-6 rad: smaller swings are small swings";
+    require(size >= 1e-6, "release", release, small)?;
+    let upright = "it must be off pi by 1e-9 rad: released upright it stays there";
+    Ok(require(size <= PI - 1e-9, "release", release, upright)?)
 }
 
 // ANCHOR: motion
@@ -141,17 +132,11 @@ pub struct Between {
 impl Between {
     /// From the root x of x = drag^2 (1 + x)^2 (share - x) between 0 and `share`.
     pub fn new(share: f64, drag: f64) -> Self {
-        let (mut low, mut high) = (0.0, share);
         let lacks = |x: f64| drag * drag * (1.0 + x) * (1.0 + x) * (share - x) - x;
-        while low < 0.5 * (low + high) && 0.5 * (low + high) < high {
-            let x = 0.5 * (low + high);
-            if lacks(x) > 0.0 { low = x } else { high = x }
-        }
-        let x = low;
+        let [x, _] = bisect([0.0, share], 0.0, |x| lacks(x) > 0.0);
         let decay = 0.5 * x / (drag * (1.0 + x) * (1.0 + x));
-        let frequency = (1.0 / (1.0 + x) - decay * decay).sqrt();
         Self {
-            frequency,
+            frequency: (1.0 / (1.0 + x) - decay * decay).sqrt(),
             decay,
             part: x / share,
         }
@@ -184,67 +169,43 @@ pub fn measured(share: f64, drag: f64) -> Result<[f64; 2]> {
 
 /// [`worst`], simulated: where a little more friction and a little less damp alike.
 pub fn measured_worst(share: f64) -> Result<f64> {
-    let (mut low, mut high) = (0.2, 2.0);
-    while high - low > 1e-7 {
-        let drag = 0.5 * (low + high);
-        let more = measured(share, 1.002 * drag)?[1] - measured(share, drag / 1.002)?[1];
-        if more > 0.0 { low = drag } else { high = drag }
-    }
-    Ok(low)
+    let decay = |drag: f64| Ok::<_, kit::Error>(measured(share, drag)?[1]);
+    let more = |drag: f64| Ok::<_, kit::Error>(decay(1.002 * drag)? - decay(drag / 1.002)? > 0.0);
+    Ok(try_bisect([0.2, 2.0], 1e-7, more)?[0])
 }
 
 /// The motion with two angles, from rest at `angle`, in units of 1/W.
-pub fn swung(
-    share: f64,
-    drag: f64,
-    angle: f64,
-    end: f64,
-    step: f64,
-) -> rotation_dynamics::Result<Solution<4>> {
-    Dop853::new(step)?.solve(
-        &two_angles(share, drag),
-        0.0,
-        &[angle, 0.0, angle, 0.0],
-        end,
-        &[],
-    )
+pub fn swung(share: f64, drag: f64, angle: f64, end: f64, step: f64) -> Result<Solution<4>> {
+    let start = [angle, 0.0, angle, 0.0];
+    Ok(Dop853::new(step)?.solve(&two_angles(share, drag), 0.0, &start, end, &[])?)
 }
 
-/// The return of a wide swing, in units of 1/W, and the work; the disc is free or drags.
-pub fn returns(
-    share: f64,
-    drag: f64,
-    angle: f64,
-    step: f64,
-) -> rotation_dynamics::Result<(LocatedEvent<4>, Work)> {
+/// The return of a wide swing: when and how, and the work.
+type Return<const N: usize> = (LocatedEvent<N>, Work);
+
+/// That of this swing, in units of 1/W; the disc is free or drags.
+pub fn returns(share: f64, drag: f64, angle: f64, step: f64) -> Result<Return<4>> {
     let start = [angle, 0.0, angle, 0.0];
-    Dop853::new(step)?.zero(&two_angles(share, drag), start, 2, 1e3, |y| y[1])
+    Ok(Dop853::new(step)?.zero(&two_angles(share, drag), start, 2, 1e3, |y| y[1])?)
 }
 
 /// The same for the disc that is fixed.
-fn returns_fixed(
-    share: f64,
-    angle: f64,
-    step: f64,
-) -> rotation_dynamics::Result<(LocatedEvent<2>, Work)> {
+fn returns_fixed(share: f64, angle: f64, step: f64) -> Result<Return<2>> {
     let long = 1e3 * (1.0 + share).sqrt();
-    Dop853::new(step)?.zero(&one_angle(share), [angle, 0.0], 2, long, |y| y[1])
+    Ok(Dop853::new(step)?.zero(&one_angle(share), [angle, 0.0], 2, long, |y| y[1])?)
 }
 
 /// Rod and disc put together by the library, the disc's centre so far from the pivot: the
 /// moment of inertia about the pivot, of the whole and of the rod with a ball at the centre.
 fn assembled(p: &Parameters, far: f64) -> Result<[f64; 2]> {
     // The axle is along e1 for the rod and along e3 for the disc as the library makes them.
-    let rod =
-        solids::rod(p.rod, p.length)?.displaced(DesignVector::new(0.0, 0.0, -0.5 * p.length))?;
-    let place = DesignVector::new(0.0, 0.0, -far);
-    let ball = MassProperties::of_points(&[(p.disc, place)])?;
-    let own = solids::disc(p.disc, p.radius)?
-        .about_centre_of_mass()
-        .matrix()[2][2];
-    let carried = MassProperties::of_parts(&[rod, ball])?
-        .about(DesignVector::zero())?
-        .matrix()[0][0];
+    let down = |far: f64| DesignVector::new(0.0, 0.0, -far);
+    let rod = solids::rod(p.rod, p.length)?.displaced(down(0.5 * p.length))?;
+    let both =
+        MassProperties::of_parts(&[rod, MassProperties::of_points(&[(p.disc, down(far))])?])?;
+    let disc = solids::disc(p.disc, p.radius)?.about_centre_of_mass();
+    let own = disc.matrix()[2][2];
+    let carried = both.about(DesignVector::zero())?.matrix()[0][0];
     Ok([carried + own, carried])
 }
 
@@ -259,10 +220,8 @@ fn hinged(p: &Parameters, m: &Moments) -> [f64; 4] {
 /// slower first, and the angle of the disc over that of the rod in each.
 pub fn by_the_rim(p: &Parameters, m: &Moments) -> [[f64; 2]; 2] {
     let [k1, k2, cross, own] = hinged(p, m);
-    let (a, b) = (
-        m.carried * own - cross * cross,
-        0.5 * (k1 * own + k2 * m.carried),
-    );
+    let a = m.carried * own - cross * cross;
+    let b = 0.5 * (k1 * own + k2 * m.carried);
     let fast = (b + (b * b - a * k1 * k2).sqrt()) / a;
     [k1 * k2 / (a * fast), fast].map(|square| [square.sqrt(), (k1 / square - m.carried) / cross])
 }
@@ -275,12 +234,8 @@ pub fn double(p: &Parameters, m: &Moments) -> impl Ode<4> {
         let f = -cross * s * spin * spin - k1 * sin(*rod);
         let g = cross * s * rate * rate - k2 * sin(*disc);
         let (mix, det) = (cross * c, first * second - cross * cross * c * c);
-        [
-            *rate,
-            (second * f - mix * g) / det,
-            *spin,
-            (first * g - mix * f) / det,
-        ]
+        let [faster, spins] = [(second * f - mix * g) / det, (first * g - mix * f) / det];
+        [*rate, faster, *spin, spins]
     })
     .scaled(size_or([1.0; 4]))
 }
@@ -289,14 +244,9 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     swings(p)?;
     let m = Moments::new(p)?;
     let (unit, share, fixed, step) = (1.0 / m.rate(), m.share, m.carried + m.own, p.tolerance);
-    let small = |moment| Ok::<_, Error>(pendulum(p, moment, 0.0)?.period());
-    let wide = |moment| Ok::<_, Error>(pendulum(p, moment, p.release)?.period());
-    let [t_fixed, t_free, w_fixed, w_free] = [
-        small(fixed)?,
-        small(m.carried)?,
-        wide(fixed)?,
-        wide(m.carried)?,
-    ];
+    let period = |moment, release| Ok::<_, kit::Error>(pendulum(p, moment, release)?.period());
+    let (t_fixed, t_free) = (period(fixed, 0.0)?, period(m.carried, 0.0)?);
+    let (w_fixed, w_free) = (period(fixed, p.release)?, period(m.carried, p.release)?);
     let free = |size| [size, 0.0, size, 0.0];
     let slow = small_frequency(&two_angles(share, 0.0), free, 20.0, |y| y[1])?;
     let long = 20.0 * (1.0 + share).sqrt();
@@ -309,28 +259,22 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     // The most that the joint has to pass on to the disc, from how the disc starts to turn.
     let hardest = p.release.abs().min(FRAC_PI_2);
     let most = sin(hardest);
-    let (grip, hard) = (
-        m.own * m.gravity * most / fixed,
-        pendulum(p, fixed, hardest)?,
-    );
+    let grip = m.own * m.gravity * most / fixed;
+    let hard = pendulum(p, fixed, hardest)?;
     let spin = |t: f64| Ok::<_, Error>(m.own * hard.at(t * w_fixed)?.omega.abs() / (t * w_fixed));
     let starts = (4.0 * spin(1e-4)? - spin(2e-4)?) / 3.0;
     // A greased axle.
     let drag = p.friction * unit / m.own;
     let between = Between::new(share, drag);
-    let (ours, worst_friction) = (
-        2.0 * PI * unit / between.frequency,
-        worst(share) * m.own / unit,
-    );
+    let ours = 2.0 * PI * unit / between.frequency;
+    let worst_friction = worst(share) * m.own / unit;
     let seen = match drag {
         1e-2..=1e2 if m.is_felt() => measured(share, drag)?,
         _ => [0.0; 2],
     };
     let part = |decay: f64, period: f64| 1.0 - exp(-decay * period);
-    let (lost, most_lost) = (
-        part(between.decay, 2.0 * PI / between.frequency),
-        0.25 * share / (1.0 + share).sqrt(),
-    );
+    let lost = part(between.decay, 2.0 * PI / between.frequency);
+    let most_lost = 0.25 * share / (1.0 + share).sqrt();
     // The disc hung by its rim.
     let far = p.length + p.radius;
     let pull = (0.5 * p.rod * p.length + p.disc * far) * p.gravity;
@@ -379,8 +323,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         ahead: 0.5 * (1.0 + (m.carried / fixed).sqrt()) * fixed / m.own, "-", "the simulated periods" => 0.5 * slow / (slow - stiff),
         within ((1e-6 + 1e-12 / share) / share).max(1e-12), if share >= 1e-8;
         /// torque that the fixed joint must hold
-        grip: grip, "N m", "how fast the disc's turning grows" => starts, within 1e-6 * grip,
-        in "The joint":
+        grip: grip, "N m", "how fast the disc's turning grows" => starts, within 1e-6 * grip, in "The joint":
             m.gravity * sin(p.release) => "that turns the whole pendulum",
             m.own * m.gravity * most / m.carried => "the disc is fixed here";
         /// greased axle: period of small swings
@@ -406,23 +349,17 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// No disc, a small one, no rod, a swing nearly over the top, axles that hardly rub or nearly hold.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
-    let with = |rod, disc, radius| Parameters {
-        length: 1.0,
-        rod,
-        disc,
-        radius,
-        gravity: 1.0,
-        ..*p
+    let with = |rod, disc, radius| {
+        let p = p.but(|p| (p.rod, p.disc, p.radius) = (rod, disc, radius));
+        p.but(|p| (p.length, p.gravity) = (1.0, 1.0))
     };
-    let swing = |q: &Parameters, release: f64, hold: f64| {
+    let swing = |q: &Parameters, release: f64, hold: f64| -> Result<f64> {
         let m = Moments::new(q)?;
-        Ok::<_, kit::Error>(pendulum(q, m.carried + hold * m.own, release)?.period() / (2.0 * PI))
+        Ok(pendulum(q, m.carried + hold * m.own, release)?.period() / (2.0 * PI))
     };
-    let (light, point, wheel) = (
-        with(1.0, 1e-6, 0.2),
-        with(1.0, 1.0, 1e-3),
-        with(1e-9, 1.0, 1e-3),
-    );
+    let light = with(1.0, 1e-6, 0.2);
+    let point = with(1.0, 1.0, 1e-3);
+    let wheel = with(1e-9, 1.0, 1e-3);
     let high = 2.0 * PI * swing(&point, PI - 1e-4, 0.0)? / swing(&point, 0.0, 0.0)?;
     let [loose, tight] = [1e-4, 1e4].map(|drag| Between::new(0.02, drag));
     limits! { report,
@@ -456,32 +393,26 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let bearing = 1e-4 / (m.own * w2.sqrt());
     let wide = 4e-4 / (p.length * p.length);
     // Small swings from 1 rad over 1: a turn of the phase, and two half swings that rub.
-    let rubbed = || {
+    let rubbed = || -> Result<f64> {
         let scene = coupled(m.share, bearing, |angle| angle);
-        after(2.0 * PI, &scene, &[1.0, 0.0, 1.0, 0.0], 1e-13)
+        Ok(1.0 - after(2.0 * PI, &scene, &[1.0, 0.0, 1.0, 0.0], 1e-13)?[0])
     };
     // A tiny disc goes along at once, and a large one is not left out.
-    let rubbed = match bearing < 1e4 && m.share * bearing < 0.1 {
-        true => Some(1.0 - rubbed()?[0]),
-        false => None,
-    };
+    let told = bearing < 1e4 && m.share * bearing < 0.1;
+    let rubbed = when(told, rubbed)?;
     let half = |from: f64| -> Result<f64> {
         let law = second_order(|_, angle, _| -angle + pin * from.signum());
         let (end, _) = Dop853::new(1e-13)?.zero(&law, [from, 0.0], 1, 9.0, |y| y[1])?;
         Ok(end.state[0])
     };
-    let stopped = if pin < 0.25 {
-        Some(1.0 - half(half(1.0)?)?)
-    } else {
-        None
-    };
+    let stopped = when(pin < 0.25, || half(half(1.0)?))?;
     effect_card! { report,
         "size of the swing": "sin^2(theta0/2)" = size, costs longer, "of T",
             measured returns_fixed(m.share, p.release, 1e-13)?.0.t / returns_fixed(m.share, 1e-3 * p.release, 1e-13)?.0.t - 1.0,
             within 1e-9, included;
         "buoyancy in air": "rho_a/rho" = air, costs 0.5 * air, "of T";
         "friction at the pivot": "mu r (m + M) g/D" = pin, costs 4.0 * pin, "rad of amplitude a swing",
-            measured stopped, within 1e-9;
+            measured stopped.map(|left| 1.0 - left), within 1e-9;
         "the free disc's bearing": "c/(J W)" = bearing, costs PI * m.share * bearing, "of the amplitude a swing",
             measured rubbed, within 1e-9;
         "disc 1 mm off its axle, free": "e/R" = 0.001 / p.radius, costs 0.5 * askew.abs(), "of T";
@@ -517,12 +448,13 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     report.set_closed_form(ClosedForm::new(move |part| exact.at(part * exact.period())));
     let swing = move |step| match returns(m.share, 0.0, release, step) {
         // Released high up, a coarse run goes over the top.
-        Err(Error::NotReached { .. }) => Err(Error::NotDelivered {
+        Err(kit::Error::Library(Error::NotReached { .. })) => Err(Error::NotDelivered {
             requested: step,
             best: PI,
             condition: None,
-        }),
-        swing => Ok(swing?),
+        }
+        .into()),
+        swing => swing,
     };
     report.dial_of_return(asked, swing, period, release)
 }

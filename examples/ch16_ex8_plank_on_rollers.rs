@@ -29,14 +29,12 @@ parameters! {
         offset: number(0.3, "m", any().usually(0.05, 0.4)).drawn(0.20, 0.35, 0.05);
         /// thickness of the plank
         thickness: number(0.0, "m", at_least(0.0).usually(0.0, 0.1));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// the moving picture: the tops of the rollers move towards each other (in) or apart
         sense: choice("in", "out");
         /// part of the friction that is lost per m/s of slip, for the claims about it
         falling: effect(0.1, "s/m", above_to(0.0, 10.0).because("with more, a tenth of a metre a second takes all friction away"));
-        /// error of a step of the simulations: from 1e-15 to 1e-6
-        tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
+        tolerance: step(1e-13, 1e-6);
     }
 }
 
@@ -127,36 +125,29 @@ const SLOWEST: f64 = 1e-4;
 
 /// The plank; refused if friction would jam it, or if it does not lie on both rollers.
 pub fn plank(p: &Parameters, sense: f64) -> Result<Plank> {
-    let jam = p.kinetic * p.thickness / p.distance;
-    let holds = at_least(p.kinetic).because("what rests holds no less than what slips");
-    holds.check("holding", p.holding)?;
-    let thin = from_to(0.0, JAMS).because("at 1 friction on its lower face jams the plank");
-    thin.check("kinetic*thickness/distance", jam)?;
-    let slow = p.runs() / (rate(p, 0.0) * p.distance);
-    let turns = from_to(SLOWEST, 1e9).because("at 0 the rollers rest, and so does the plank");
-    turns.check("speed/sqrt(2 kinetic gravity distance)", slow)?;
     let lifts = lift(p, 1.0);
-    let lies = between(-lifts, lifts).because("at an end it lifts off a roller");
-    lies.check("offset", p.offset)?;
+    allowed! {
+        "holding": p.holding, at_least(p.kinetic), "what rests holds no less than what slips";
+        "kinetic*thickness/distance": p.kinetic * p.thickness / p.distance,
+            from_to(0.0, JAMS), "at 1 friction on its lower face jams the plank";
+        "speed/sqrt(2 kinetic gravity distance)": p.runs() / (rate(p, 0.0) * p.distance),
+            from_to(SLOWEST, 1e9), "at 0 the rollers rest, and so does the plank";
+        "offset": p.offset, between(-lifts, lifts), "at an end it lifts off a roller";
+    }?;
     let p = p.clone();
     Ok(Plank { p, sense })
 }
 
 /// The same, released elsewhere.
 fn from(p: &Parameters, offset: f64) -> Parameters {
-    let p = p.clone();
-    Parameters { offset, ..p }
+    p.but(|p| p.offset = offset)
 }
 
 /// Its motion from rest at the offset, until then or until it has tipped.
 pub fn released(p: &Parameters, sense: f64, end: f64) -> Result<Ride> {
     let start = MechanismState::rest([p.offset, 0.0, 0.0]);
-    Ok(motion(
-        plank(p, sense)?,
-        &Dop853::new(p.tolerance)?,
-        start,
-        end,
-    )?)
+    let method = Dop853::new(p.tolerance)?;
+    Ok(motion(plank(p, sense)?, &method, start, end)?)
 }
 
 // ANCHOR: forms
@@ -179,10 +170,8 @@ pub fn held(p: &Parameters) -> f64 {
 pub fn cycle(p: &Parameters) -> (f64, f64) {
     let (rate, held) = (rate(p, 1.0), held(p));
     let widest = p.runs() / rate;
-    (
-        hypot(held, widest),
-        4.0 * held / p.runs() + 4.0 / rate * atan2(widest, held),
-    )
+    let round = 4.0 * held / p.runs() + 4.0 / rate * atan2(widest, held);
+    (hypot(held, widest), round)
 }
 // ANCHOR_END: forms
 
@@ -193,10 +182,9 @@ pub fn caught(p: &Parameters, sense: f64) -> (f64, f64, f64) {
     let widest = p.runs() / rate;
     if sense > 0.0 {
         let at = ((x - widest) * (x + widest)).max(0.0).sqrt();
-        let when = if widest < (1.0 - 1e-6) * x {
-            atan2(widest, at) / rate
-        } else {
-            f64::INFINITY
+        let when = match widest < (1.0 - 1e-6) * x {
+            true => atan2(widest, at) / rate,
+            false => f64::INFINITY,
         };
         return (when, at, f64::INFINITY);
     }
@@ -242,14 +230,8 @@ fn stick_slip(p: &Parameters, ride: &Ride) -> Result<(f64, f64)> {
 /// The same by a smooth law: friction that rises with the slip to the holding value at `width`
 /// and falls to the kinetic one beyond; `[x, v]` of a thin plank, tops moving together.
 pub fn smoothed(p: &Parameters, width: f64) -> impl Ode<2> {
-    let Parameters {
-        distance,
-        kinetic,
-        holding,
-        gravity,
-        ..
-    } = *p;
-    let speed = p.runs();
+    let (distance, speed, gravity) = (p.distance, p.runs(), p.gravity);
+    let (kinetic, holding) = (p.kinetic, p.holding);
     let friction = move |slip: f64| {
         let part = slip / width;
         kinetic * tanh(4.0 * part) + (holding - kinetic) * part * exp(0.5 - 0.5 * part * part)
@@ -271,21 +253,13 @@ fn smoothed_period(p: &Parameters, width: f64) -> Result<(f64, u64)> {
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, g, v, mu) = (p.distance, p.gravity, p.runs(), p.kinetic);
-    let (swing, growth, exact) = (
-        rate(p, 1.0),
-        rate(p, -1.0),
-        100.0 * p.tolerance.max(1e-13) * (1.0 + 0.1 / p.kinetic),
-    );
+    let (swing, growth) = (rate(p, 1.0), rate(p, -1.0));
+    let exact = 100.0 * p.tolerance.max(1e-13) * (1.0 + 0.1 / p.kinetic);
     let (period, widest, carried) = (TAU / swing, v / swing, held(p));
     // Simulations have errors in units of the distance: of small motions they are larger.
-    let (wide, far) = (
-        exact * (1.0 + 0.01 * a / widest),
-        exact * (1.0 + 0.01 * a / p.offset.abs()),
-    );
-    let (ride, apart) = (
-        released(p, 1.0, span(p))?,
-        released(p, -1.0, 1e3 * span(p))?,
-    );
+    let [wide, far] = [widest, p.offset.abs()].map(|size| exact * (1.0 + 0.01 * a / size));
+    let ride = released(p, 1.0, span(p))?;
+    let apart = released(p, -1.0, 1e3 * span(p))?;
     let (zero, top) = quarter(p)?;
     let small = from(p, 0.05 * lift(p, 1.0).min(v / growth));
     let grown = released(&small, -1.0, 3.0 / growth)?.at(3.0 / growth)?.q[0] / small.offset;
@@ -293,11 +267,9 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (amplitude, round) = cycle(p);
     let ((stick, _, _), (stick_out, _, tip)) = (caught(p, 1.0), caught(p, -1.0));
     let goes_round = goes_round(p);
-    let event = |ride: &Ride, names| Ok::<_, Error>(ride.event(p.event_there(names))?.t);
-    let (sticks, lets_go) = (
-        ["left sticks", "right sticks"],
-        ["right lets go", "left lets go"],
-    );
+    let event = |ride: &Ride, names| Ok::<_, kit::Error>(ride.event(p.event_there(names))?.t);
+    let sticks = ["left sticks", "right sticks"];
+    let lets_go = ["right lets go", "left lets go"];
     claims! { report,
         /// force of the right roller over the weight, at the start, tops moving together
         right: right, "-", "contact forces" => ride.forces(0.0)?[1].normal / g, within exact, in "The forces":
@@ -360,19 +332,10 @@ fn farthest(p: &Parameters, ride: &Ride) -> Result<f64> {
 /// Equal coefficients, slow rollers, thick planks, the edge.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let (swing, growth) = (rate(p, 1.0), rate(p, -1.0));
-    let with = |change: &dyn Fn(&mut Parameters)| {
-        let mut p = p.clone();
-        change(&mut p);
-        p
-    };
-    let equal = cycle(&with(&|p| p.holding = p.kinetic)).1;
-    let slow = with(&|p| {
-        p.holding = 2.0 * p.kinetic;
-        p.speed = 1e-6 * swing * p.distance;
-    });
+    let equal = cycle(&p.but(|p| p.holding = p.kinetic)).1;
+    let slow = p.but(|p| (p.holding, p.speed) = (2.0 * p.kinetic, 1e-6 * swing * p.distance));
     let crawl = cycle(&slow).1 * slow.speed / (4.0 * held(&slow));
-    let thin = with(&|p| p.thickness = 0.0);
-    let thick = with(&|p| p.thickness = 0.96 * p.distance / p.kinetic);
+    let [thin, thick] = [0.0, 0.96 * p.distance / p.kinetic].map(|h| p.but(|p| p.thickness = h));
     let edge = from(p, lift(p, 1.0) * (1.0 - 1e-12));
     let left = released(&edge, 1.0, 1e-3 / swing)?.forces(0.0)?[0].normal / p.gravity;
     let tip = |offset| caught(&from(p, offset), -1.0).2;
@@ -411,11 +374,11 @@ fn driven(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(fading) = p.falling else {
         return Ok(());
     };
-    let thin = from_to(0.0, 0.0).because("friction that falls is for a thin plank");
-    thin.check("thickness", p.thickness)?;
     let (gain, free) = (0.5 * p.gravity * fading * p.kinetic, rate(p, 1.0));
-    let swings = between(0.0, 0.5).because("else it grows within a swing");
-    swings.check("growth over the rate of the swing", gain / free)?;
+    allowed! {
+        "thickness": p.thickness, from_to(0.0, 0.0), "friction that falls is for a thin plank";
+        "growth over the rate of the swing": gain / free, between(0.0, 0.5), "else it grows within a swing";
+    }?;
     let period = TAU / (free * free - gain * gain).sqrt();
     let [time, factor] = grown(p, fading)?;
     claims! { report,
@@ -431,22 +394,16 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (mu, a, swing) = (p.kinetic, p.distance, rate(p, 1.0));
     let (thick, falling) = (0.5 * mu * 0.02 / a, 0.5 * p.gravity * 0.1 * mu);
     let is_thin = (swing * swing * a / (2.0 * mu * p.gravity) - 1.0).abs() < 0.1;
-    let grown = match falling < 0.1 * swing && is_thin {
-        true => Some(grown(p, 0.1)?[1]),
-        false => None,
-    };
-    let board = |thickness: f64| Parameters {
-        thickness,
-        ..p.clone()
-    };
-    let slower = match thick < 0.1 {
-        true => Some(quarter(&board(0.02))?.0 / quarter(&board(0.0))?.0 - 1.0),
-        false => None,
-    };
+    let told = falling < 0.1 * swing && is_thin;
+    let grown = when(told, || grown(p, 0.1))?;
+    let board =
+        |thickness: f64| Ok::<_, kit::Error>(quarter(&p.but(|p| p.thickness = thickness))?.0);
+    let slower = || Ok::<_, kit::Error>(board(0.02)? / board(0.0)? - 1.0);
+    let slower = when(thick < 0.1, slower)?;
     effect_card! { report,
         "friction that falls by 1 % for each 0.1 m/s of slip":
             "g |mu'|/(2 lambda)" = falling / swing, costs exp(falling * TAU / swing) - 1.0, "of the amplitude, gained in a swing",
-            measured grown.map(|grown| grown - 1.0), within 1e-8;
+            measured grown.map(|[_, factor]| factor - 1.0), within 1e-8;
         "a thickness of 2 cm": "mu h/(2 a)" = thick, costs -thick, "of the period", measured slower, within 1e-8;
         "coefficients of the rollers that differ by 1 %":
             "dmu/mu" = 0.01, costs 0.25 * 0.01 * a, "m, place of rest";
@@ -465,18 +422,15 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (apart, start) = (plank(&p, -1.0)?, MechanismState::rest([p.offset, 0.0, 0.0]));
     let run = move |step| motion(apart.clone(), &Dop853::new(step)?, start, 2.0 * end);
     let error = move |ride: &Ride| Ok(largest([ride.event(lets_go)?.t / end - 1.0]));
-    report.controlled("DOP853, error of a step", asked, run, Ride::work, error)?;
-    report.set_closed_form(ClosedForm::new(move |_| Ok(caught(&p, -1.0))));
+    report.stepped(asked, run, Ride::work, error)?;
+    report.in_closed_form(move |_| caught(&p, -1.0));
     Ok(())
 }
 
 /// What the smooth law makes of the cycle, unless that takes too long.
 fn smooth(p: &Parameters, report: &mut Report) -> Result<()> {
-    let columns = [
-        "w / V",
-        "too long, as a part of the period",
-        "evaluations in a period",
-    ];
+    let late = "too long, as a part of the period";
+    let columns = ["w / V", late, "evaluations in a period"];
     let (mut table, round) = (Table::new("smooth", columns)?, cycle(p).1);
     for part in [1e-1, 1e-2, 1e-3] {
         let width = part * p.runs();

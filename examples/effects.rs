@@ -106,18 +106,12 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     // The response is stepped to a hundredth, and over more than 1e4 rad of spin that adds up.
     let stepped = 0.02 * (p.spin.abs() * p.seconds / 1e4).max(1.0);
     let within = |x: f64| stepped * x + 2.0 * x * x + 3e-8;
-    let (air, dry) = (
-        asked.simulated(rotor.air()?, 1e-8)?,
-        weighed(&asked, rotor.dry()?)?,
-    );
-    let (pivot, lift) = (
-        weighed(&asked, rotor.pivot())?,
-        weighed(&asked, rotor.buoyancy())?,
-    );
-    let (room, above) = (
-        weighed(&asked, on_the_earth())?,
-        weighed(&asked, gradient()?)?,
-    );
+    let air = asked.simulated(rotor.air()?, 1e-8)?;
+    let dry = weighed(&asked, rotor.dry()?)?;
+    let pivot = weighed(&asked, rotor.pivot())?;
+    let lift = weighed(&asked, rotor.buoyancy())?;
+    let room = weighed(&asked, on_the_earth())?;
+    let above = weighed(&asked, gradient()?)?;
     let (drag, bearing) = (rotor.air()?, rotor.bearing);
     let by_air = by_angles(p, |spin| drag.axial_torque(spin))?;
     let by_dry = by_angles(p, |spin| -bearing * spin.signum())?;
@@ -258,20 +252,8 @@ fn tries() -> Result<Table> {
     let ours = Parameters::default();
     let runs = [
         ("as it is", ours.clone()),
-        (
-            "--spin 628",
-            Parameters {
-                spin: 628.0,
-                ..ours.clone()
-            },
-        ),
-        (
-            "--seconds 1",
-            Parameters {
-                seconds: 1.0,
-                ..ours.clone()
-            },
-        ),
+        ("--spin 628", ours.but(|ours| ours.spin = 628.0)),
+        ("--seconds 1", ours.but(|ours| ours.seconds = 1.0)),
         ("--pivot 0", Parameters { pivot: 0.0, ..ours }),
     ];
     for (run, p) in runs {

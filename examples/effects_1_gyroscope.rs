@@ -181,10 +181,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let sinks = slowness * p.pivot_viscous / g.turning(bottom);
     // Nods of a thousandth of a radian drown where it sinks nearly as fast as they swing.
     let sinking = p.pivot_viscous * steady / (axial * sin(bottom));
-    let free = y.with(Bearings {
-        tilt: Bearing::SMOOTH,
-        ..y.bearings
-    });
+    let free = y.with(y.bearings.but(|bearings| bearings.tilt = Bearing::SMOOTH));
     let sag = free.fading()?.sag;
     // In the time of the measurement the axis has sunk, too.
     let part = 0.003 + 0.1 * slowness + 2.0 * sag.abs() / steady;
@@ -227,10 +224,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         decay: fading.decay, "1/s", "simulated swings" => measured::decay(&y, p.tolerance)?,
         within 1e-3 * fading.decay + 3.0 * sinks, if 30.0 * sinks < fading.decay && sinking < 1e-4 * small;
     }?;
-    let (count, halves) = (
-        measured::half_nods(&y, p.tolerance)?,
-        f64::from(ledger::half_nods(&y)),
-    );
+    let count = measured::half_nods(&y, p.tolerance)?;
+    let halves = f64::from(ledger::half_nods(&y));
     let end = measured::to_the_stop(&y, p)?;
     claims! { report,
         /// half nods until dry friction holds the tilt
@@ -256,10 +251,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let with = |fork: f64| Gimbals::new(rotor, [0.0; 3], fork);
     let bare = measured::nod_without_gimbals(&y)?.period / measured::bare(&y)?;
     let walks = |fork: f64| with(fork)?.steady_rate(p.theta, axial, 0.0);
-    let fast = Pose {
-        axial_momentum: 1e3 * axial,
-        ..y.start
-    };
+    let fast = y.start.but(|start| start.axial_momentum = 1e3 * axial);
     let (quick, fast) = (Nod::of(g, &fast)?, fast.axial_momentum);
     let walk = quick.precession / quick.period * fast / g.weight_moment();
     let nods = TAU / quick.period / (fast * sin(p.theta));

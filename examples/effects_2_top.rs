@@ -185,7 +185,7 @@ fn load(p: &Parameters) -> Result<f64> {
     let middle = 4.0 * a * p.modulus / (TAU * p.tip);
     // Over the angle whose sine is rho/a.
     let ring = |(s, c): (f64, f64)| Ok(TAU * a * a * middle * s * c * c);
-    simpson(0.0, 0.25 * TAU, 2000, |angle| ring(sincos(angle)))
+    kit::simpson([0.0, 0.25 * TAU], 2000, |angle| ring(sincos(angle)))
 }
 
 /// How fast a small tilt grows (1/s) on a level floor without air, at this spin.
@@ -221,21 +221,6 @@ fn least_by_growth(p: &Parameters) -> Result<f64> {
     Ok(0.5 * (low + high))
 }
 
-/// The rule of Simpson.
-fn simpson(from: f64, to: f64, n: u32, f: impl Fn(f64) -> Result<f64>) -> Result<f64> {
-    let h = (to - from) / f64::from(n);
-    let mut sum = 0.0;
-    for i in 0..=n {
-        let weight = if i == 0 || i == n {
-            1.0
-        } else {
-            2.0 + 2.0 * f64::from(i % 2)
-        };
-        sum += weight * f(from + h * f64::from(i))?;
-    }
-    Ok(sum * h / 3.0)
-}
-
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let sleeps = above(1.25).because("a slower one does not sleep");
     sleeps.check(
@@ -264,15 +249,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let [fallen, fallen_again] = at("falls")?;
     let least = p.least_spin();
     // Between two spins of the sleep.
-    let (early, late) = (
-        life.event("unstable")?.t * 0.5,
-        life.event("unstable")?.t * 0.9,
-    );
-    let (fast, slow) = (
-        life.configuration(early)?.spin(),
-        life.configuration(late)?.spin(),
-    );
-    let slept = simpson(slow, fast, 200, |w| Ok(1.0 / p.braking(w)?))?;
+    let early = life.event("unstable")?.t * 0.5;
+    let late = life.event("unstable")?.t * 0.9;
+    let fast = life.configuration(early)?.spin();
+    let slow = life.configuration(late)?.spin();
+    let slept = kit::simpson([slow, fast], 200, |w| {
+        Ok::<_, kit::Error>(1.0 / p.braking(w)?)
+    })?;
     let crossed = least_by_growth(p)?;
     let (leans, settles) = (p.slope * (LEVER + p.tip) / LEVER, p.settling(p.spin)?);
     let bound = 1e3 * p.tolerance;
@@ -359,10 +342,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
             .map_or(f64::NAN, |at| rolls.top().energy(&at))
     });
     // The spins at which a top can sleep, for a tip that shrinks to a point.
-    let sharp = Parameters {
-        tip: 1e-9,
-        ..p.clone()
-    };
+    let sharp = p.but(|p| p.tip = 1e-9);
     let notes = 2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL;
     let within = 1e3 * p.tolerance;
     limits! { report,
@@ -388,7 +368,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     let error = move |(t, _): &(f64, Work)| Ok((t / exact - 1.0).abs());
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12];
-    report.controlled("DOP853, error of a step", asked, grips, |run| run.1, error)
+    report.stepped(asked, grips, |run| run.1, error)
 }
 
 example! {

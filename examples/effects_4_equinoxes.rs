@@ -252,10 +252,8 @@ fn precession(p: &Parameters, report: &mut Report) -> Result<()> {
 fn ledgers(p: &Parameters, report: &mut Report) -> Result<()> {
     let by = |c: f64, h: f64, n: f64| yearly(-1.5 * c * h * n * n / spin(p));
     let mean_motion = |period: f64, mass: f64| TAU / (period * DAY) * mass.sqrt();
-    let (n, m) = (
-        mean_motion(365.256_363, 1.0),
-        mean_motion(27.321_661, 0.012_150_5),
-    );
+    let n = mean_motion(365.256_363, 1.0);
+    let m = mean_motion(27.321_661, 0.012_150_5);
     // The moments of the notes.
     let (f, c) = (0.330_675 / 0.329_591 - 1.0, cos(p.obliquity));
     let circles = [n, m].map(|n| by(c, f / (1.0 + f), n));

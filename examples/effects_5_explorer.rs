@@ -287,10 +287,8 @@ fn satellite(p: &Parameters, report: &mut Report) -> Result<()> {
     // The law knows t/tau alone: the runs lose as much in a few turns.
     let quick = sat.quickened();
     let (late, doubled) = (quick.run(quick.settled(), 1e-9)?, quick.doubled()?);
-    let (from, to) = (
-        sat.energy(p.nutation),
-        0.5 * sat.momentum * sat.momentum / ends,
-    );
+    let from = sat.energy(p.nutation);
+    let to = 0.5 * sat.momentum * sat.momentum / ends;
     let scale = p.growth / quick.tau();
     let (rpm, sense) = (60.0 / TAU, p.spin.signum());
     claims! { report,
@@ -353,10 +351,8 @@ fn flips(p: &Parameters, report: &mut Report) -> Result<()> {
         .fold(edges[0], f64::min);
     let found = body.halved(near - 0.3 * width, near + 0.3 * width)?;
     let away = (near - aside).abs();
-    let (leaves, stays) = (
-        0.5 * p.loss * (2.0 * one + three),
-        0.5 * p.loss * (one + 2.0 * three),
-    );
+    let leaves = 0.5 * p.loss * (2.0 * one + three);
+    let stays = 0.5 * p.loss * (one + 2.0 * three);
     let upset = 1.0 / away.max(1e-9);
     claims! { report,
         /// time between flips without a loss
@@ -442,10 +438,8 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 /// What the tumbling satellite leaves out, over the time to 45 degrees.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let sat = Opening::new(p)?;
-    let (time, l) = (
-        p.growth * log(1.0 / tan(p.nutation)).abs().max(1.0),
-        sat.momentum,
-    );
+    let time = p.growth * log(1.0 / tan(p.nutation)).abs().max(1.0);
+    let l = sat.momentum;
     // An orbit of 115 minutes, perigee at 360 km with 1e-11 kg/m^3, an arm of 5 cm.
     let orbit = TAU / 6900.0;
     let gravity = 1.5 * orbit * orbit * (sat.transverse - sat.axial).abs() / l;
@@ -509,10 +503,8 @@ fn averaging(p: &Parameters) -> Result<Table> {
         };
         let fallen = body.fall(p.aside, 1e-12)?;
         let flips = fallen.events().len() - 1;
-        let (from, to) = (
-            body.above(&start(p.aside)),
-            0.5 * body.above(&start(p.aside)),
-        );
+        let from = body.above(&start(p.aside));
+        let to = 0.5 * body.above(&start(p.aside));
         let [whole, passed] = body.averaged_fall(from, 0.0)?;
         let [time, _] = body.averaged_fall(from, to)?;
         let direct = half_way(&body, p.aside)?;

@@ -38,8 +38,7 @@ parameters! {
         spread: number(0.05, "rad", from_to(1e-3, 0.2).because("the strip is that of small strays").usually(0.01, 0.2));
         /// a mass that sits near a corner
         lump: number(0.01, "kg", at_least(0.0).usually(0.001, 0.03));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// error asked of the attitude after three flips: above 0, at most pi
         tolerance: number(1e-9, "rad", above_to(0.0, PI));
     }
@@ -62,8 +61,7 @@ pub fn slab(p: &Parameters) -> Result<[f64; 3]> {
 
 /// The throw of these parameters.
 pub fn thrown(p: &Parameters) -> Result<Throw> {
-    let turns = above(0.0).because("what does not turn does not turn over");
-    turns.check("size of the turns", p.turns.abs())?;
+    allowed! { "size of the turns": p.turns.abs(), above(0.0), "what does not turn does not turn over"; }?;
     let throw = Throw::new(slab(p)?, TAU * p.turns, p.tilt, p.toward);
     let stray = from_to(1e-10, 1.2).because("about the very axis it never turns over");
     stray.check("size of the tilt", p.tilt.abs())?;
@@ -76,8 +74,7 @@ pub fn thrown(p: &Parameters) -> Result<Throw> {
         .because("with fewer there is nothing to see, and more multiply a rounding to a turn");
     few.check("turns in the flight", p.turns.abs() * flight(p))?;
     let frames = 60.0 * (throw.until_flip()? + 9.0 * throw.between_flips()?);
-    let soon = from_to(0.0, 1e6).because("it turns too slowly");
-    soon.check("frames of a clock until ten flips", frames)?;
+    allowed! { "frames of a clock until ten flips": frames, from_to(0.0, 1e6), "it turns too slowly"; }?;
     Ok(throw)
 }
 

@@ -33,8 +33,7 @@ parameters! {
         speed: number(10.0, "m/s", any().usually(-50.0, 50.0)).drawn(4.0, 14.0, 1.0);
         /// azimuth of the axle when it is let go
         release: number(0.5, "rad", between(-PI, PI).because("towards the south it is at rest, too, and stays").usually(0.05, 1.5));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(9.7, 9.9));
+        gravity: gravity(above(0.0).usually(9.7, 9.9));
         /// error of a step of the simulations: from 1e-14 to 1e-6
         tolerance: number(1e-13, "-", from_to(1e-14, 1e-6));
     }
@@ -222,10 +221,8 @@ impl Compass {
     /// Where the axle rests: azimuth and tilt.
     pub fn rest(&self) -> [f64; 2] {
         let rate = self.pendulosity / self.momentum;
-        let (north, up) = (
-            self.horizon.y(),
-            self.horizon.z() - self.rider / self.momentum,
-        );
+        let north = self.horizon.y();
+        let up = self.horizon.z() - self.rider / self.momentum;
         let mut at = [0.0; 2];
         for _ in 0..100 {
             let tilt = atan2(up, north * cos(at[0]) + rate);
@@ -330,10 +327,7 @@ pub fn quiet(p: &Parameters) -> Result<f64> {
     let (compass, speed) = (Compass::new(p)?, 0.01);
     let own = compass.pendulosity / p.tuning;
     secant(0.7 * own, 1.2 * own, |k| {
-        let tried = Compass {
-            pendulosity: k,
-            ..compass
-        };
+        let tried = compass.but(|compass| compass.pendulosity = k);
         let start = axle(0.0, tried.rest()[1]).to_array();
         let end = after(900.0, &tried.slow(ship(p, speed, 900.0)), &start, 1e-14)?;
         let there = atan2(-speed / RADIUS, compass.north());
@@ -406,10 +400,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     moves.check("size of the release", p.release.abs())?;
     let c = Compass::new(p)?;
     let (l, north, up) = (c.momentum, c.north(), c.horizon.z());
-    let damped = Compass {
-        offset: p.offset,
-        ..c
-    };
+    let damped = c.but(|c| c.offset = p.offset);
     let (small, wide) = (2.0 * PI / c.foucault_rate(), c.foucault_period(p.release)?);
     let (tilt, rate) = (c.rest()[1], c.linear()[1].sqrt());
     // An error across the axle comes back so much larger about the vertical.
@@ -432,10 +423,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             .end_state()[0])
     });
     let off = -atan2(p.speed / RADIUS, north);
-    let sailing = Compass {
-        horizon: horizon(EARTH, p.latitude, p.speed),
-        ..c
-    };
+    let sailing = c.but(|c| c.horizon = horizon(EARTH, p.latitude, p.speed));
     let stone =
         newton(|_, [r, _]| r * (-p.gravity / RADIUS * r.norm().powi(-3))).scaled(size_or([1.0; 6]));
     let round = Dop853::new(1e-14)?.zero(
@@ -445,10 +433,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         1e7,
         |y| y[1],
     )?;
-    let (schuler, bound) = (
-        2.0 * PI * (RADIUS / p.gravity).sqrt() / 60.0,
-        100.0 * p.tolerance,
-    );
+    let schuler = 2.0 * PI * (RADIUS / p.gravity).sqrt() / 60.0;
+    let bound = 100.0 * p.tolerance;
     claims! { report,
         /// Foucault: small swings
         foucault: small, "s", "whole body" => 2.0 * PI / measured_held(c)?,
@@ -501,10 +487,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 /// Foucault's compass and the ship's are the ends of one instrument.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let c = Compass::new(p)?;
-    let (soft, stiff) = (
-        1e-9 * c.momentum,
-        1e9 * c.momentum * c.momentum / c.transverse,
-    );
+    let soft = 1e-9 * c.momentum;
+    let stiff = 1e9 * c.momentum * c.momentum / c.transverse;
     let with = |pendulosity| Compass { pendulosity, ..c };
     let level = horizon(EARTH, 0.0, 0.0);
     let thin = Compass {
@@ -512,11 +496,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         horizon: level,
         ..c
     };
-    let at = |latitude| Parameters {
-        latitude,
-        offset: 0.0,
-        ..p.clone()
-    };
+    let at = |latitude| p.but(|p| (p.latitude, p.offset) = (latitude, 0.0));
     let pole = |latitude| {
         Ok::<_, kit::Error>(Compass::of(&at(latitude))?.foucault_rate() / cos(latitude).sqrt())
     };

@@ -37,8 +37,7 @@ parameters! {
         film: number(1e-5, "m", at_least(1e-6).because("a thinner film is below the roughness of an edge").usually(1e-6, 1e-4));
         /// a time before the end that is asked about
         left: number(1.0, "s", above(0.0).usually(0.01, 50.0));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// error of a step of the simulations: from 1e-14 to 1e-8
         tolerance: number(1e-10, "-", from_to(1e-14, 1e-8));
     }
@@ -233,35 +232,15 @@ impl Settled {
 
     /// Turns of the contact from the start to `t`, by the rule of Simpson.
     fn turns(&self, t: f64) -> Result<f64> {
-        let h = t / 20_000.0;
-        let values = sampled(times(0.0, t, 20_000), |t| Ok(self.at(t)?.rate))?;
-        let weight = |i: usize| {
-            if i == 0 || i == 20_000 {
-                1.0
-            } else {
-                2.0 + 2.0 * (i % 2) as f64
-            }
-        };
-        let sum: f64 = values
-            .iter()
-            .enumerate()
-            .map(|(i, rate)| weight(i) * rate)
-            .sum();
-        Ok(sum * h / (3.0 * TAU))
+        Ok(kit::simpson([0.0, t], 20_000, |t| Ok::<_, kit::Error>(self.at(t)?.rate))? / TAU)
     }
 
     /// The exponent for which rate^(-1/exponent) falls on a line over the marks: bisected, as a
     /// smaller one bends it one way and a larger one the other.
     fn exponent(&self) -> Result<f64> {
         let rates = sampled(self.passed.iter().copied(), |t| Ok(self.at(t)?.rate))?;
-        let (mut low, mut high) = (0.02, 1.0);
-        for _ in 0..50 {
-            let middle = 0.5 * (low + high);
-            match bend(middle, &self.passed, &rates) > 0.0 {
-                true => low = middle,
-                false => high = middle,
-            }
-        }
+        let bent = |exponent| bend(exponent, &self.passed, &rates) > 0.0;
+        let [low, high] = bisect([0.02, 1.0], 0.0, bent);
         Ok(0.5 * (low + high))
     }
 }
@@ -377,10 +356,8 @@ fn last_seconds(p: &Parameters, report: &mut Report) -> Result<()> {
         report,
     )?;
     let hasty = |case: &Case| 3.0 * pow(case.law.haste(0.1 * p.start), 2.0);
-    let (tilt, near) = (
-        law.tilt(asked / time),
-        3.0 * pow(p.start, 4.0) + hasty(case),
-    );
+    let tilt = law.tilt(asked / time);
+    let near = 3.0 * pow(p.start, 4.0) + hasty(case);
     let about = |case: &Case| case.law.exponent() * (p.start * p.start + hasty(case));
     let then = run.at(run.end - asked / time);
     let told = then.as_ref().map_or(f64::NAN, |disc| disc.tilt);
@@ -593,7 +570,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let asked = [p.tolerance, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14];
     report.set_closed_form(ClosedForm::new(move |_| Ok::<_, Error>(motion.rate())));
     let error = move |(back, _): &(LocatedEvent<9>, Work)| Ok((back.t / period - 1.0).abs());
-    report.controlled("DOP853, error of a step", asked, back, |run| run.1, error)
+    report.stepped(asked, back, |run| run.1, error)
 }
 
 /// Both losses to the end: where the slow law gives up, and what the disc does instead.

@@ -30,8 +30,7 @@ parameters! {
         body: number(160.0, "kg", above(0.0).usually(50.0, 500.0));
         /// stiffness of the spring in each string of a stretch yo-yo
         spring: number(450.0, "N/m", above(0.0).usually(100.0, 2000.0));
-        /// error of a step of the simulations: from 1e-15 to 1e-6
-        tolerance: number(1e-14, "-", from_to(1e-15, 1e-6));
+        tolerance: step(1e-14, 1e-6);
     }
 }
 
@@ -79,11 +78,10 @@ impl Answer {
 /// The satellite in the units of the simulation, and the answer for it.
 pub fn scene(p: &Parameters) -> Result<(YoYo, Answer)> {
     let inertia = p.inertia / (2.0 * p.weight * p.radius * p.radius);
-    let spins = above_to(0.0, 1e8)
-        .because("without a spin the weights stay where they are, and a rim is slower than light");
-    spins.check("size of the spin", p.spin.abs())?;
-    let light = from_to(1e-6, 5e6).because("lighter weights need thousands of turns of string");
-    light.check("I/(2 m R^2)", inertia)?;
+    allowed! {
+        "size of the spin": p.spin.abs(), above_to(0.0, 1e8), "without a spin the weights stay where they are, and a rim is slower than light";
+        "I/(2 m R^2)": inertia, from_to(1e-6, 5e6), "lighter weights need thousands of turns of string";
+    }?;
     let length = p.string / p.radius;
     let winds = from_to(1e-3, 1e4)
         .because("a shorter one hardly unwinds, a longer one unwinds for thousands of turns");
@@ -107,22 +105,18 @@ fn dawn() -> f64 {
     let [weights, cable, ratio, radius] = DAWN;
     let d = 1.0 + cable / radius;
     // u = (j (1 - r) + 1)/d in j (1 - r^2) + 1 = u^2: a quadratic in j.
-    let (two, one, none) = (
-        (1.0 - ratio) * (1.0 - ratio),
-        (1.0 - ratio) * (2.0 - d * d * (1.0 + ratio)),
-        1.0 - d * d,
-    );
+    let two = (1.0 - ratio) * (1.0 - ratio);
+    let one = (1.0 - ratio) * (2.0 - d * d * (1.0 + ratio));
+    let none = 1.0 - d * d;
     weights * radius * radius * (-one + (one * one - 4.0 * two * none).sqrt()) / (2.0 * two)
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (yoyo, a) = scene(p)?;
     let (j, l, bound) = (yoyo.inertia, yoyo.length, 1e3 * p.tolerance);
-    let (w, r, newton) = (
-        p.spin,
-        p.radius,
-        2.0 * p.weight * p.spin * p.spin * p.radius,
-    );
+    let w = p.spin;
+    let r = p.radius;
+    let newton = 2.0 * p.weight * p.spin * p.spin * p.radius;
     // An error of the rate at which the weights swing counts 1 + l times in their speed.
     let fast = a.speed(l).max(1e-3 * (1.0 + l));
     let pulled = bound * fast / a.speed(l);
@@ -310,13 +304,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     }));
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
     let error = move |run: &Run<Hangs, 4>| Ok(run.transition("outward")?.before[2] - last);
-    report.controlled(
-        "DOP853, error of a step",
-        asked,
-        move |step| yoyo.run(step),
-        Run::work,
-        error,
-    )
+    report.stepped(asked, move |step| yoyo.run(step), Run::work, error)
 }
 
 /// Strings with a spring and without, both made for the spin that is wanted, for other spins
@@ -340,11 +328,9 @@ fn stretch(p: &Parameters, report: &mut Report) -> Result<()> {
         let sprung = match &springs {
             Ok(springs) => format!(
                 "{:.3}",
-                w * Reel {
-                    inertia,
-                    ..*springs
-                }
-                .last(before, 1e-10)?[0]
+                w * springs
+                    .but(|springs| springs.inertia = inertia)
+                    .last(before, 1e-10)?[0]
             ),
             Err(_) => "none holds".into(),
         };
@@ -359,8 +345,7 @@ pub fn sprung(p: &Parameters) -> Result<Reel> {
     let (yoyo, a) = scene(p)?;
     let aim = p.aim / p.spin;
     let stiffness = p.spring / (p.weight * p.spin * p.spin);
-    let holds = above(2.0).because("a softer spring is drawn out without an end");
-    holds.check("spring/(m w0^2)", stiffness)?;
+    allowed! { "spring/(m w0^2)": stiffness, above(2.0), "a softer spring is drawn out without an end"; }?;
     // A stiffer one gives less than a millionth of its length.
     let stiffness = Some(stiffness).filter(|stiffness| *stiffness <= 1e6);
     let reel = |length| Reel {

@@ -28,8 +28,7 @@ parameters! {
         rise: number(0.5, "rad", between(-FRAC_PI_2, FRAC_PI_2).because("an upright axle has no azimuth that could turn").usually(-1.2, 1.2));
         /// azimuthal rate with which the level axle is let go
         push: number(0.0, "rad/s", any().usually(-2.0, 3.0));
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// density of the air that brakes the wheel, for the claims about it
         air: effect(1.204, "kg/m^3", above_to(0.0, 1e3).because("what is denser is a liquid, and carries the wheel"));
         /// error of a step of the simulations: from 1e-14 to 1e-6
@@ -170,23 +169,10 @@ impl Wheel {
             self.mass * moved[i].dot(&fall) - self.transverse * axle[i].dot(&axle_left)
                 + gyroscopic[i]
         });
-        solved(mass, force)
+        kit::solved(mass, force)
     }
 }
 // ANCHOR_END: lagrange
-
-/// The solution of four linear equations with a positive symmetric matrix.
-fn solved(mut a: [[f64; 4]; 4], mut b: [f64; 4]) -> [f64; 4] {
-    for k in 0..4 {
-        for i in (0..4).filter(|i| *i != k) {
-            let part = a[i][k] / a[k][k];
-            let row = a[k];
-            a[i].iter_mut().zip(row).for_each(|(x, y)| *x -= part * y);
-            b[i] -= part * b[k];
-        }
-    }
-    [0, 1, 2, 3].map(|i| b[i] / a[i][i])
-}
 
 impl Wheel {
     pub fn new(p: &Parameters) -> Self {
@@ -236,12 +222,7 @@ impl Wheel {
         let slow = "it must be faster, or the axle lower: no slow precession holds the axle up";
         let (name, value) = ("spin", self.momentum / (2.0 * self.transverse));
         let found = found.ok_or(Error::out_of_range(name, value, slow))?;
-        let (mut low, mut high) = (found[0], found[1]);
-        for _ in 0..100 {
-            let middle = 0.5 * (low + high);
-            let short = missing(middle) > 0.0;
-            (low, high) = if short { (middle, high) } else { (low, middle) };
-        }
+        let [_, high] = bisect([found[0], found[1]], 0.0, |rate| missing(rate) > 0.0);
         Ok([high * self.momentum.signum(), self.outward(high, rise)])
     }
 
@@ -353,10 +334,8 @@ fn eigen(a: [[f64; 3]; 3]) -> Option<[Mode; 3]> {
     let row = |i: usize| SpaceVector::from_array(a[i]);
     let trace = a[0][0] + a[1][1] + a[2][2];
     let minor = |i: usize, j: usize| a[i][i] * a[j][j] - a[i][j] * a[j][i];
-    let (minors, det) = (
-        minor(0, 1) + minor(1, 2) + minor(2, 0),
-        row(0).dot(&row(1).cross(&row(2))),
-    );
+    let minors = minor(0, 1) + minor(1, 2) + minor(2, 0);
+    let det = row(0).dot(&row(1).cross(&row(2)));
     let at = |x: f64| ((x - trace) * x + minors) * x - det;
     // The turning points of the characteristic polynomial part its zeros.
     let turn = (trace * trace - 3.0 * minors).max(0.0).sqrt();
@@ -414,8 +393,7 @@ impl Wheel {
     pub fn let_go(self, push: f64, end: f64, step: f64) -> Result<Solution<12>> {
         let start = self.in_space(&[0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, push]);
         let pull = self.tension(&place(&start)) / (self.mass * self.gravity);
-        let taut = above(0.0).because("a rope does not push");
-        taut.check("tension at the start over the weight", pull)?;
+        allowed! { "tension at the start over the weight": pull, above(0.0), "a rope does not push"; }?;
         let slack = Event::falling("slack", move |_, y| self.tension(&place(y))).terminal();
         Ok(Dop853::new(step)?.solve(&self.hung(), 0.0, &start, end, &[slack])?)
     }
@@ -471,11 +449,9 @@ pub fn after_a_while(wheel: Wheel, rise: f64, step: f64) -> Result<[f64; 3]> {
 
 /// Where the centre of mass is, by the linear theory: a pendulum whose support goes round.
 pub fn drawn_round(wheel: &Wheel, t: f64) -> (f64, f64) {
-    let (p, w, l) = (
-        wheel.lecture(),
-        (wheel.gravity / wheel.rope).sqrt(),
-        wheel.lever,
-    );
+    let p = wheel.lecture();
+    let w = (wheel.gravity / wheel.rope).sqrt();
+    let l = wheel.lever;
     let steady = l * w * w / ((w - p) * (w + p));
     let (there, back) = (-0.5 * l * p / (w - p), 0.5 * l * p / (w + p));
     (
@@ -512,10 +488,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([flat_rate, flat_rope, pull], [up_rate, up_rope, _]) = (flat?, up?);
     let run = wheel.let_go(p.push, 10.0, p.tolerance)?;
     let slack = run.stopped_by().is_some();
-    let (nods, again) = (
-        wheel.turning(p.push, p.tolerance)?,
-        wheel.turning_free(p.push, p.tolerance)?,
-    );
+    let nods = wheel.turning(p.push, p.tolerance)?;
+    let again = wheel.turning_free(p.push, p.tolerance)?;
     // A rod would go on to its turning point; a rope that is slack before does not.
     let turns = nods.t < run.end_time();
     let (dip, fixed) = (-angles(&nods.state)[1], weight * p.lever * wheel.at_end());
@@ -655,10 +629,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The accuracy strip: let go, for ten seconds, against Lagrange's equations.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (wheel, start) = (
-        Wheel::new(p),
-        [0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, 0.0],
-    );
+    let wheel = Wheel::new(p);
+    let start = [0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, 0.0];
     let end = wheel.in_space(&after(10.0, &wheel.free(), &start, 1e-15)?);
     let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11];
     let run = move |step| {
@@ -666,17 +638,11 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
         Dop853::new(step)?.solve(&wheel.hung(), 0.0, &start, 10.0, &[])
     };
     report.set_closed_form(ClosedForm::new(move |_| wheel.steady(0.5)));
-    report.controlled(
-        "DOP853, error of a step",
-        asked,
-        run,
-        Solution::work,
-        move |run| {
-            Ok(largest(
-                [0, 1, 6, 7, 8].map(|i| run.end_state()[i] - end[i]),
-            ))
-        },
-    )
+    report.stepped(asked, run, Solution::work, move |run| {
+        Ok(largest(
+            [0, 1, 6, 7, 8].map(|i| run.end_state()[i] - end[i]),
+        ))
+    })
 }
 
 example! {

@@ -39,10 +39,8 @@ parameters! {
         orbit: number(45.0, "rad/s", any().usually(30.0, 80.0)).drawn(40.0, 60.0, 5.0);
         /// its velocity downward at the start
         drop: number(0.3, "m/s", any().usually(0.0, 0.6)).drawn(0.1, 0.5, 0.1);
-        /// acceleration of gravity
-        gravity: number(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0));
-        /// error of a step of the simulations: from 1e-15 to 1e-3
-        tolerance: number(1e-13, "-", from_to(1e-15, 1e-3));
+        gravity: gravity(above(0.0).usually(1.0, 25.0));
+        tolerance: step(1e-13, 1e-3);
     }
 }
 
@@ -123,15 +121,11 @@ pub fn on_table(p: &Parameters) -> (Ball, Moving) {
 
 /// The same, if it runs round a circle.
 fn circling(p: &Parameters) -> Result<(Ball, Moving)> {
-    let straight = above(0.0).because("on a table at rest it rolls straight on");
-    straight.check("size of the table's rate", p.rate.abs())?;
-    let spot = above(0.0).because("it rolls on the spot, as the table passes below it");
-    spot.check("size of the velocity", p.velocity.abs())?;
-    let beside = from_to(0.0, 1.0).because("it starts beside the table");
-    beside.check(
-        "place over the radius of the table",
-        (p.place / p.table).abs(),
-    )?;
+    allowed! {
+        "size of the table's rate": p.rate.abs(), above(0.0), "on a table at rest it rolls straight on";
+        "size of the velocity": p.velocity.abs(), above(0.0), "it rolls on the spot, as the table passes below it";
+        "place over the radius of the table": (p.place / p.table).abs(), from_to(0.0, 1.0), "it starts beside the table";
+    }?;
     let (ball, start) = on_table(p);
     let nu = (share(p.shape) * p.rate).abs();
     let slope = p.gravity * sin(p.tilt).abs().max(1e-3) / (p.shape * p.rate.abs());
@@ -145,13 +139,10 @@ fn circling(p: &Parameters) -> Result<(Ball, Moving)> {
         "radians that it turns in that time on the slope",
         turn * slope / p.radius,
     )?;
-    let few = from_to(0.0, 3e4).because("more of them take too long to simulate");
-    few.check(
-        "radians that it turns while the table turns by 100 of them",
-        passed,
-    )?;
-    let rolls = from_to(0.0, 50.0).because("braked more strongly, it is carried by the table");
-    rolls.check("loss over the rate on the circle", p.loss / nu)?;
+    allowed! {
+        "radians that it turns while the table turns by 100 of them": passed, from_to(0.0, 3e4), "more of them take too long to simulate";
+        "loss over the rate on the circle": p.loss / nu, from_to(0.0, 50.0), "braked more strongly, it is carried by the table";
+    }?;
     Ok((ball, start))
 }
 
@@ -253,10 +244,8 @@ fn circle(p: &Parameters, report: &mut Report) -> Result<()> {
     let lying = thrown(&ball, [out, 0.0], [0.0, p.rate * out]);
     let carried = out * p.friction * g / ball.forces(&lying).1.norm();
     // Put down without spin: it slips at first.
-    let (wide, until) = (
-        ball.without_edge(),
-        2.0 * (p.rate * p.place).abs() / (p.friction * g),
-    );
+    let wide = ball.without_edge();
+    let until = 2.0 * (p.rate * p.place).abs() / (p.friction * g);
     // If it turns often before it rolls, that is not followed.
     let caught = match until * p.rate.abs() * (1.0 + p.place.abs() / p.radius) < 1e5 {
         true => {
@@ -362,10 +351,8 @@ fn cylinder(p: &Parameters, report: &mut Report) -> Result<()> {
     let first = if p.drop < 0.0 { 2 } else { 1 };
     let (low, after_it) = (extreme(first)?.0, extreme(first + 2)?.0);
     let (push, most) = golf.forces(&Moving::of(&low.state));
-    let (depth, bob) = (
-        bobbing.amplitude - bobbing.middle,
-        2.0 * PI / (after_it.t - low.t),
-    );
+    let depth = bobbing.amplitude - bobbing.middle;
+    let bob = 2.0 * PI / (after_it.t - low.t);
     let pressed = p.orbit * p.orbit * (p.hole - p.golf);
     let wall = bobbing.friction * g / pressed;
     claims! { report,
@@ -436,13 +423,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let air = 3.0 * 1.204 * 0.47 * v / (8.0 * 7850.0 * p.radius);
     let (level, earth) = (1e-3 * p.gravity / (k * p.rate.abs()), 7.292e-5 / nu);
     let ((ball, start), step) = (on_table(p), p.tolerance.min(1e-9));
-    let sloping = tilted(
-        ball,
-        &Parameters {
-            tilt: 1e-3,
-            ..p.clone()
-        },
-    );
+    let sloping = tilted(ball, &p.but(|p| p.tilt = 1e-3));
     let [x, y, ..] = after(turn, &sloping.rolls(), &start.numbers(), step)?;
     let drifted = hypot(x - start.place.x(), y - start.place.y());
     let rolling = Ball {

@@ -42,8 +42,7 @@ pub const DAY: f64 = 86_400.0;
 // ANCHOR: satellite
 /// A satellite whose long axis, e1, hangs askew in the plane of its orbit.
 pub fn satellite(p: &Parameters) -> Result<(Scene<((), GravityGradient)>, State)> {
-    let swings = above(0.0).because("hung straight it does not swing");
-    swings.check("size of askew", p.askew.abs())?;
+    allowed! { "size of askew": p.askew.abs(), above(0.0), "hung straight it does not swing"; }?;
     let normal = SpaceVector::new(0.0, 0.0, 1.0);
     let down = SpaceVector::new(-1.0, 0.0, 0.0);
     let gradient = GravityGradient::on_orbit(p.mean_motion, normal, down)?;
@@ -248,10 +247,7 @@ pub fn slow_rate(p: &Parameters) -> f64 {
 /// x(t) with two rates, S = (x(t + h) + x(t - h))/x(t) has two values, 2 cos(rate h), which
 /// obey S^2 = u S + v.
 pub fn measured_slow_rate(p: &Parameters) -> Result<f64> {
-    let still = Parameters {
-        askew: 1e-9,
-        ..p.clone()
-    };
+    let still = p.but(|p| p.askew = 1e-9);
     let (scene, start) = satellite(&still)?;
     let turned = start
         .attitude
@@ -270,10 +266,8 @@ pub fn measured_slow_rate(p: &Parameters) -> Result<f64> {
     // S^2 x is x two steps ahead and behind, and x twice.
     let row = |k: usize| [x(k + 1) + x(k - 1), x(k), x(k + 2) + x(k - 2) + 2.0 * x(k)];
     let ([a, b, c], [d, e, f]) = (row(2), row(5));
-    let (u, v) = (
-        (c * e - b * f) / (a * e - b * d),
-        (a * f - c * d) / (a * e - b * d),
-    );
+    let u = (c * e - b * f) / (a * e - b * d);
+    let v = (a * f - c * d) / (a * e - b * d);
     Ok(acos(0.25 * u + (u * u / 16.0 + 0.25 * v).sqrt()) / h)
 }
 
@@ -296,10 +290,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let ((scene, start), end) = (satellite(p)?, states[23]);
     let (rate, n0) = (swings.small_swing_frequency(), p.mean_motion);
     let jacobi = |t, state: &State| scene.energy_at(t, state) - n0 * state.angular_momentum.z();
-    let (period, early) = (
-        swings.period(),
-        2.0 * p.tolerance / (rate * sin(p.askew).abs()),
-    );
+    let period = swings.period();
+    let early = 2.0 * p.tolerance / (rate * sin(p.askew).abs());
     let [astray, astray_by_steps] = led_astray(p, magnet(MAGNET), 1e-13)?;
     let tenth = Parameters {
         askew: 0.1 * p.askew,
@@ -379,11 +371,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let start = Attitude::about_space_axis(normal, askew)?;
     let start = ball.state(start, BodyVector::new(0.0, 0.0, p.mean_motion))?;
     let end = pulled.solve(&start, DAY, 1e-9)?.state;
-    let small = Parameters {
-        askew: 1e-3,
-        tolerance: 1e-10,
-        ..p.clone()
-    };
+    let small = p.but(|p| (p.askew, p.tolerance) = (1e-3, 1e-10));
     let rate = pendulum(p)?.small_swing_frequency();
     let ((scene, start), spin) = (driven(0.0)?, BodyVector::new(0.0, 0.0, 100.0));
     let off = scene.solve(&start, 1.0, 1e-9)?.state.attitude;
@@ -429,10 +417,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let light = 4.5e-6 * 4.0 * 0.05;
     let sunlight = Torque::on_space("sunlight", |_, _, _| SpaceVector::new(0.0, 0.0, light));
     let (sunlight, magnet) = (sunlight.smooth(), magnet(MAGNET));
-    let (left_out, formula) = (
-        scene.neglected_effects(&start, DAY, p.tolerance)?,
-        "torque / 3 n0^2 (I2 - I1)",
-    );
+    let left_out = scene.neglected_effects(&start, DAY, p.tolerance)?;
+    let formula = "torque / 3 n0^2 (I2 - I1)";
     let [lit, drawn] = [light, MAGNET].map(|torque| torque / stiff);
     let (orbit, e) = ("an orbit that is no circle, e = 0.001", 1e-3);
     let swing = 2.0 * e / (3.0 * 0.7 - 1.0);
@@ -514,10 +500,7 @@ fn refused(p: &Parameters, report: &mut Report) -> Result<()> {
         budget: 1000,
         ..Limits::default()
     };
-    let (orbit, askew) = satellite(&Parameters {
-        askew: 0.3,
-        ..p.clone()
-    })?;
+    let (orbit, askew) = satellite(&p.but(|p| p.askew = 0.3))?;
     let wide = orbit.with(magnet(MAGNET)).solve(&askew, DAY, 1e-8).err();
     let asked = [
         (

@@ -2,6 +2,7 @@
 //! three rates can be seen.
 
 use super::*;
+use kit::But;
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View};
 use kit::{Figure, MovingPicture, Trajectory, times};
 
@@ -127,10 +128,14 @@ fn disc() -> Result<Figure> {
         .arrow(o, flat(O_PRIME), Ink::Frame, "$a$", Side::Below)
         .arrow(o, flat(A), Ink::Frame, "$r$", Side::Above)
         .arrow(flat(O_PRIME), flat(A), Ink::Frame, "$r'$", Side::BelowRight)
-        .arrow_along([flat(O_PRIME), flat(O_PRIME + of_o)], Ink::Ink)
-        .text(flat(O_PRIME + of_o), "$V_{O'}$", Ink::Ink, Side::Right)
-        .arrow_along([flat(A), flat(A + of_a)], Ink::Ink)
-        .text(flat(A + of_a), "$V_A$", Ink::Ink, Side::AboveLeft)
+        .arrow_to(
+            flat(O_PRIME),
+            flat(O_PRIME + of_o),
+            Ink::Ink,
+            "$V_{O'}$",
+            Side::Right,
+        )
+        .arrow_to(flat(A), flat(A + of_a), Ink::Ink, "$V_A$", Side::AboveLeft)
         .curve(
             Curve::new([flat(A), flat(A + of_o)], Ink::Ink)
                 .thin()
@@ -240,10 +245,7 @@ fn gimbals(name: &str, alt: &str, g: &Gyroscope) -> View {
 /// For the two stills of its own: seen from where x, y and z part best.
 fn posed(p: &Parameters) -> Gyroscope {
     let g = Gyroscope::of(p, 0.1);
-    let angles = EulerAngles {
-        phi: -0.2,
-        ..g.angles
-    };
+    let angles = g.angles.but(|angles| angles.phi = -0.2);
     Gyroscope { angles, ..g }
 }
 

@@ -56,8 +56,7 @@ fn one_day() -> Result<Figure> {
         .disc(sun, 0.08, Ink::Ink, 0.3)
         .text((0.09, 0.03), "Sun", Ink::Ink, Side::Right)
         .angle(sun, 0.34, (down, down + angle), "$2\\pi/365$")
-        .arrow_along([beta, upright], Ink::Frame)
-        .text(upright, "to the same star", Ink::Frame, Side::Above)
+        .arrow_to(beta, upright, Ink::Frame, "to the same star", Side::Above)
         .angle(beta, 0.3, (0.5 * PI, 0.5 * PI + angle), "");
     let sketch = earth(sketch, alpha, 0.17, 0.5 * PI);
     earth(sketch, beta, 0.17, 0.5 * PI + angle)

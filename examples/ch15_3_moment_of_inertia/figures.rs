@@ -197,9 +197,7 @@ fn two_axes(sketch: Sketch, at: (f64, f64), angle: f64, length: f64, names: [&st
         .into_iter()
         .fold(sketch, |sketch, (angle, name, side)| {
             let end = sum(at, polar(length, angle));
-            sketch
-                .arrow_along([at, end], Ink::Ink)
-                .text(end, name, Ink::Ink, side)
+            sketch.arrow_to(at, end, Ink::Ink, name, side)
         })
 }
 
@@ -380,10 +378,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let longer = p.width.max(p.height);
     let [a, b] = [p.width, p.height].map(|edge| edge / longer);
     let moment = |plane: Plane| move |angle| turned(plane, angle)[0];
-    let (corner, centre) = (
-        moment(about_corner(1.0, a, b)),
-        moment(about_centre(1.0, a, b)),
-    );
+    let corner = moment(about_corner(1.0, a, b));
+    let centre = moment(about_centre(1.0, a, b));
     let (shape, unit) = match a == b {
         true => ("A square plate".into(), "M a^2"),
         false => (

@@ -11,11 +11,9 @@ pub fn lowest(plank: &Plank) -> Result<f64> {
     let force = |t: f64| Ok::<_, rotation_dynamics::Error>(run.forces(t)?[0].normal);
     let unit = (plank.length / plank.gravity).sqrt();
     // It falls before and rises after: bisection of the difference over a short time.
-    let (mut early, mut late, step) = (
-        run.end_time() - 0.6 * unit,
-        run.end_time() - 2e-4 * unit,
-        1e-4 * unit,
-    );
+    let mut early = run.end_time() - 0.6 * unit;
+    let mut late = run.end_time() - 2e-4 * unit;
+    let step = 1e-4 * unit;
     for _ in 0..40 {
         let middle = 0.5 * (early + late);
         match force(middle + step)? < force(middle - step)? {

@@ -102,10 +102,8 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let oval = 0.0167;
     let earth = KeplerOrbit::elliptic(1.0, TAU, oval)?;
     let narrower = 1.0 - earth.place(1.0).cross(&earth.velocity(1.0)).norm();
-    let (spin, whole) = (
-        worked::EARTH.spin() + worked::EARTH.third(),
-        worked::EARTH.orbital(),
-    );
+    let spin = worked::EARTH.spin() + worked::EARTH.third();
+    let whole = worked::EARTH.orbital();
     let moon = 7.2534e22 * 3.844e8 * 3.844e8 * 2.6617e-6;
     let counted = |work: Option<Work>| match work {
         Some(work) => format!("none, {} derivatives", work.derivatives),

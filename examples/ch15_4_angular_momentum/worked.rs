@@ -273,11 +273,9 @@ fn edge_runner(p: &Parameters, report: &mut Report) -> Result<()> {
     let sizes = from_to(1e-3, 1e3).because("beyond it the grains lose their digits");
     sizes.check("runner_shaft/runner_radius", r.shaft / r.radius)?;
     let ([along, up], weight) = (r.momentum(), p.runner_mass * p.gravity);
-    let (n, energy, momentum) = (
-        r.force(p.gravity),
-        r.energy(),
-        swarm.angular_momentum(ORIGIN),
-    );
+    let n = r.force(p.gravity);
+    let energy = r.energy();
+    let momentum = swarm.angular_momentum(ORIGIN);
     let turning =
         from_to(1e-8, 1.0).because("slower, what the turning adds is lost beside the weight");
     turning.check("(N - M g)/N", (n - weight) / n)?;
@@ -320,10 +318,8 @@ fn edge_runner(p: &Parameters, report: &mut Report) -> Result<()> {
 fn askew(p: &Parameters, report: &mut Report) -> Result<()> {
     let (shaft, swarm) = (Shaft::of(p)?, on_shaft(p));
     let (momentum, unit) = (shaft.momentum(), (shaft.i1 + shaft.i3) * p.rate);
-    let (sum, omega) = (
-        swarm.angular_momentum(ORIGIN),
-        SpaceVector::new(0.0, 0.0, p.rate),
-    );
+    let sum = swarm.angular_momentum(ORIGIN);
+    let omega = SpaceVector::new(0.0, 0.0, p.rate);
     let on_body = shaft.attitude(0.0).to_body(sum);
     let torque = shaft.torque().x();
     let (m, a, w) = (p.plate_mass, p.plate_side, p.plate_rate);

@@ -73,10 +73,8 @@ impl Attractor {
 /// times (s), rad, and how far its tilt has changed.
 pub fn year(p: &Parameters, times: &[f64], tolerance: f64) -> Result<Vec<[f64; 2]>> {
     let body = RigidBody::new(PrincipalMoments::symmetric(p.a, p.c)?);
-    let (normal, equinox) = (
-        SpaceVector::new(0.0, 0.0, 1.0),
-        SpaceVector::new(1.0, 0.0, 0.0),
-    );
+    let normal = SpaceVector::new(0.0, 0.0, 1.0);
+    let equinox = SpaceVector::new(1.0, 0.0, 0.0);
     let sun = GravityGradient::on_orbit(SUN.mean_motion(), normal, equinox)?;
     let tilted = Attitude::about_space_axis(equinox, OBLIQUITY)?;
     let start = body.state(tilted, BodyVector::new(0.0, 0.0, spin(p)))?;

@@ -77,7 +77,9 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     // The notes' own (C - A)/(M R^2), whatever the parameters are.
     let fluid = 1.084e-3 / J2;
     // The Love number for which the circuit takes the 433 days that are observed.
-    let observed = |k: f64| Ok(period(&Parameters { love: k, ..*p })? * days - 433.0);
+    let early = |k: f64| -> Result<bool> {
+        Ok(period(&Parameters { love: k, ..*p })? * days - 433.0 < 0.0)
+    };
     let free = 1.0 / flattening(p)?;
     let needed = (433.0 / days - free) / (433.0 / days + 1.0) * k_s;
     kit::claims! { report,
@@ -99,19 +101,6 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     }
     kit::claims! { report,
         /// Love number that gives 433 days
-        love_needed: needed, "-", "bisection of the period" => bisected(observed, 0.0, 0.999_999 * k_s)?, within 1e-12;
+        love_needed: needed, "-", "bisection of the period" => kit::try_bisect([0.0, 0.999_999 * k_s], 0.0, early)?[1], within 1e-12;
     }
-}
-
-/// The place between `low` and `high` where a growing function is 0.
-fn bisected(f: impl Fn(f64) -> Result<f64>, mut low: f64, mut high: f64) -> Result<f64> {
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        *(if f(middle)? < 0.0 {
-            &mut low
-        } else {
-            &mut high
-        }) = middle;
-    }
-    Ok(0.5 * (low + high))
 }

@@ -22,8 +22,7 @@ fn setup() -> Result<Figure> {
         .text((0.0, 0.0), "$O$", Ink::Ink, Side::Left)
         .disc((-0.75, -0.5), 0.045, Ink::Ink, 0.8)
         .text((-0.75, -0.45), "$M$", Ink::Ink, Side::Above)
-        .arrow_along([(-0.68, -0.5), (-0.3, -0.5)], Ink::Ink)
-        .text((-0.3, -0.5), "$v$", Ink::Ink, Side::Below)
+        .arrow_to((-0.68, -0.5), (-0.3, -0.5), Ink::Ink, "$v$", Side::Below)
         .text((0.0, 0.5), "$M$", Ink::Body, Side::Above)
         .dimension((0.5, -0.5), (0.5, 0.5), "$l$", Side::Right)
         .turn((0.0, 0.0), 0.3, (-1.35, -0.5), Ink::Velocity)
@@ -39,13 +38,22 @@ fn impulses() -> Result<Figure> {
     Sketch::new("impulses", alt)
         .window((-1.25, 0.75), (-0.72, 0.68))
         .bar((0.0, -0.5), (0.0, 0.5), 0.05, Ink::Body)
-        .arrow_along([(0.0, 0.0), (-0.4, 0.0)], Ink::Force)
-        .text((-0.4, 0.0), "hinge $J_h$", Ink::Force, Side::Above)
-        .arrow_along([(0.03, -0.5), (0.43, -0.5)], Ink::Force)
-        .text((0.43, -0.5), "$J$", Ink::Force, Side::Right)
+        .arrow_to(
+            (0.0, 0.0),
+            (-0.4, 0.0),
+            Ink::Force,
+            "hinge $J_h$",
+            Side::Above,
+        )
+        .arrow_to((0.03, -0.5), (0.43, -0.5), Ink::Force, "$J$", Side::Right)
         .disc((-0.5, -0.5), 0.045, Ink::Ink, 0.8)
-        .arrow_along([(-0.55, -0.5), (-0.95, -0.5)], Ink::Force)
-        .text((-0.95, -0.5), "$-J$", Ink::Force, Side::Above)
+        .arrow_to(
+            (-0.55, -0.5),
+            (-0.95, -0.5),
+            Ink::Force,
+            "$-J$",
+            Side::Above,
+        )
         .ring((0.0, 0.0), Ink::Ink, "", Side::Right)
         .figure()
 }
@@ -132,10 +140,8 @@ pub fn moving(p: &Parameters) -> Result<MovingPicture> {
     let (s, l) = (scene(p, true), p.length);
     let blow = Blow::new(s, p.tolerance, APPROACH, END)?;
     let (from, to) = (-APPROACH * s.unit(), END * s.unit());
-    let (whole, start) = (
-        s.angular_momentum(&blow.before, [0.0, 0.0]),
-        s.momentum(&blow.before)[0],
-    );
+    let whole = s.angular_momentum(&blow.before, [0.0, 0.0]);
+    let start = s.momentum(&blow.before)[0];
     // The jump stands at the impact: values before it, then after it.
     let instants = || times(from, -1e-9, 20).chain(times(0.0, to, 200));
     let of = |f: &dyn Fn(f64) -> Result<f64>| sampled(instants(), |t| Ok((t, f(t)?)));
@@ -176,8 +182,7 @@ pub fn moving(p: &Parameters) -> Result<MovingPicture> {
             .bar(up(-0.5), up(0.5), 0.05 * l, Ink::Body)
             .pivot((0.0, 0.0), 0.0)
             .disc(particle, 0.045 * l, Ink::Ink, 0.8)
-            .arrow_along([particle, end], Ink::Ink)
-            .text(end, "$P$", Ink::Ink, Side::Right);
+            .arrow_to(particle, end, Ink::Ink, "$P$", Side::Right);
         if hit {
             let (turned, sense) = (state.q[2] - FRAC_PI_2, start.signum());
             scene = scene.turn(

@@ -40,10 +40,8 @@ fn order(name: &str, top: Top) -> Result<Figure> {
     let at = |angle: f64, length: f64| (length * sin(angle), length * cos(angle));
     let thin = alpha < theta;
     let unit = if thin { 0.95 } else { 0.5 } / hypot(top.omega_y, top.omega_z);
-    let (p, s) = (
-        at(0.0, unit * top.precession()),
-        at(theta, unit * top.spin()),
-    );
+    let p = at(0.0, unit * top.precession());
+    let s = at(theta, unit * top.spin());
     let omega = (p.0 + s.0, p.1 + s.1);
     let between = if thin { "the angular velocity" } else { "L" };
     let sides = if thin { (0.36, 1.08) } else { (1.16, 0.1) };

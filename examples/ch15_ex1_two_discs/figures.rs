@@ -7,8 +7,7 @@ use core::f64::consts::TAU;
 fn discs(height: f64, [upper, lower]: [f64; 2]) -> View {
     let up = SpaceVector::new(0.0, 0.0, 1.0);
     let level = |angle: f64| SpaceVector::new(cos(angle), sin(angle), 0.0);
-    let at = |z: f64| up * z;
-    let top = 0.24 + height;
+    let (at, top) = (|z: f64| up * z, 0.24 + height);
     let mark = at(top + 0.101);
     View::of(at(0.45), 1.2)
         .size(340, 250)
@@ -43,8 +42,7 @@ figures! { p: &Parameters;
     /// straight line that ends at one. Weaker at high speed: a line that bends down and
     /// ends a little earlier. Oil: a curve that comes down ever more slowly and never ends.
     laws: {
-        let (a, tolerance) = (Answer::new(p), 1e-9);
-        let p = &Parameters { tolerance, ..p.clone() };
+        let (a, p) = (Answer::new(p), &p.but(|p| p.tolerance = 1e-9));
         let slip = |law: &'static str, left: f64, end: f64| {
             let run = rubbed(p, left, |w| torque(p, law, w))?;
             sampled(times(0.0, run.end_time().min(end * a.time), 100), |t| {
@@ -66,11 +64,10 @@ figures! { p: &Parameters;
         let a = Answer::new(p);
         let slip = |panel: Panel, (part, ink): (f64, Ink)| {
             let drop = part * p.gravity * a.time * a.time;
-            let (run, hit) = (fallen(&Parameters { drop, ..p.clone() }, 0.0, 2.0, 1e-9)?, (2.0 * part).sqrt() * a.time);
+            let (run, hit) = (fallen(&p.but(|p| p.drop = drop), 0.0, 2.0, 1e-9)?, (2.0 * part).sqrt() * a.time);
             let (before, after) = (hit - 1e-6 * a.time, hit + 1e-6 * a.time);
             let all = times(0.0, before.max(0.0), 2).chain(times(after, 1.2 * a.time, 60));
-            let points = sampled(all, |t| Ok((t, run.at(t)?.v[1] - run.at(t)?.v[2])))?;
-            let curve = Curve::new(points, ink);
+            let curve = Curve::sampled(all, |t| Ok(run.at(t)?.v[1] - run.at(t)?.v[2]), ink)?;
             Ok::<_, kit::Error>(panel.curve(match part > 0.0 {
                 true => curve.dashed().label_at(&format!("from {drop:.1} m"), hit, a.relative * (1.0 - 0.4 * hit / a.time), Side::Right),
                 false => curve.label_at("without a fall", 0.45 * a.time, 0.55 * a.relative, Side::BelowLeft),
@@ -111,9 +108,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (before, after) = ((hit - 1e-6 * a.time).max(0.0), hit + 1e-6 * a.time);
     let all = || times(0.0, before, 2).chain(times(after, end, 60));
     let curve = |k: usize, name: &str, first: f64, side: Side| {
-        let points = sampled(all(), |t| Ok((t, run.at(t)?.v[k])))?;
+        let curve = Curve::sampled(all(), |t| Ok(run.at(t)?.v[k]), Ink::Velocity)?;
         let (t, rate) = (0.4 * a.time, a.common + 0.6 * (first - a.common));
-        Ok::<_, kit::Error>(Curve::new(points, Ink::Velocity).label_at(name, t, rate, side))
+        Ok::<_, kit::Error>(curve.label_at(name, t, rate, side))
     };
     let graph = Panel::over_axes("$t$ / s", r"$\Omega$ / rad/s")
         .level(a.common, Ink::Frame, "")
@@ -131,9 +128,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         );
         let height = 0.5 * q[0].max(0.0) / drop.max(1e-9);
         let view = discs(height, [q[1], q[2]].map(|turn| (0.05 * turn) % TAU));
-        let arrow = |view, z, r, w: f64, label| match (w / largest).abs() > 0.02 {
-            true => turning(view, z, r, 1.6 * w / largest, label),
-            false => view,
+        let arrow = |view: View, z, r, w: f64, label| {
+            let shown = (w / largest).abs() > 0.02;
+            view.only_if(shown, |view| turning(view, z, r, 1.6 * w / largest, label))
         };
         let view = arrow(view, 0.24 + height, 0.98, v[1], r"$\Omega_1$");
         Ok((alt, arrow(view, 0.0, 1.13, v[2], r"$\Omega_2$")))

@@ -50,10 +50,8 @@ figures! { p: &Parameters;
         .disc((0.0, 0.0), 1.0, Ink::Body, 0.15)
         .disc((1.5, 0.0), 0.5, Ink::Body, 0.15)
         .guide([(0.0, 0.0), (1.5, 0.0)])
-        .arrow_along([(1.0, 0.0), (1.0, 0.75)], Ink::Force)
-        .text((1.0, 0.75), "on $B$", Ink::Force, Side::Above)
-        .arrow_along([(1.5, 0.0), (1.5, -0.75)], Ink::Force)
-        .text((1.5, -0.75), "bearing on $B$", Ink::Force, Side::Below)
+        .arrow_to((1.0, 0.0), (1.0, 0.75), Ink::Force, "on $B$", Side::Above)
+        .arrow_to((1.5, 0.0), (1.5, -0.75), Ink::Force, "bearing on $B$", Side::Below)
         .arrow_along(times(-2.4, -0.9, 30).map(|a| (0.45 * cos(a), 0.45 * sin(a))), Ink::Force)
         .text((0.0, -0.45), "motor", Ink::Force, Side::Below)
         .dot((0.0, 0.0), Ink::Ink, "$A$", Side::Above)
@@ -84,14 +82,14 @@ figures! { p: &Parameters;
     rates: {
         let time = time(p);
         let (run, free) = (spun_up(p, true, 1e-9)?, spun_up(p, false, 1e-9)?);
-        let of = |run: &Run, k: usize| sampled(times(0.0, 1.4 * time, 140), |t| Ok((t, run.at(t)?.v[k])));
+        let of = |run: &Run, k: usize, ink| Curve::sampled(times(0.0, 1.4 * time, 140), |t| Ok(run.at(t)?.v[k]), ink);
         let (b, loose) = (rate_b(p, 0.0), undriven(p));
         Panel::over_axes("$t$ / s", r"$\Omega$ / rad/s")
             .level(0.0, Ink::Frame, "")
-            .curve(Curve::new(of(&run, 0)?, Ink::Velocity).label_at("$A$ driven", 1.0 * time, p.rate, Side::Below))
-            .curve(Curve::new(of(&run, 1)?, Ink::Velocity).label_at("$B$", 0.8 * time, 0.8 * b, Side::BelowLeft))
-            .curve(Curve::new(of(&free, 0)?, Ink::Frame).dashed().label_at("$A$ left alone", 1.1 * time, loose, Side::Below))
-            .curve(Curve::new(of(&free, 1)?, Ink::Frame).dashed().label_at("$B$", 1.0 * time, -loose * ratio(p), Side::Above))
+            .curve(of(&run, 0, Ink::Velocity)?.label_at("$A$ driven", 1.0 * time, p.rate, Side::Below))
+            .curve(of(&run, 1, Ink::Velocity)?.label_at("$B$", 0.8 * time, 0.8 * b, Side::BelowLeft))
+            .curve(of(&free, 0, Ink::Frame)?.dashed().label_at("$A$ left alone", 1.1 * time, loose, Side::Below))
+            .curve(of(&free, 1, Ink::Frame)?.dashed().label_at("$B$", 1.0 * time, -loose * ratio(p), Side::Above))
     };
 
     /// The other reading: an arm turns about the axis of A at omega and carries the axis of B, so
@@ -121,8 +119,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (a, b, rim) = (p.radius_a, p.radius_b, p.radius_a * p.rate);
     let (time, end) = (time(&p), run.end_time());
     let speed = |k: usize, r: f64| {
-        let points = sampled(times(0.0, end, 120), |t| Ok((t, r * run.at(t)?.v[k])))?;
-        Ok::<_, kit::Error>(Curve::new(points, Ink::Velocity))
+        let of = |t| Ok(r * run.at(t)?.v[k]);
+        Curve::sampled(times(0.0, end, 120), of, Ink::Velocity)
     };
     let (of_a, of_b) = (speed(0, a)?, speed(1, -b)?.dashed());
     let graph = Panel::over_axes("$t$ / s", "speed of the rim / m/s")
@@ -130,17 +128,13 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(of_b.label_at("$B$", 0.5 * time, 0.5 * rim, Side::BelowRight));
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.5 * time, end], move |t| {
         let (MechanismState { q, v }, slow) = (run.at(t)?, 0.2);
-        let mut senses = ["counterclockwise", "clockwise"];
-        if rim < 0.0 {
-            senses.reverse();
-        }
+        let senses = ["counterclockwise", "clockwise"];
+        let [of_a, of_b] = [rim < 0.0, rim > 0.0].map(|back| senses[usize::from(back)]);
         let rims = [" without slip", ", and they slip"][usize::from(t < time)];
         let alt = format!(
-            "{t:.2} s after the rims have met: A turns {} at {:.0} rad/s, B {} \
+            "{t:.2} s after the rims have met: A turns {of_a} at {:.0} rad/s, B {of_b} \
              at {:.0} rad/s{rims}. Below, the speeds of the two rims where they touch.",
-            senses[0],
             v[0].abs(),
-            senses[1],
             v[1].abs(),
         );
         let high = 1.15 * a.max(b);

@@ -90,18 +90,17 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// The coin on its way round, with the path of its mark; below, how far it has turned.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (r, rate) = (ratio(p)?, p.rate);
-    let (net, reach, end) = (
-        angular_velocity(r),
-        1.0 + 2.0 * r.max(0.0),
-        TAU / rate.abs(),
-    );
+    let (net, end) = (angular_velocity(r), TAU / rate.abs());
+    let reach = 1.0 + 2.0 * r.max(0.0);
     let sense = rate.signum();
     let line = |turns: f64| Curve::new([(0.0, 0.0), (end, sense * turns)], Ink::Body);
     let [low, high] = [net.min(0.0), net.max(1.0)];
-    let turns = match rate < 0.0 {
-        true => Axis::linear("turns").range(-high, -low),
-        false => Axis::linear("turns").range(low, high),
+    let (low, high) = if rate < 0.0 {
+        (-high, -low)
+    } else {
+        (low, high)
     };
+    let turns = Axis::linear("turns").range(low, high);
     let graph = Panel::over_axes("$t$ / s", turns)
         .curve(line(net).label("coin"))
         .curve(line(1.0).dashed().label("line of centres"));

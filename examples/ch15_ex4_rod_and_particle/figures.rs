@@ -19,8 +19,7 @@ figures! { _: &Parameters, a = ratio(1.0), rest = a.centre + a.velocity / a.angu
         .dot((0.0, 0.0), Ink::Body, "middle", Side::Left)
         .disc((-0.75, -0.5), 0.045, Ink::Ink, 0.8)
         .text((-0.75, -0.45), "$M$", Ink::Ink, Side::Above)
-        .arrow_along([(-0.68, -0.5), (-0.3, -0.5)], Ink::Ink)
-        .text((-0.3, -0.5), "$v$", Ink::Ink, Side::Below)
+        .arrow_to((-0.68, -0.5), (-0.3, -0.5), Ink::Ink, "$v$", Side::Below)
         .text((0.0, 0.5), "$M$", Ink::Body, Side::Above)
         .dimension((0.5, -0.5), (0.5, 0.5), "$l$", Side::Right);
 
@@ -31,7 +30,7 @@ figures! { _: &Parameters, a = ratio(1.0), rest = a.centre + a.velocity / a.angu
     velocities: {
         let tip = |place: f64| (0.8 * a.after(place), place);
         let arrow = |sketch: Sketch, (place, label, side): (f64, &str, Side)| {
-            sketch.arrow_along([(0.0, place), tip(place)], Ink::Ink).text(tip(place), label, Ink::Ink, side)
+            sketch.arrow_to((0.0, place), tip(place), Ink::Ink, label, side)
         };
         let sketch = Sketch::within((-0.95, 1.25), (-0.68, 0.62))
             .bar((0.0, -0.5), (0.0, 0.5), 0.04, Ink::Body)
@@ -118,9 +117,10 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let stills = [0.7 * from, 0.12 * to, 0.55 * to];
     MovingPicture::above(graph, from..=to, stills, move |t| {
         let (state, hit) = (blow.at(t)?, t >= 0.0);
+        let way = ["left", "right"][usize::from(right)];
+        let drifts = format!("Rod and particle drift to the {way} and turn,");
         let (does, when) = match hit {
-            true if right => ("Rod and particle drift to the right and turn,", "after"),
-            true => ("Rod and particle drift to the left and turn,", "after"),
+            true => (drifts.as_str(), "after"),
             false => ("The particle comes towards the rod,", "before"),
         };
         let alt = format!(
@@ -133,20 +133,16 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let ahead = times(0.0, to, 2).map(|t| (a.velocity * t, a.centre));
         let (near, far) = (0.75 * l, reach + 0.85 * l);
         let across = if right { (-near, far) } else { (-far, near) };
-        let mut scene = Sketch::within(across, (-1.1 * l, 0.75 * l))
+        let trail = times(0.0, t.max(0.0), 120).map(|t| a.at(t, 0.5 * l));
+        let turned = state.q[2] - FRAC_PI_2;
+        let turns = (turned + sense * 0.3, turned + sense * 1.4);
+        let scene = Sketch::within(across, (-1.1 * l, 0.75 * l))
             .high(149)
-            .curve(Curve::new(ahead, Ink::Body).thin().dashed());
-        if hit {
-            let trail = times(0.0, t, 120).map(|t| a.at(t, 0.5 * l));
-            let turned = state.q[2] - FRAC_PI_2;
-            scene = scene.curve(Curve::new(trail, Ink::Body)).turn(
-                (x, y),
-                0.3 * l,
-                (turned + sense * 0.3, turned + sense * 1.4),
-                Ink::Velocity,
-            );
-        }
-        let scene = scene
+            .curve(Curve::new(ahead, Ink::Body).thin().dashed())
+            .only_if(hit, |scene| {
+                let scene = scene.curve(Curve::new(trail, Ink::Body));
+                scene.turn((x, y), 0.3 * l, turns, Ink::Velocity)
+            })
             .bar(place(-0.5), place(0.5), 0.04 * l, Ink::Body)
             .disc((state.q[3], state.q[4]), 0.05 * l, Ink::Ink, 0.8)
             .dot((x, y), Ink::Body, "$S$", Side::Above);

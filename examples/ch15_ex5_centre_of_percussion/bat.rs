@@ -2,9 +2,7 @@
 //! a soft ball that pushes as a ball does that is pressed flat, for as long as they touch.
 
 use super::{Parameters, arms, impulse};
-use kit::{sampled, times};
-use rotation_dynamics::Result;
-use rotation_dynamics::math::{hypot, pow, sincos};
+use kit::prelude::*;
 use rotation_dynamics::planar::contact::{
     Contact, ContactMotion, Mechanism, MechanismState, motion_within,
 };
@@ -19,23 +17,16 @@ pub struct Strike {
     stiffness: Option<f64>,
 }
 
-/// The same with a ball that comes along y: the mirrored blow.
-fn forward(p: &Parameters) -> Parameters {
-    let speed = p.speed.abs();
-    Parameters { speed, ..p.clone() }
-}
-
 impl Strike {
     /// Rigid bodies; the ball comes along y, whatever the sign of its velocity.
     pub fn rigid(p: &Parameters, held: bool) -> Self {
-        let (p, stiffness) = (forward(p), None);
+        let (p, stiffness) = (p.but(|p| p.speed = p.speed.abs()), None);
         Self { p, held, stiffness }
     }
 
     /// A soft, elastic ball that touches the bat for about the time `contact` (Hertz's law).
     pub fn soft(p: &Parameters) -> Self {
-        let mut p = forward(p);
-        p.restitution = 1.0;
+        let p = p.but(|p| (p.speed, p.restitution) = (p.speed.abs(), 1.0));
         let reduced = 0.5 * impulse(&p, true) / p.speed;
         let depth = p.speed * p.contact / 2.943_275;
         let stiffness = Some(1.25 * reduced * p.speed * p.speed / pow(depth, 2.5));
@@ -86,10 +77,8 @@ impl Mechanism<5, 3> for Strike {
             true => Contact::joint(name, gap, gradient, bias),
             false => Contact::joint(name, 0.0, none, 0.0),
         };
-        let (x, y) = (
-            [1.0, 0.0, arm * s, 0.0, 0.0],
-            [0.0, 1.0, -arm * c, 0.0, 0.0],
-        );
+        let x = [1.0, 0.0, arm * s, 0.0, 0.0];
+        let y = [0.0, 1.0, -arm * c, 0.0, 0.0];
         let along = hold("along", q[0] - arm * c, x, arm * c * square);
         let across = hold("hands", q[1] - arm * s, y, arm * s * square);
         [ball, along, across]
@@ -125,7 +114,7 @@ impl Blow {
         let (before, after) = match strike.stiffness {
             None => motion
                 .event("ball bounces")
-                .map(|hit| (hit.before, hit.after))?,
+                .map(|at| (at.before, at.after))?,
             Some(_) => (motion.at(touch)?, motion.at(end)?),
         };
         Ok(Self {
@@ -164,13 +153,11 @@ impl Blow {
     /// How much of the impulse of a soft ball is left in a vibration of this angular frequency
     /// that it sets going: the length of the integral of force times e^(i omega t), over that
     /// of the force.
-    pub fn left_swinging(&self, frequency: f64) -> kit::Result<f64> {
+    pub fn left_swinging(&self, frequency: f64) -> Result<f64> {
         let all = times(self.touch, self.motion.end_time(), 600);
         let pushed = sampled(all, |t| {
-            let (force, (s, c)) = (
-                self.strike.force(&self.motion.at(t)?),
-                sincos(frequency * t),
-            );
+            let (s, c) = sincos(frequency * t);
+            let force = self.strike.force(&self.motion.at(t)?);
             Ok([force, force * c, force * s])
         })?;
         let [sum, c, s] = [0, 1, 2].map(|k| pushed.iter().map(|now| now[k]).sum::<f64>());
@@ -184,9 +171,9 @@ impl Blow {
     }
 
     /// The largest of each.
-    pub fn largest_forces(&self) -> kit::Result<[f64; 2]> {
+    pub fn largest_forces(&self) -> Result<[f64; 2]> {
         let all = times(self.touch, self.motion.end_time(), 600);
-        let all = sampled(all, |t| Ok(self.forces(t)?))?;
+        let all = sampled(all, |t| self.forces(t))?;
         let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
         Ok([0, 1].map(|k| all.iter().map(|now| now[k]).fold(0.0, larger)))
     }

@@ -17,8 +17,7 @@ figures! { p: &Parameters;
         .dot((0.5, 0.0), Ink::Body, "", Side::Above)
         .text((0.5, 0.05), "$S$", Ink::Body, Side::Above)
         .disc((0.8, -0.09), 0.05, Ink::Ink, 0.7)
-        .arrow_along([(0.8, 0.0), (0.8, 0.25)], Ink::Force)
-        .text((0.8, 0.25), "$J$", Ink::Force, Side::Right)
+        .arrow_to((0.8, 0.0), (0.8, 0.25), Ink::Force, "$J$", Side::Right)
         .dimension((0.0, -0.22), (0.8, -0.22), "$d$", Side::Below)
         .dimension((0.0, -0.38), (1.0, -0.38), "$l$", Side::Below)
         .dimension((0.0, 0.24), (0.12, 0.24), "$p$", Side::Above);
@@ -27,7 +26,7 @@ figures! { p: &Parameters;
     /// the hands through minus a quarter at the middle and zero at two thirds of the length to one half at
     /// the tip. Dots: simulated impacts.
     hands: {
-        let p = &Parameters { hands: 0.0, ..p.clone() };
+        let p = &p.but(|p| p.hands = 0.0);
         let simulated = |x: f64| Ok(rigid(&at(p, x), true)?.reaction());
         Panel::over_axes(Axis::linear("$d/l$").range(0.0, 1.0), Axis::linear("$J_h/J$").range(-1.0, 0.6))
             .level(0.0, Ink::Frame, "")
@@ -61,7 +60,7 @@ figures! { p: &Parameters;
 }
 
 /// The blow of the page by a soft ball.
-fn blow(p: &Parameters) -> rotation_dynamics::Result<Blow> {
+fn blow(p: &Parameters) -> Result<Blow> {
     Blow::new(Strike::soft(p), SOFT)
 }
 
@@ -106,9 +105,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         );
         let ((s, c), arm) = (sincos(q[2]), arms(&p)[0]);
         let on = |x: f64| {
-            [q[0] + (x - arm) * c, sense * (q[1] + (x - arm) * s)]
-                .map(|x| x / length)
-                .into()
+            let (along, up) = (q[0] + (x - arm) * c, sense * (q[1] + (x - arm) * s));
+            (along / length, up / length)
         };
         // The hands are where they are; the bat lies farther back the farther in they hold it.
         let back = p.hands / length;
@@ -117,26 +115,15 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         } else {
             (-0.35, 0.5)
         };
+        let ball_at = (q[3] / length, sense * (q[4] / length - 0.075));
         let scene = Sketch::within((-0.12 - back, 1.15 - back), high);
         let scene = drawn(scene, on(-p.hands), on(length - p.hands))
-            .disc(
-                (q[3] / length, sense * (q[4] / length - 0.075)),
-                0.04,
-                Ink::Ink,
-                0.7,
-            )
+            .disc(ball_at, 0.04, Ink::Ink, 0.7)
             .ring(on(0.0), Ink::Ink, "", Side::Below);
         let force = |scene: Sketch, (x, y): (f64, f64), size: f64, label| {
             let tip = (x, y + sense * 0.4 * size / most);
-            match (size / most).abs() > 0.02 {
-                true => scene.arrow_along([(x, y), tip], Ink::Force).text(
-                    tip,
-                    label,
-                    Ink::Force,
-                    Side::Right,
-                ),
-                false => scene,
-            }
+            let arrow = |s: Sketch| s.arrow_to((x, y), tip, Ink::Force, label, Side::Right);
+            scene.only_if((size / most).abs() > 0.02, arrow)
         };
         let scene = force(scene, on(p.hit - p.hands), ball, "ball");
         Ok((alt, force(scene, on(0.0), hands, "hands")))

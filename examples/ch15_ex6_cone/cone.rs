@@ -1,25 +1,19 @@
 //! A solid cone as a few particles, its places, and how it is drawn: for the two exercises on
 //! cones. The vertex is the origin of the body's axes, and e3 points from it to the base.
 
+use super::Parameters;
 use kit::draw::{Ink, Solid, View};
+use kit::prelude::{Report, allowed, between, claims};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::{Dop853, Work, second_order};
-use rotation_dynamics::math::{cos, sincos, tan};
+use rotation_dynamics::math::{cos, exp, expm1, sincos, tan};
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 /// The vertical.
 pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
-
-/// Mass, height and half angle at the vertex.
-#[derive(Debug, Clone, Copy)]
-pub struct Cone {
-    pub mass: f64,
-    pub height: f64,
-    pub half_angle: f64,
-}
 
 /// What the particles of a cone that moves about its vertex add up to.
 #[derive(Debug, Clone, Copy)]
@@ -34,7 +28,7 @@ pub struct Sums {
     pub moment: SpaceVector,
 }
 
-impl Cone {
+impl Parameters {
     /// 24 particles whose sums of masses times squares and products of coordinates are the
     /// integrals over the cone: Gauss's nodes along the axis and outward, four directions.
     pub fn particles(&self) -> Vec<(f64, BodyVector)> {
@@ -59,10 +53,8 @@ impl Cone {
     pub fn sums(&self, at: impl Fn(f64) -> Result<Attitude>, h: f64) -> Result<Sums> {
         const FIRST: [f64; 7] = [-1.0, 9.0, -45.0, 0.0, 45.0, -9.0, 1.0]; // over 60 h
         const SECOND: [f64; 7] = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0]; // over 180 h^2
-        let attitudes: Vec<Attitude> = (-3..=3)
-            .map(|k| at(f64::from(k) * h))
-            .collect::<Result<_>>()?;
-        let zero = SpaceVector::zero();
+        let attitudes: Result<Vec<Attitude>> = (-3..=3).map(|k| at(f64::from(k) * h)).collect();
+        let (attitudes, zero) = (attitudes?, SpaceVector::zero());
         let mut sums = Sums {
             angular_momentum: zero,
             kinetic_energy: 0.0,
@@ -74,11 +66,8 @@ impl Cone {
             let places: Vec<SpaceVector> = places.collect();
             let sum =
                 |weights: [f64; 7]| (0..7).map(|k| places[k] * weights[k]).sum::<SpaceVector>();
-            let (r, v, a) = (
-                places[3],
-                sum(FIRST) / (60.0 * h),
-                sum(SECOND) / (180.0 * h * h),
-            );
+            let (r, v) = (places[3], sum(FIRST) / (60.0 * h));
+            let a = sum(SECOND) / (180.0 * h * h);
             sums.angular_momentum += r.cross(&v) * mass;
             sums.kinetic_energy += 0.5 * mass * v.dot(&v);
             sums.force += a * mass;
@@ -119,15 +108,27 @@ pub fn left_to_itself(
     Ok((Some(1.0 - back.state[1] * back.state[1]), Some(work)))
 }
 
+/// What `--with air` adds to the claims of a cone whose axis points `rise` above the level and which
+/// has this inertia about the vertical: the rate that is left after a circuit, if nothing drives it.
+pub fn blown(p: &Parameters, report: &mut Report, rise: f64, inertia: f64) -> kit::Result<()> {
+    let Some(density) = p.air else { return Ok(()) };
+    let (strips, rate) = (p.air(rise, density), p.rate);
+    let lost = -expm1(-2.0 * TAU * strips / inertia);
+    allowed! {
+        "part of the energy that the air takes in a circuit": lost, between(0.0, 0.9), "it would stop within a circuit";
+    }?;
+    let (ran, _) = left_to_itself(lost, [inertia, rate], |rate| strips * rate * rate)?;
+    claims! { report,
+        /// in air: rate after a circuit
+        blown_rate: rate * exp(-TAU * strips / inertia), "rad/s", "simulated" => rate * (1.0 - ran.unwrap_or(1.0)).sqrt(), within 1e-10 * rate;
+    }
+}
+
 /// The attitude with the axis `rise` above the level, above the direction `azimuth`, and turned
-/// about itself by `spin` since.
-pub fn placed(rise: f64, azimuth: f64, spin: f64) -> rotation_dynamics::Result<Attitude> {
+/// about itself by `zeta` since.
+pub fn placed(rise: f64, azimuth: f64, zeta: f64) -> Result<Attitude> {
     let (phi, theta) = (azimuth + FRAC_PI_2, FRAC_PI_2 - rise);
-    Attitude::from_euler(EulerAngles {
-        phi,
-        theta,
-        zeta: spin,
-    })
+    Attitude::from_euler(EulerAngles { phi, theta, zeta })
 }
 
 /// The level direction at this azimuth.
@@ -143,9 +144,8 @@ pub fn spin_at_rest(rise: f64, contact: SpaceVector, rate: f64) -> Result<f64> {
     let sliding = |spin: f64| -> Result<f64> {
         let point = placed(rise, 0.0, 0.0)?.to_body(contact);
         let h = 1e-3 / (rate + spin);
-        let at = |t: f64| {
-            Ok::<_, rotation_dynamics::Error>(placed(rise, rate * t, spin * t)?.to_space(point).y())
-        };
+        let at =
+            |t: f64| -> Result<f64> { Ok(placed(rise, rate * t, spin * t)?.to_space(point).y()) };
         Ok((8.0 * (at(h)? - at(-h)?) - (at(2.0 * h)? - at(-2.0 * h)?)) / (12.0 * h))
     };
     let (still, turned) = (sliding(0.0)?, sliding(rate)?);
@@ -157,12 +157,8 @@ pub fn spin_at_rest(rise: f64, contact: SpaceVector, rate: f64) -> Result<f64> {
 pub fn drawn(view: View, half_angle: f64, vertex: SpaceVector, attitude: &Attitude) -> View {
     let (axis, radius) = (attitude.axis(), tan(half_angle));
     let place = |x: f64, z: f64| vertex + attitude.to_space(BodyVector::new(x, 0.0, z));
-    let stripe = [
-        place(0.0, 0.0),
-        place(1.02 * radius, 1.0),
-        place(1.02 * radius, 1.005),
-        place(0.0, 1.005),
-    ];
+    let (rim, base) = (1.02 * radius, 1.005);
+    let stripe = [(0.0, 0.0), (rim, 1.0), (rim, base), (0.0, base)].map(|(x, z)| place(x, z));
     view.solid(Solid::cone(vertex + axis, vertex, radius), Ink::Body)
         .line(stripe, Ink::Ink)
 }

@@ -54,24 +54,14 @@ figures! { _: &Parameters;
             let rim = times(from, to, 60).map(|t| (cos(t), sin(t)));
             core::iter::once((0.0, 0.0)).chain(rim)
         };
-        let rest = |s: Sketch| {
-            s.body(outline(angle, 2.0 * angle), Ink::Body, 0.3).body(
-                outline(2.0 * angle, TAU),
-                Ink::Body,
-                0.1,
-            )
-        };
+        let rest = |s: Sketch| s.body(outline(angle, 2.0 * angle), Ink::Body, 0.3).body(outline(2.0 * angle, TAU), Ink::Body, 0.1);
+        let beside = (0.3 * cos(0.5 * angle), 0.3 * sin(0.5 * angle));
         Sketch::within((-1.35, 1.45), (-1.2, 1.2))
             .guide(times(0.0, TAU, 120).map(|t| (cos(t), sin(t))))
             .ghost(rest)
             .body(outline(0.0, angle), Ink::Body, 0.25)
             .angle((0.0, 0.0), 0.25, (0.0, angle), "")
-            .text(
-                (0.3 * cos(0.5 * angle), 0.3 * sin(0.5 * angle)),
-                r"$2\pi\,\sin\,\alpha$",
-                Ink::Ink,
-                Side::AboveRight,
-            )
+            .text(beside, r"$2\pi\,\sin\,\alpha$", Ink::Ink, Side::AboveRight)
             .text((0.5, 0.0), r"$h/\cos\,\alpha$", Ink::Ink, Side::Below)
             .text((cos(0.9), sin(0.9)), r"$2\pi h\,\tan\,\alpha$", Ink::Body, Side::AboveRight)
             .dot((0.0, 0.0), Ink::Ink, "$O$", Side::Left)
@@ -90,14 +80,10 @@ figures! { _: &Parameters;
             .body([o, (slant, 0.0), top], Ink::Body, 0.2)
             .curve(Curve::new([o, (cos(ALPHA), sin(ALPHA))], Ink::Body) .thin() .dashed())
             .angle(o, 0.45, (0.0, ALPHA), r"$\alpha$")
-            .arrow_along([o, (-0.7, 0.0)], Ink::Velocity)
-            .text((-0.7, 0.0), r"$\omega$", Ink::Velocity, Side::Above)
-            .arrow_along([o, (lx, lz)], Ink::Momentum)
-            .text((lx, lz), "$L$", Ink::Momentum, Side::Above)
-            .arrow_along([cm, (cm.0, cm.1 - 0.55)], Ink::Force)
-            .text((cm.0, cm.1 - 0.55), "$Mg$", Ink::Force, Side::Left)
-            .arrow_along([(d, 0.0), (d, 0.62)], Ink::Force)
-            .text((d, 0.62), "$N$", Ink::Force, Side::Right)
+            .arrow_to(o, (-0.7, 0.0), Ink::Velocity, r"$\omega$", Side::Above)
+            .arrow_to(o, (lx, lz), Ink::Momentum, "$L$", Side::Above)
+            .arrow_to(cm, (cm.0, cm.1 - 0.55), Ink::Force, "$Mg$", Side::Left)
+            .arrow_to((d, 0.0), (d, 0.62), Ink::Force, "$N$", Side::Right)
             .dimension((0.0, -0.48), (d, -0.48), "$d$", Side::Below)
             .curve(Curve::new([(d, 0.0), (d, -0.48)], Ink::Frame) .thin() .dotted())
             .dot(cm, Ink::Ink, "", Side::Above)
@@ -157,10 +143,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let graph = Panel::over_axes("$t$ / s", share)
         .level(1.0, Ink::Frame, "rim")
         .curve(outward);
-    let [l, l_page] = [a, ALPHA].map(|a| {
-        let [along, up] = angular_momentum(a);
-        hypot(along, up)
-    });
+    let [l, l_page] = [a, ALPHA].map(|a| hypot(angular_momentum(a)[0], angular_momentum(a)[1]));
     let swift = size(a) * (sped_up(&page, END).0 / sped_up(&p, END).0.abs());
     let strong = swift * (l_page / l);
     MovingPicture::above(graph, 0.0..=END, [2.3, 4.2, END], move |t| {
@@ -179,8 +162,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         );
         let omega = rho * (-0.17 * rate * swift);
         let momentum = (rho * along + UP * up) * (0.3 * rate * strong);
-        let bearing = rho * d;
-        let force = UP * (0.75 * size(a));
+        let (bearing, force) = (rho * d, UP * (0.75 * size(a)));
         let view = on_table(a, &rolled(a, turn + 2.35)?)
             .arrow(o, omega, Ink::Velocity, r"$\omega$", Side::Left)
             .arrow(o, momentum, Ink::Momentum, "$L$", Side::Above)

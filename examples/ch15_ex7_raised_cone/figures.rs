@@ -18,16 +18,13 @@ fn size(a: f64) -> f64 {
 /// A cone of this half angle with its vertex on a post, its rim on the table, and the circle of the
 /// rim.
 fn on_post(a: f64, attitude: &Attitude) -> View {
-    let (vertex, size) = (UP * tan(a), size(a));
+    let (o, vertex, size) = (SpaceVector::zero(), UP * tan(a), size(a));
     let view = View::of(UP * (0.3 * size), 1.25 * size)
         .camera(Camera::new(0.6, 0.3))
         .size(340, 260)
-        .ground(SpaceVector::zero(), 1.25 * size)
+        .ground(o, 1.25 * size)
         .dashed(sweep(0.0, TAU, 1.0), Ink::Frame)
-        .solid(
-            Solid::rod(SpaceVector::zero(), vertex, 0.025 * size),
-            Ink::Frame,
-        );
+        .solid(Solid::rod(o, vertex, 0.025 * size), Ink::Frame);
     drawn(view, a, vertex, attitude)
 }
 
@@ -75,23 +72,13 @@ figures! { _: &Parameters;
             .curve(Curve::new([(0.0, 0.0), o], Ink::Frame).width(3.0))
             .body([o, contact, (1.0, 2.0 * r)], Ink::Body, 0.2)
             .curve(Curve::new([contact, (along, r + up)], Ink::Ink) .thin() .dashed())
-            .curve(
-                Curve::new([(along, r), (along, r + up), (0.0, r + up)], Ink::Frame)
-                    .thin()
-                    .dotted(),
-            )
-            .arrow_along([o, (0.0, r + up)], Ink::Velocity)
-            .text((0.0, r + up), r"$\Omega$", Ink::Velocity, Side::Right)
-            .arrow_along([o, (along, r)], Ink::Velocity)
-            .text((along, r), "spin", Ink::Velocity, Side::Below)
-            .arrow_along([o, (along, r + up)], Ink::Velocity)
-            .text((along, r + up), r"$\omega$", Ink::Velocity, Side::Above)
-            .arrow_along([o, (lx, r + lz)], Ink::Momentum)
-            .text((lx, r + lz), "$L$", Ink::Momentum, Side::Above)
-            .arrow_along([(0.75, r), (0.75, r - 0.36)], Ink::Force)
-            .text((0.75, r - 0.36), "$Mg$", Ink::Force, Side::Left)
-            .arrow_along([(1.06, 0.0), (1.06, 0.5)], Ink::Force)
-            .text((1.06, 0.5), "$N$", Ink::Force, Side::Right)
+            .curve(Curve::new([(along, r), (along, r + up), (0.0, r + up)], Ink::Frame).thin().dotted())
+            .arrow_to(o, (0.0, r + up), Ink::Velocity, r"$\Omega$", Side::Right)
+            .arrow_to(o, (along, r), Ink::Velocity, "spin", Side::Below)
+            .arrow_to(o, (along, r + up), Ink::Velocity, r"$\omega$", Side::Above)
+            .arrow_to(o, (lx, r + lz), Ink::Momentum, "$L$", Side::Above)
+            .arrow_to((0.75, r), (0.75, r - 0.36), Ink::Force, "$Mg$", Side::Left)
+            .arrow_to((1.06, 0.0), (1.06, 0.5), Ink::Force, "$N$", Side::Right)
             .dot((0.75, r), Ink::Ink, "", Side::Above)
             .dot(contact, Ink::Ink, "at rest", Side::BelowRight)
             .dot(o, Ink::Ink, "$O$", Side::BelowLeft)
@@ -122,12 +109,7 @@ figures! { _: &Parameters;
             .arrow_along(arrow(first, 0.0, one), Ink::Velocity)
             .arrow_along(arrow(second, ALPHA, two), Ink::Velocity)
             .text((first.0 - one, 0.0), r"$\Omega/\tan\,\alpha$", Ink::Velocity, Side::Above)
-            .text(
-                arrow(second, ALPHA, two)[1],
-                r"$\Omega/\sin\,\alpha$",
-                Ink::Velocity,
-                Side::Above,
-            )
+            .text(arrow(second, ALPHA, two)[1], r"$\Omega/\sin\,\alpha$", Ink::Velocity, Side::Above)
     };
 }
 
@@ -151,16 +133,13 @@ fn share(p: &Parameters, t: f64) -> f64 {
 /// A circuit at the rate of the parameters, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let columns = "t [s], phi [rad], zeta [rad], rim x [m], rim y [m], rim z [m]";
-    Trajectory::sampled(
-        columns.split(", "),
-        times(0.0, TAU / p.rate.abs(), 240),
-        |t| {
-            let (turn, a) = (p.rate * t, p.half_angle);
-            let mark = BodyVector::new(tan(a), 0.0, 1.0) * p.height;
-            let [x, y, z] = rolled(a, turn)?.to_space(mark).to_array();
-            Ok([t, turn, -turn / tan(a), x, y, z + p.height * tan(a)])
-        },
-    )
+    let all = times(0.0, TAU / p.rate.abs(), 240);
+    Trajectory::sampled(columns.split(", "), all, |t| {
+        let (turn, a) = (p.rate * t, p.half_angle);
+        let mark = BodyVector::new(tan(a), 0.0, 1.0) * p.height;
+        let [x, y, z] = rolled(a, turn)?.to_space(mark).to_array();
+        Ok([t, turn, -turn / tan(a), x, y, z + p.height * tan(a)])
+    })
 }
 
 /// Ever faster, with the forces that hold the cone up. In the end omega and L are as long beside
@@ -195,28 +174,15 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             let [along, up] = of(a);
             o + (rho * along + UP * up) * (scale * rate * (swift * (page / length)))
         };
-        let (omega, momentum) = (
-            vector(angular_velocity, 0.028),
-            vector(angular_momentum, 0.1),
-        );
+        let omega = vector(angular_velocity, 0.028);
+        let momentum = vector(angular_momentum, 0.1);
         let (rim, beside) = (rho * (1.0 + 0.03 * size(a)), o - rho * (0.07 * size(a)));
+        let lift = |force: f64| UP * (0.6 * force * size(a));
         let view = on_post(a, &rolled(a, turn + 3.45)?)
             .arrow(o, omega, Ink::Velocity, r"$\omega$", Side::Left)
             .arrow(o, momentum, Ink::Momentum, "$L$", Side::Right)
-            .arrow(
-                rim,
-                rim + UP * (0.6 * table * size(a)),
-                Ink::Force,
-                "$N$",
-                Side::Right,
-            )
-            .arrow(
-                beside,
-                beside + UP * (0.6 * joint * size(a)),
-                Ink::Force,
-                "",
-                Side::Left,
-            )
+            .arrow(rim, rim + lift(table), Ink::Force, "$N$", Side::Right)
+            .arrow(beside, beside + lift(joint), Ink::Force, "", Side::Left)
             .dot(o, Ink::Ink, "", Side::Below);
         Ok((alt, view))
     })

@@ -90,8 +90,7 @@ figures! { _: &Parameters;
             .guide([m, corner])
             .guide([corner, tip(-v * s - 0.35 * c, v * c - 0.35 * s)])
             .right_angle(m, o, corner)
-            .arrow_along([m, tip(-v * s - 0.35 * c, v * c - 0.35 * s)], Ink::Ink)
-            .text(tip(-v * s - 0.35 * c, v * c - 0.35 * s), "$v$", Ink::Ink, Side::Left)
+            .arrow_to(m, tip(-v * s - 0.35 * c, v * c - 0.35 * s), Ink::Ink, "$v$", Side::Left)
             .text(tip(-0.55 * v * s, 0.55 * v * c), "$r_0u/r$", Ink::Ink, Side::Right)
             .text(corner, "$s$", Ink::Ink, Side::Above)
             .arrow_along([m, tip(-0.9 * c, -0.9 * s)], Ink::Force)
@@ -123,7 +122,6 @@ figures! { _: &Parameters;
 /// A particle with the speed 1 on a string of the free length 1, when this much of it is left
 /// that is not wound on a post of this radius.
 pub fn wound_up(post: f64, free: f64) -> Result<[SpaceVector; 2]> {
-    use rotation_dynamics::integrators::place_and_velocity;
     let start = [1.0, -post, 0.0, 0.0, 1.0, 0.0];
     // The free part turns at 1/l and winds up at post/l.
     let end = 0.5 * (1.0 - free * free) / post;
@@ -157,9 +155,11 @@ impl Whole {
 
     /// Place, velocity and tension.
     fn at(&self, t: f64) -> Result<([f64; 2], [f64; 2], f64)> {
-        let (run, t) = match t <= self.end {
-            true => (&self.run, t),
-            false => (&self.held, t - self.end),
+        let held = t > self.end;
+        let (run, t) = if held {
+            (&self.held, t - self.end)
+        } else {
+            (&self.run, t)
         };
         let MechanismState { q, v } = run.at(t)?;
         Ok(([q[0], q[1]], [v[0], v[1]], run.tension(t)?))
@@ -174,10 +174,8 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let newton = p.mass * p.speed.abs() / unit;
     Trajectory::sampled(columns, times(-0.5, whole.last, 600), |t| {
         let (place, velocity, force) = whole.at(t)?;
-        let ([x, y], [vx, vy]) = (
-            place.map(|x| x * p.radius),
-            velocity.map(|v| v * p.speed.abs()),
-        );
+        let ([x, y], u) = (place.map(|x| x * p.radius), p.speed.abs());
+        let [vx, vy] = velocity.map(|v| v * u);
         Ok([t * unit, x, sense * y, vx, sense * vy, force * newton])
     })
 }
@@ -201,33 +199,24 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let ([x, y], [vx, vy], force) = whole.at(now)?;
         let path = sampled(times(-0.5, now, 400), |t| Ok(whole.at(t)?.0.into()))?;
         let (since, what) = match now > end {
-            true => (now - end, "after the hand has stopped"),
-            false => (now, "after the beginning of the pull"),
+            true => ((now - end) * unit, "after the hand has stopped"),
+            false => (now * unit, "after the beginning of the pull"),
         };
-        let since = since * unit;
         let alt = format!(
             "The particle {since:.2} s {what}, with its path, its velocity and the pull of the \
              string; below, this force against time: it grows, and is nothing while the string is slack."
         );
         let (pull, hole) = (0.3 * force / most / hypot(x, y), (0.0, 0.0));
         let scene = Sketch::within((-1.35, 1.35), (-1.1, 1.15)).guide(path);
-        let scene = match force > 0.0 {
-            true => scene.string((x, y), hole, "", Side::Above),
-            false => scene.guide([(x, y), (0.5 * x + 0.08 * y, 0.5 * y - 0.08 * x), hole]),
-        };
+        let slack = [(x, y), (0.5 * x + 0.08 * y, 0.5 * y - 0.08 * x), hole];
+        let pulled = [(x, y), (x - pull * x, y - pull * y)];
         let scene = scene
+            .only_if(force > 0.0, |s| s.string((x, y), hole, "", Side::Above))
+            .only_if(force <= 0.0, |s| s.guide(slack))
             .ring(hole, Ink::Ink, "", Side::Below)
             .arrow_along([(x, y), (x + 0.2 * vx, y + 0.2 * vy)], Ink::Ink)
-            .weight((x, y), 0.045, "");
-        let pulled = (x - pull * x, y - pull * y);
-        Ok(match force > 0.0 {
-            true => (
-                alt,
-                scene
-                    .arrow_along([(x, y), pulled], Ink::Force)
-                    .mirrored_if(clockwise),
-            ),
-            false => (alt, scene.mirrored_if(clockwise)),
-        })
+            .weight((x, y), 0.045, "")
+            .only_if(force > 0.0, |s| s.arrow_along(pulled, Ink::Force));
+        Ok((alt, scene.mirrored_if(clockwise)))
     })
 }

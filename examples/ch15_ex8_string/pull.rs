@@ -72,16 +72,14 @@ impl Pulled {
     pub fn new(speed: f64, hole: f64, step: f64, end: f64) -> Result<Self> {
         let (s, c) = sincos(BEFORE);
         let (q, v) = ([c, -s, -BEFORE], [s, c, 1.0]);
+        let (knot, hand) = (1.0, 1.0);
         let pull = Pull {
-            knot: 1.0,
-            hand: 1.0,
+            knot,
+            hand,
             speed,
             hole,
         };
-        let method = Dop853::new(step)?;
-        let motion = motion(pull, &method, MechanismState { q, v }, BEFORE + end)?;
-        let before = BEFORE;
-        Ok(Self { motion, before })
+        Self::of(pull, MechanismState { q, v }, step, BEFORE, end)
     }
 
     /// The motion from this state on when the string is held, for a while.
@@ -93,7 +91,12 @@ impl Pulled {
             speed: 0.0,
             hole: 0.0,
         };
-        let (motion, before) = (motion(pull, &Dop853::new(step)?, start, end)?, 0.0);
+        Self::of(pull, start, step, 0.0, end)
+    }
+
+    /// A motion from this state on, which is so long before the time 0.
+    fn of(pull: Pull, start: MechanismState<3>, step: f64, before: f64, end: f64) -> Result<Self> {
+        let motion = motion(pull, &Dop853::new(step)?, start, before + end)?;
         Ok(Self { motion, before })
     }
 

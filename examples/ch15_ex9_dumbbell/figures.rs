@@ -64,12 +64,9 @@ figures! { p: &Parameters;
         let sketch = Sketch::within((-0.7, 1.25), (-0.3, 1.2)).curve(ends);
         let sketch = ball(dumbbell(sketch, [[0.0, 0.0], [0.0, 1.0]], 0.07), [-0.14, 0.0], 0.07);
         sketch
-            .arrow_along([(0.08, 0.0), tip(4.0 / 3.0, 0.0)], Ink::Ink)
-            .text(tip(4.0 / 3.0, 0.0), "$4v_0/3$", Ink::Ink, Side::Right)
-            .arrow_along([(0.0, 0.5), tip(2.0 / 3.0, 0.5)], Ink::Ink)
-            .text(tip(2.0 / 3.0, 0.5), "$2v_0/3$", Ink::Ink, Side::Right)
-            .arrow_along([(-0.14, -0.14), (0.06, -0.14)], Ink::Ink)
-            .text((0.06, -0.14), "$v_0/3$", Ink::Ink, Side::Right)
+            .arrow_to((0.08, 0.0), tip(4.0 / 3.0, 0.0), Ink::Ink, "$4v_0/3$", Side::Right)
+            .arrow_to((0.0, 0.5), tip(2.0 / 3.0, 0.5), Ink::Ink, "$2v_0/3$", Side::Right)
+            .arrow_to((-0.14, -0.14), (0.06, -0.14), Ink::Ink, "$v_0/3$", Side::Right)
             .text((0.08, 1.0), "at rest", Ink::Ink, Side::Right)
             .text((-0.22, 0.0), "ball", Ink::Ink, Side::Left)
             .turn((0.0, 0.5), 0.3, (2.0, 4.1), Ink::Velocity)
@@ -153,22 +150,11 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let ((from, to), l, unit) = (span(p), p.length, p.length / p.speed.abs());
     let sense = p.speed.signum();
     let run = Blow::new(scene(p)?, p.tolerance, to)?;
-    let [ball, other] = [["x_ball [m]", "y_ball [m]"], ["x_cm [m]", "y_cm [m]"]];
-    let [angle, omega] = ["angle [rad]", "omega [rad/s]"];
-    let columns = ["t [s]", ball[0], ball[1], other[0], other[1], angle, omega];
-    Trajectory::sampled(columns, times(from, to, 500), |t| {
+    let columns = "t [s], x_ball [m], y_ball [m], x_cm [m], y_cm [m], angle [rad], omega [rad/s]";
+    Trajectory::sampled(columns.split(", "), times(from, to, 500), |t| {
         let MechanismState { q, v } = run.at(t)?;
-        let [x, y, angle, u, w] = q;
-        let (across, turned) = (sense * l, sense * angle);
-        Ok([
-            t * unit,
-            across * u,
-            l * w,
-            across * x,
-            l * y,
-            turned,
-            sense * v[2] / unit,
-        ])
+        let [x, angle, u, omega] = [l * q[0], q[2], l * q[3], v[2] / unit].map(|odd| sense * odd);
+        Ok([t * unit, u, l * q[4], x, l * q[1], angle, omega])
     })
 }
 
@@ -197,12 +183,10 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let far = to * run.after.v[0].max(run.after.v[1]);
     let (ball_radius, knob) = (p.ball / l, p.knob / l);
     let stills = [-0.5, 0.337 * to, 0.5 * to].map(|t| t * unit);
-    let told = match p.slant == 0.0 && run.later().next().is_none() {
-        true => {
-            " Those of the masses rise and fall in turn, each down to zero; that of the ball stays."
-        }
-        false => "",
-    };
+    let rise =
+        " Those of the masses rise and fall in turn, each down to zero; that of the ball stays.";
+    let alone = p.slant == 0.0 && run.later().next().is_none();
+    let told = if alone { rise } else { "" };
     MovingPicture::above(graph, from * unit..=to * unit, stills, move |t| {
         let now = (t / unit).clamp(from, to);
         let q = run.at(now)?.q;
@@ -217,13 +201,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              speeds of the three against time.{told}",
             t.abs()
         );
-        let (x, y) = (
-            (-0.8 * c - 0.35, far + 0.7),
-            (-0.8 * s - 0.3, 1.3 + far * s),
-        );
-        let sketch = Sketch::within(x, y)
-            .curve(been(0)?)
-            .curve(been(1)?.dashed());
+        let across = (-0.8 * c - 0.35, far + 0.7);
+        let sketch = Sketch::within(across, (-0.8 * s - 0.3, 1.3 + far * s));
+        let sketch = sketch.curve(been(0)?).curve(been(1)?.dashed());
         let sketch = dumbbell(sketch, places(&q), knob);
         let sketch = ball(sketch, [q[3], q[4]], ball_radius);
         Ok((alt, sketch.mirrored_if(mirrored)))

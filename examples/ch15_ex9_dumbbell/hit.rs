@@ -131,13 +131,10 @@ impl Blow {
 
     /// The second hit: when it is, and the state just after.
     pub fn again(&self) -> Result<(f64, MechanismState<5>)> {
-        let second = |(t, event): (f64, &ContactEvent<5, 2>)| (t, event.after);
-        let until = self.motion.end_time() - APPROACH;
-        let none = Error::NotReached {
-            name: "a second hit",
-            until,
-        };
-        self.later().next().map(second).ok_or(none)
+        let (name, until) = ("a second hit", self.motion.end_time() - APPROACH);
+        let none = Error::NotReached { name, until };
+        let (t, event) = self.later().next().ok_or(none)?;
+        Ok((t, event.after))
     }
 
     /// The hits after the first, with their times.

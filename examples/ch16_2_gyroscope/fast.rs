@@ -37,10 +37,8 @@ pub fn coefficients(theta: f64) -> [f64; 3] {
 /// The same by the closed form: the part of the errors that is odd in c/a.
 fn coefficients_measured(theta: f64) -> Result<[f64; 3]> {
     let ratio = 1e-4;
-    let (down, up) = (
-        beyond_the_formulas(theta, ratio)?,
-        beyond_the_formulas(theta, -ratio)?,
-    );
+    let down = beyond_the_formulas(theta, ratio)?;
+    let up = beyond_the_formulas(theta, -ratio)?;
     Ok(core::array::from_fn(|i| (down[i] - up[i]) / (2.0 * ratio)))
 }
 

@@ -147,16 +147,8 @@ impl Rotor {
 
     /// The spin at which that begins, rad/s.
     fn least_spin_by_bisection(&self) -> Result<f64> {
-        let (mut falls, mut holds) = (1.0, 1e4);
-        for _ in 0..60 {
-            let middle = 0.5 * (falls + holds);
-            if self.can_be_held(middle)? {
-                holds = middle;
-            } else {
-                falls = middle;
-            }
-        }
-        Ok(holds)
+        let falls = |spin| Ok::<_, kit::Error>(!self.can_be_held(spin)?);
+        Ok(kit::try_bisect([1.0, 1e4], 0.0, falls)?[1])
     }
 }
 

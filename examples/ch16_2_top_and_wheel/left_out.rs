@@ -81,10 +81,8 @@ const FRICTION: f64 = 0.2;
 pub fn add(report: &mut Report) -> Result<()> {
     let mut hold = |name: &str, body: &Body| -> Result<Hold> {
         let exact = body.motion("")?.exact;
-        let (angles, vectors) = (
-            Hold::by_angles(body, &exact)?,
-            Hold::by_vectors(body, &exact)?,
-        );
+        let angles = Hold::by_angles(body, &exact)?;
+        let vectors = Hold::by_vectors(body, &exact)?;
         let entry = |what: &str, meaning: &str, value: f64, other: f64| {
             claim(
                 format!("{name}_{what}"),

@@ -19,15 +19,8 @@ fn pole(top: &Top) -> SpaceVector {
 /// The motions with Z along L, inside the cone of the axis, and outside.
 fn three(p: &Parameters) -> [(Top, &'static str); 3] {
     let top = Top::new(p);
-    [(0.0, "along $L$"), (0.5, "inside"), (1.7, "outside")].map(|(part, name)| {
-        (
-            Top {
-                lean: part * p.cone,
-                ..top
-            },
-            name,
-        )
-    })
+    [(0.0, "along $L$"), (0.5, "inside"), (1.7, "outside")]
+        .map(|(part, name)| (top.but(|top| top.lean = part * p.cone), name))
 }
 
 /// A panel of the three over time in nods, exact and stepped.

@@ -6,12 +6,10 @@ use super::*;
 /// so far below it, the heavier one on this side (-1 is left).
 fn drawn(sketch: Sketch, radius: f64, [left, right]: [f64; 2], turn: f64, side: f64) -> Sketch {
     let arc = times(0.0, PI, 40).map(|t| (radius * cos(t), radius * sin(t)));
-    let (heavy, light) = ((1.25 * 0.15, 0.24), (0.15, 0.18));
-    let (first, second) = if side < 0.0 {
-        (heavy, light)
-    } else {
-        (light, heavy)
-    };
+    let (mut first, mut second) = ((1.25 * 0.15, 0.24), (0.15, 0.18));
+    if side > 0.0 {
+        (first, second) = (second, first);
+    }
     sketch
         .wall((0.25, 0.32), (-0.25, 0.32))
         .pulley((0.0, 0.0), radius, turn, (0.0, 0.32))
@@ -23,19 +21,12 @@ fn drawn(sketch: Sketch, radius: f64, [left, right]: [f64; 2], turn: f64, side: 
 }
 
 /// m1 = 3, m2 = 2 with g = 1, a pulley and a grip.
-fn unit(pulley: f64, grip: f64) -> Machine {
-    let masses = [3.0, 2.0];
-    Machine {
-        masses,
-        pulley,
-        gravity: 1.0,
-        grip,
-        rope: 0.0,
-        height: 1.0,
-    }
+fn unit(usual: Machine, pulley: f64, grip: f64) -> Machine {
+    let of = |m: &mut Machine| (m.pulley, m.grip, m.gravity) = (pulley, grip, 1.0);
+    usual.but(of)
 }
 
-figures! { _: &Parameters;
+figures! { _: &Parameters, usual = machine(&Parameters::default())?;
     /// Two masses hang on a rope over a pulley that is held from above. The pulley has the
     /// moment of inertia I and the radius R. On the left hangs m1, on the right m2; both hang
     /// the height h below the axle.
@@ -60,7 +51,7 @@ figures! { _: &Parameters;
             .block((0.4, -0.75), (0.16, 0.18), 0.0, Ink::Body);
         let force = |sketch: Sketch, (from, length, label, side): ((f64, f64), f64, &str, Side)| {
             let tip = (from.0, from.1 + length);
-            sketch.arrow_along([from, tip], Ink::Force).text(tip, label, Ink::Force, side)
+            sketch.arrow_to(from, tip, Ink::Force, label, side)
         };
         let all = [
             ((-0.2, 0.0), -0.26, "$T_1$", Side::Left),
@@ -85,8 +76,8 @@ figures! { _: &Parameters;
     /// the lower falls towards one, the weight of m2. Dots: from Newton's law for each body.
     tensions: {
         let heavy = Sweep::over(r"$I/(m_1+m_2)R^2$", 0.0, 4.0).at([0.2, 0.6, 1.2, 2.0, 3.2]);
-        let of = |x: f64| unit(5.0 * x, FIRM);
-        let exact = |k: usize| heavy.exact(move |x| 0.5 * Answer::held(&of(x)).tensions[k]);
+        let of = |x: f64| unit(usual, 5.0 * x, FIRM);
+        let exact = |k: usize| heavy.exact(move |x| 0.5 * Forces::held(&of(x)).tensions[k]);
         let dots = |k: usize| heavy.simulated(move |x| Ok(0.5 * of(x).forces(Grip::Holds, 0.0).tensions[k]));
         heavy.panel(Axis::linear("$T/m_2g$").range(0.9, 1.6))
             .curve(exact(0).label_at("$T_1$", 2.0, 1.4, Side::Above))
@@ -103,16 +94,16 @@ figures! { _: &Parameters;
     /// pulley, and the rim is slower. Dots: simulated.
     slip: {
         let rub = Sweep::over(r"$\mu$", 0.0, 0.08).at([0.005, 0.015, 0.025, 0.035, 0.05, 0.07]);
-        let at = |mu: f64| unit(2.0, exp(mu * PI));
-        let rim = |a: Answer| if a.slips { 0.5 * (a.tensions[0] - a.tensions[1]) } else { a.acceleration };
+        let at = |mu: f64| unit(usual, 2.0, exp(mu * PI));
         let run = |k: usize| move |mu: f64| {
-            let run = Machine { grip: capstan(mu)?, ..at(mu) }.run(0.0, 1e-9, 10.0)?;
+            let grip = capstan(mu)?;
+            let run = at(mu).but(|m| m.grip = grip).run(0.0, 1e-9, 10.0)?;
             let arrives = run.transition("arrives")?;
             Ok(arrives.before[k] / arrives.t)
         };
         rub.panel(Axis::linear("acceleration$/g$").range(0.0, 0.22))
-            .curve(rub.exact(|mu| Answer::new(&at(mu)).acceleration).label_at("masses", 0.012, 0.19, Side::Right))
-            .curve(rub.exact(|mu| rim(Answer::new(&at(mu)))).dashed().label_at("rim", 0.012, 0.045, Side::Right))
+            .curve(rub.exact(|mu| Forces::new(&at(mu)).acceleration).label_at("masses", 0.012, 0.19, Side::Right))
+            .curve(rub.exact(|mu| Forces::new(&at(mu)).rim).dashed().label_at("rim", 0.012, 0.045, Side::Right))
             .curve(rub.simulated(run(1))?)
             .curve(rub.simulated(run(3))?)
     };
@@ -132,13 +123,11 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (m, h, rim_radius) = (machine(p)?, p.height, p.radius);
     let run = m.run(p.spin * p.radius, p.tolerance, 1e3)?;
-    let end = run.end_time();
-    let speed = |k: usize| sampled(times(0.0, end, 300), |t| Ok((t, run.at(t)?.1[k])));
+    let (end, scale) = (run.end_time(), 0.9 / h);
+    let speed = |k: usize| Curve::sampled(times(0.0, end, 300), |t| Ok(run.at(t)?.1[k]), Ink::Body);
     let graph = Panel::over_axes("$t$ / s", "speed / (m/s)")
-        .curve(Curve::new(speed(1)?, Ink::Body).label_end("rope"))
-        .curve(Curve::new(speed(3)?, Ink::Body).dashed().label_end("rim"));
-    let stills = [0.0, 0.2 * end, 0.9 * end];
-    let scale = 0.9 / h;
+        .curve(speed(1)?.label_end("rope"))
+        .curve(speed(3)?.dashed().label_end("rim"));
     let fitting = sampled(times(0.0, end, 300), |t| {
         let (grip, [way, ..]) = run.at(t)?;
         let [left, right] = m.forces(grip, way).tensions;
@@ -146,49 +135,36 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         Ok(room(h + way, left).min(room(h - way, right)))
     })?;
     // So that a force also fits above a mass that has come up to the axle.
-    let usual = 0.45 / (m.masses[0].max(m.masses[1]) * m.gravity);
+    let usual = 0.45 / (p.m1.max(p.m2) * m.gravity);
     let force = fitting.into_iter().fold(usual, f64::min);
-    let told = match run.transition("catches").is_ok() && !Answer::new(&m).slips {
-        true if m.masses[0] > m.masses[1] => ": they approach each other and then rise as one line",
-        true if m.masses[0] < m.masses[1] => ": they approach each other and then fall as one line",
-        true => ": they approach each other and then stay one line",
-        false => "",
+    let (name, side, goes_on) = match m.masses {
+        [left, right] if left > right => ("heavier", -1.0, "rise as"),
+        [left, right] if left < right => ("heavier", 1.0, "fall as"),
+        _ => ("left", -1.0, "stay"),
     };
-    let (name, side) = match m.masses {
-        [left, right] if left > right => ("heavier", -1.0),
-        [left, right] if left < right => ("heavier", 1.0),
-        _ => ("left", -1.0),
+    let told = match run.transition("catches").is_ok() && Forces::new(&m).grip == Grip::Holds {
+        true => format!(": they approach each other and then {goes_on} one line"),
+        false => String::new(),
     };
+    let stills = [0.0, 0.2 * end, 0.9 * end];
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
         let (grip, [way, _, rim, _]) = run.at(t)?;
-        let forces = m.forces(grip, way);
-        let does = match grip {
-            Grip::Holds => "holds on the pulley",
-            _ => "slips on the pulley",
-        };
+        let does = ["slips", "holds"][usize::from(grip == Grip::Holds)];
         let down = -side * way;
         let (gone, way_gone) = (["down", "up"][usize::from(down < 0.0)], down.abs());
         let alt = format!(
-            "After {t:.2} s the {name} mass has gone {gone} by {way_gone:.2} m and the rope {does}. Below, the speeds of \
-             rope and rim against time{told}."
+            "After {t:.2} s the {name} mass has gone {gone} by {way_gone:.2} m and the rope {does} on the pulley. \
+             Below, the speeds of rope and rim against time{told}."
         );
         let hang = [h + way, h - way].map(|y| 0.5 * scale * y);
-        let radius = 0.16;
-        let sketch = drawn(
-            Sketch::within((-1.0, 1.0), (-1.35, 0.4)),
-            radius,
-            hang,
-            0.6 + rim / rim_radius,
-            side,
-        );
-        let sketch = [-radius, radius]
-            .into_iter()
-            .zip(forces.tensions)
-            .zip(hang)
-            .fold(sketch, |sketch, ((x, tension), far)| {
-                let top = (x * 1.6, -far + force * tension);
-                sketch.arrow_along([(x * 1.6, -far), top], Ink::Force)
-            });
-        Ok((alt, sketch))
+        let (radius, turn) = (0.16, 0.6 + rim / rim_radius);
+        let empty = Sketch::within((-1.0, 1.0), (-1.35, 0.4));
+        let pull = |sketch: Sketch, k: usize| {
+            let (x, far) = ([-radius, radius][k] * 1.6, hang[k]);
+            let tip = (x, -far + force * m.forces(grip, way).tensions[k]);
+            sketch.arrow_along([(x, -far), tip], Ink::Force)
+        };
+        let sketch = drawn(empty, radius, hang, turn, side);
+        Ok((alt, [0, 1].into_iter().fold(sketch, pull)))
     })
 }

@@ -1,7 +1,8 @@
-//! Atwood's machine from Newton's law for each body, with a rope that holds on the pulley or
-//! slips, and that may be heavy.
+//! Atwood's machine in closed form and from Newton's law for each body, with a rope that holds on
+//! the pulley or slips, and that may be heavy.
 
 use core::f64::consts::PI;
+use kit::solved;
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, after, ode, size_or};
 use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
@@ -37,10 +38,54 @@ pub enum Grip {
 /// Accelerations of the masses and of the rim, and the tension on either side.
 #[derive(Debug, Clone, Copy)]
 pub struct Forces {
+    pub grip: Grip,
     pub acceleration: f64,
     pub rim: f64,
     pub tensions: [f64; 2],
 }
+
+// ANCHOR: answer
+impl Forces {
+    /// In closed form, for a rope without mass that holds. Beside a much lighter mass g - a would
+    /// have lost its digits, so each tension is formed without it.
+    pub fn held(m: &Machine) -> Self {
+        let ([m1, m2], pulley, grip) = (m.masses, m.pulley, Grip::Holds);
+        let part = m.gravity / (m1 + m2 + pulley);
+        let (acceleration, rim) = ((m1 - m2) * part, (m1 - m2) * part);
+        let tensions = [m1 * (2.0 * m2 + pulley), m2 * (2.0 * m1 + pulley)].map(|sum| sum * part);
+        Self {
+            grip,
+            acceleration,
+            rim,
+            tensions,
+        }
+    }
+
+    /// In closed form; the rope slips on the heavier side, where it would pull too much to be held.
+    pub fn new(m: &Machine) -> Self {
+        let held = Self::held(m);
+        let (grip, [more, less]) = match m.masses {
+            [left, right] if left < right => (Grip::Behind, [1, 0]),
+            _ => (Grip::Ahead, [0, 1]),
+        };
+        if held.tensions[more] <= m.grip * held.tensions[less] {
+            return held;
+        }
+        let (heavier, lighter) = (m.masses[more], m.masses[less]);
+        let part = m.gravity / (heavier + m.grip * lighter);
+        let size = (heavier - m.grip * lighter) * part;
+        let behind = 2.0 * heavier * lighter * part;
+        let mut tensions = [behind; 2];
+        tensions[more] = m.grip * behind;
+        Self {
+            grip,
+            acceleration: size.copysign(held.acceleration),
+            rim: (tensions[0] - tensions[1]) / m.pulley,
+            tensions,
+        }
+    }
+}
+// ANCHOR_END: answer
 
 // ANCHOR: newton
 impl Machine {
@@ -61,7 +106,7 @@ impl Machine {
             on_pulley,
         ];
         let weights = [left * self.gravity, -right * self.gravity, 0.0, 0.0];
-        let [acceleration, rim, first, second] = solve(rows, weights);
+        let [acceleration, rim, first, second] = solved(rows, weights);
         let tensions = [first, second];
         // For a light pulley their difference would have lost its digits.
         let light = self.pulley < 1e-3 * (left + right);
@@ -71,6 +116,7 @@ impl Machine {
             rim
         };
         Forces {
+            grip,
             acceleration,
             rim,
             tensions,
@@ -78,23 +124,19 @@ impl Machine {
     }
     // ANCHOR_END: newton
 
-    /// What the rope does where it runs as fast as the rim.
-    fn level(&self, way: f64) -> Grip {
+    /// How far each tension, over the other, is from dragging the rope over the pulley.
+    fn lacks(&self, way: f64) -> [f64; 2] {
         let [first, second] = self.forces(Grip::Holds, way).tensions;
-        if first > self.grip * second {
-            Grip::Ahead
-        } else if second > self.grip * first {
-            Grip::Behind
-        } else {
-            Grip::Holds
-        }
+        [self.grip * second - first, self.grip * first - second]
     }
 
-    /// The machine seen from behind.
-    #[must_use]
-    pub fn mirrored(mut self) -> Self {
-        self.masses.reverse();
-        self
+    /// What the rope does where it runs as fast as the rim.
+    fn level(&self, way: f64) -> Grip {
+        match self.lacks(way) {
+            [first, _] if first < 0.0 => Grip::Ahead,
+            [_, second] if second < 0.0 => Grip::Behind,
+            _ => Grip::Holds,
+        }
     }
 
     /// The motion from rest; the rim may run already. It ends at the pulley.
@@ -117,33 +159,21 @@ impl Phased<4> for Machine {
     }
 
     fn conditions(&self, grip: Grip) -> Vec<Condition<'_, Grip, 4>> {
-        let mut all = vec![Condition::gap(
-            "arrives",
-            |y: &[f64; 4]| self.height - y[0].abs(),
-            Next::End,
-        )];
-        let slips = |ahead: bool, next| {
-            let margin = move |y: &[f64; 4]| {
-                let [first, second] = self.forces(grip, y[0]).tensions;
-                let (more, less) = if ahead {
-                    (first, second)
-                } else {
-                    (second, first)
-                };
-                self.grip * less - more
-            };
-            Condition::gap("slips", margin, Next::Enter(next))
+        let left = |y: &[f64; 4]| self.height - y[0].abs();
+        let arrives = Condition::gap("arrives", left, Next::End);
+        let slips = |side: usize, next| {
+            let lacks = move |y: &[f64; 4]| self.lacks(y[0])[side];
+            Condition::gap("slips", lacks, Next::Enter(next))
         };
         let catches = |sign: f64| {
             let next = Next::decide(|_, y: &[f64; 4]| Ok((self.level(y[0]), *y)));
-            Condition::opening_gap("catches", move |y: &[f64; 4]| sign * (y[3] - y[1]), next)
+            Condition::opening_gap("catches", move |y| sign * (y[3] - y[1]), next)
         };
-        all.extend(match grip {
-            Grip::Holds => vec![slips(true, Grip::Ahead), slips(false, Grip::Behind)],
-            Grip::Behind => vec![catches(1.0)],
-            Grip::Ahead => vec![catches(-1.0)],
-        });
-        all
+        match grip {
+            Grip::Holds => vec![arrives, slips(0, Grip::Ahead), slips(1, Grip::Behind)],
+            Grip::Behind => vec![arrives, catches(1.0)],
+            Grip::Ahead => vec![arrives, catches(-1.0)],
+        }
     }
 
     fn scale(&self, y: &[f64; 4]) -> [f64; 4] {
@@ -154,30 +184,6 @@ impl Phased<4> for Machine {
 /// The ratio of the tensions of a rope that slips over half a turn, from the pull of each piece:
 /// dT = mu T d(theta).
 pub fn capstan(friction: f64) -> Result<f64> {
-    Ok(after(
-        PI,
-        &ode(move |_, [t]: &[f64; 1]| [friction * t]).scaled(size_or([1.0; 1])),
-        &[1.0],
-        1e-14,
-    )?[0])
-}
-
-/// The solution of four linear equations, by elimination.
-fn solve(mut rows: [[f64; 4]; 4], mut right: [f64; 4]) -> [f64; 4] {
-    for k in 0..4 {
-        let best = (k..4).max_by(|&i, &j| rows[i][k].abs().total_cmp(&rows[j][k].abs()));
-        let best = best.unwrap_or(k);
-        rows.swap(k, best);
-        right.swap(k, best);
-        for i in (0..4).filter(|&i| i != k) {
-            let part = rows[i][k] / rows[k][k];
-            let row = rows[k];
-            rows[i]
-                .iter_mut()
-                .zip(row)
-                .for_each(|(a, b)| *a -= part * b);
-            right[i] -= part * right[k];
-        }
-    }
-    core::array::from_fn(|k| right[k] / rows[k][k])
+    let pulled = ode(|_, [t]: &[f64; 1]| [friction * t]).scaled(size_or([1.0; 1]));
+    Ok(after(PI, &pulled, &[1.0], 1e-14)?[0])
 }

@@ -39,12 +39,12 @@ figures! { _: &Parameters;
         .curve(rates().exact(|x| cone(q(x))).label_at("stable", 1.3, 0.95, Side::Left))
         .curve(rates().exact(|x| -cone(q(x))))
         .curve(Curve::new([(1.0, 0.0), (2.6, 0.0)], Ink::Ink).dashed().label("unstable"))
-        .curve(rates().simulated(|x| Ok(settled(q(x), 1e-9)?))?.label("simulated"));
+        .curve(rates().simulated(|x| settled(q(x), 1e-9))?.label("simulated"));
 
     /// Tension over the weight against the rate: one up to the threshold, then, after a
     /// corner, the square of the rate over the threshold, nearly seven at the right end.
     reaction: {
-        let at_rest = |x| Ok::<_, rotation_dynamics::Error>(place_and_velocity(&in_space([settled(q(x), 1e-9)?, 0.0], 1.0, 0.0)));
+        let at_rest = |x| Ok::<_, kit::Error>(place_and_velocity(&in_space([settled(q(x), 1e-9)?, 0.0], 1.0, 0.0)));
         let simulated = |x| Ok(tension(q(x), at_rest(x)?) / squares(q(x))[1]);
         let weights = Axis::linear("$T/Mg$").range(0.0, 7.0);
         rates().exact_and_simulated(weights, |x| (x * x).max(1.0), simulated)?
@@ -86,7 +86,7 @@ const END: f64 = 58.72;
 const LONGEST: f64 = 3.0;
 
 /// The damped motion from the release.
-fn motion(p: &Parameters) -> rotation_dynamics::Result<Solution<2>> {
+fn motion(p: &Parameters) -> Result<Solution<2>> {
     swung(ratio(p)?, 0.12, p.release, END, p.tolerance)
 }
 
@@ -104,24 +104,23 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let turning = turning.sqrt().copysign(p.rate);
     let angle = sampled(times(0.0, END, 300), |t| Ok((t / w, run.at(t)?[0])))?;
     let graph = Panel::over_axes("$t$ / s", r"$\theta$ / rad").curve(Curve::new(angle, Ink::Body));
-    let state = move |run: &Solution<2>, t: f64| {
+    let state = move |t: f64| -> Result<[SpaceVector; 2]> {
         let there = in_space(run.at(t)?, turning, turning * t);
-        Ok::<_, Error>(place_and_velocity(&there))
+        Ok(place_and_velocity(&there))
     };
-    let most = sampled(times(0.0, END, 600), |t| {
-        Ok(tension(q, state(&run, t)?) / hanging)
-    })?;
+    let all = || times(0.0, END, 600);
+    let most = sampled(all(), |t| Ok(tension(q, state(t)?) / hanging))?;
     // So that the longest pull of the string fits.
     let scale = 0.4 * (LONGEST / most.into_iter().fold(LONGEST, f64::max));
-    let highest = sampled(times(0.0, END, 600), |turn| Ok(-cos(run.at(turn)?[0])))?;
+    let highest = sampled(all(), |t| Ok(state(t)?[0].z()))?;
     let higher = 0.5 * highest.into_iter().fold(0.22, f64::max) - 0.11;
     let (top, down) = (SpaceVector::zero(), SpaceVector::new(0.0, 0.0, -0.4));
     MovingPicture::above(graph, 0.0..=END / w, [0.0, 2.17 / w, END / w], move |t| {
         let now = (t * w).min(END);
-        let place = |t| Ok(state(&run, t)?[0]);
+        let place = |t| Ok(state(t)?[0]);
         let bob = place(now)?;
         let weight = SpaceVector::new(0.0, 0.0, -scale);
-        let pull = bob * (-scale * tension(q, state(&run, now)?) / hanging);
+        let pull = bob * (-scale * tension(q, state(now)?) / hanging);
         let path = sampled(times((now - 6.0).max(0.0), now, 60), place)?;
         let sum = pull + weight;
         let slant = atan2(sum.z().abs(), hypot(sum.x(), sum.y())).to_degrees();
@@ -130,17 +129,15 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             "The bob {t:.1} s after its release{been}, its weight, the pull of the string, and \
              their sum, {slant:.0} degrees off the horizontal; below, its angle against time."
         );
-        let scene = View::of(
-            down * 1.5 + SpaceVector::new(0.0, 0.0, higher),
-            0.9 + higher,
-        )
-        .dashed([top, down * 3.0], Ink::Frame)
-        .dashed(path, Ink::Body)
-        .line([top, bob], Ink::Ink)
-        .dot(bob, Ink::Body, "", Side::Below)
-        .arrow(bob, bob + weight, Ink::Force, "$Mg$", Side::Below)
-        .arrow(bob, bob + pull, Ink::Force, "$T$", Side::Above)
-        .arrow(bob, bob + sum, Ink::Force, "sum", Side::Left);
+        let centre = down * 1.5 + SpaceVector::new(0.0, 0.0, higher);
+        let scene = View::of(centre, 0.9 + higher)
+            .dashed([top, down * 3.0], Ink::Frame)
+            .dashed(path, Ink::Body)
+            .line([top, bob], Ink::Ink)
+            .dot(bob, Ink::Body, "", Side::Below)
+            .arrow(bob, bob + weight, Ink::Force, "$Mg$", Side::Below)
+            .arrow(bob, bob + pull, Ink::Force, "$T$", Side::Above)
+            .arrow(bob, bob + sum, Ink::Force, "sum", Side::Left);
         Ok((alt, scene))
     })
 }

@@ -39,10 +39,8 @@ fn pushed(sketch: Sketch, (x, y): (f64, f64), [floor, wall]: [[f64; 2]; 2], unit
     let mirrored = |at: (f64, f64)| (x + side * (at.0 - x), at.1);
     let arrow = |sketch: Sketch, from: (f64, f64), to: (f64, f64)| {
         let (from, to) = (mirrored(from), mirrored(to));
-        if hypot(to.0 - from.0, to.1 - from.1) < 0.02 {
-            return sketch;
-        }
-        sketch.arrow(from, to, Ink::Force, "", Side::Above)
+        let long = hypot(to.0 - from.0, to.1 - from.1) >= 0.02;
+        sketch.only_if(long, |s| s.arrow(from, to, Ink::Force, "", Side::Above))
     };
     let sketch = arrow(sketch, (x, y), (x, y - unit));
     let (low, left) = ((x, y - 1.0), (x - 1.0, y));
@@ -61,19 +59,17 @@ fn rough() -> impl Iterator<Item = f64> {
 fn simulated(of: impl Fn(&Ride, f64) -> Result<f64>) -> Result<Curve> {
     let some = [0.02, 0.1, 0.25, 0.6, 1.0, 2.4, 6.0, 30.0];
     let dot = |mu| {
-        let stop = 1.0 / Cylinder::alike(mu).braking();
-        of(
-            &set_down(Cylinder::alike(mu), 1.0, 2.0 * stop, 1e-12)?,
-            0.5 * stop,
-        )
+        let (cylinder, stop) = (Cylinder::alike(mu), 1.0 / Cylinder::alike(mu).braking());
+        of(&set_down(cylinder, 1.0, 2.0 * stop, 1e-12)?, 0.5 * stop)
     };
     Ok(Curve::sampled(some, dot, Ink::Body)?.dots())
 }
 
 /// The drawings are of a cylinder that stops.
-fn stops(p: &Parameters) -> Result<f64> {
-    let stops = above(0.0).because("without it the cylinder spins for ever, and no stop is drawn");
-    stops.check("friction", p.friction)
+fn stops(p: &Parameters) -> Result<()> {
+    allowed! {
+        "friction": p.friction, above(0.0), "without it the cylinder spins for ever, and no stop is drawn";
+    }
 }
 
 figures! { p: &Parameters, _rubs = stops(p)?, u = units(p)?, rides = senses(p)?, rate = p.spin.abs();
@@ -110,19 +106,18 @@ figures! { p: &Parameters, _rubs = stops(p)?, u = units(p)?, rides = senses(p)?,
     spin: {
         let [pressed, away] = &rides;
         let end = 1.2 * pressed.event("floor sticks")?.t * u.time;
-        let read = |ride: &Ride, i: usize, t: f64| Ok::<_, rotation_dynamics::Error>(ride.at((t / u.time).min(ride.end_time()))?.v[i].abs() / u.time);
+        let read = |ride: &Ride, i: usize, t: f64| Ok(ride.at((t / u.time).min(ride.end_time()))?.v[i].abs() / u.time);
         let (roll, rest) = (rate * p.radius / (3.0 * p.friction * p.gravity), rate / 3.0);
-        let line = |points: Vec<(f64, f64)>, ink| Curve::new(points, ink);
-        let dots = |ride, i, ink| Ok::<_, kit::Error>(Curve::sampled(times(0.0, end, 12), |t| Ok(read(ride, i, t)?), ink)?.dots());
+        let dots = |ride, i| Ok::<_, kit::Error>(Curve::sampled(times(0.0, end, 12), |t| read(ride, i, t), Ink::Velocity)?.dots());
         Panel::over_axes("$t$ / s", Axis::linear("angular velocity / (rad/s)").range(0.0, rate))
-            .curve(line(vec![(0.0, rate), (end / 1.2, 0.0), (end, 0.0)], Ink::Ink)
+            .curve(Curve::new([(0.0, rate), (end / 1.2, 0.0), (end, 0.0)], Ink::Ink)
                 .label_at("pressed", 0.6 * end, 0.2 * rate, Side::BelowLeft))
-            .curve(line(vec![(0.0, rate), (roll, rest), (end, rest)], Ink::Ink)
+            .curve(Curve::new([(0.0, rate), (roll, rest), (end, rest)], Ink::Ink)
                 .label_at("the other sense", 0.28 * end, 0.75 * rate, Side::AboveRight))
-            .curve(line(vec![(0.0, 0.0), (roll, rest)], Ink::Frame).dashed()
+            .curve(Curve::new([(0.0, 0.0), (roll, rest)], Ink::Frame).dashed()
                 .label_at("$v/R$", 0.25 * end, 0.09 * rate, Side::Left))
-            .curve(dots(pressed, 2, Ink::Velocity)?)
-            .curve(dots(away, 2, Ink::Velocity)?)
+            .curve(dots(pressed, 2)?)
+            .curve(dots(away, 2)?)
     };
 
     /// Forces over the weight against the coefficient of friction, from 0.01 to 100. That of
@@ -198,11 +193,12 @@ fn shown(p: &Parameters) -> Result<(Ride, f64, f64)> {
         false => ride.end_time() / 1.25,
     };
     let time = units(p)?.time;
-    let end = if p.sense == "away" {
-        within(p, 20.0)
+    let room = if p.sense == "away" {
+        20.0
     } else {
         f64::INFINITY
     };
+    let end = within(p, room);
     Ok((ride, time, (1.25 * change).min(end) * time))
 }
 
@@ -214,15 +210,9 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let radius = p.radius;
     Trajectory::sampled(columns.split(", "), times(0.0, end, 250), |t| {
         let (MechanismState { q, v }, [floor, wall]) = (ride.at(t / time)?, ride.forces(t / time)?);
-        let [x, turned, rate] = [q[0], q[2], v[2]].map(|odd| side * odd);
-        let motion = [
-            t,
-            radius * x,
-            side * radius / time * v[0],
-            turned,
-            rate / time,
-        ];
+        let [x, v, turned, rate] = [q[0], v[0], q[2], v[2]].map(|odd| side * odd);
         let rubs = [floor.tangential, wall.tangential].map(|odd| side * odd);
+        let motion = [t, radius * x, radius / time * v, turned, rate / time];
         let forces = [floor.normal, rubs[0], wall.normal, rubs[1]];
         Ok([&motion[..], &forces].concat())
     })
@@ -232,21 +222,20 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let ((ride, time, end), side) = (shown(p)?, p.spin.signum());
     let far = ride.at(end / time)?.q[0].max(0.6);
-    let spin = sampled(times(0.0, end, 200), |t| {
-        Ok((t, side * ride.at(t / time)?.v[2] / time))
-    })?;
-    let graph =
-        Panel::over_axes("$t$ / s", r"$\omega$ / (rad/s)").curve(Curve::new(spin, Ink::Velocity));
+    let spin = |t: f64| Ok(side * ride.at(t / time)?.v[2] / time);
+    let graph = Panel::over_axes("$t$ / s", r"$\omega$ / (rad/s)");
+    let graph = graph.curve(Curve::sampled(times(0.0, end, 200), spin, Ink::Velocity)?);
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.45 * end, end], move |t| {
         let (MechanismState { q, v }, [floor, wall]) = (ride.at(t / time)?, ride.forces(t / time)?);
         let modes = ride.modes(t / time)?;
         let ([x, y, turned], speed) = (q, v[2].abs() / time);
-        let scene = match side > 0.0 {
-            true => corner(far),
-            false => mirrored_corner(far),
+        let room = if side > 0.0 {
+            corner(far)
+        } else {
+            mirrored_corner(far)
         };
         let x = side * x;
-        let scene = scene.roller((x, y), 1.0, 0.25 * PI + side * turned, Ink::Body);
+        let scene = room.roller((x, y), 1.0, 0.25 * PI + side * turned, Ink::Body);
         let forces = [floor, wall].map(|force| [force.normal, force.tangential]);
         let scene = pushed(scene, (x, y), forces, 0.9 * side);
         let does = match modes {

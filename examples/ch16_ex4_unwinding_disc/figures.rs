@@ -15,18 +15,22 @@ fn drawn(sketch: Sketch, top: f64, (leaves, [x, y, knot, ..], taut): &Held) -> S
         Leaves::Knot => 0.0,
         Leaves::Winding => -taut.margin.min(6.2),
     };
-    let (left, end) = (
-        atan2(taut.arm[1], taut.arm[0]),
-        (x + taut.arm[0], y + taut.arm[1]),
-    );
-    let sketch = sketch.roller((*x, *y), 1.0, *knot, Ink::Body);
-    let sketch = match wound == 0.0 {
-        true => sketch,
-        false => sketch.curve(Curve::new(times(left - wound, left, 90).map(at), Ink::Ink)),
-    };
+    let [across, up] = taut.arm;
+    let (left, end) = (atan2(up, across), (x + across, y + up));
+    let rim = || Curve::new(times(left - wound, left, 90).map(at), Ink::Ink);
     sketch
+        .roller((*x, *y), 1.0, *knot, Ink::Body)
+        .only_if(wound != 0.0, |sketch| sketch.curve(rim()))
         .string((top * end.0 / end.1, top), end, "", Side::Left)
         .dot(at(*knot), Ink::Ink, "", Side::Left)
+}
+
+/// The path of the centre from time to time.
+fn path(run: &Run<Leaves, 6>, from: f64, to: f64, count: u32) -> Result<Vec<(f64, f64)>> {
+    sampled(times(from, to, count), |t| {
+        let [x, y, ..] = run.at(t)?.1;
+        Ok((x, y))
+    })
 }
 
 /// Where the roof is.
@@ -34,12 +38,7 @@ fn roofed(x: (f64, f64), y: (f64, f64)) -> Sketch {
     Sketch::within(x, y).wall((1.2, 0.0), (-1.2, 0.0))
 }
 
-/// The disc of the page.
-fn usual() -> Result<Disc> {
-    disc(&Parameters::default())
-}
-
-figures! { _: &Parameters, d = usual()?, run = d.run(1e-12)?, end = run.transition("all unwound")?.t;
+figures! { _: &Parameters, usual = Parameters::default(), d = disc(&usual)?, run = d.run(1e-12)?, end = run.transition("all unwound")?.t;
     /// A vertical string hangs from a roof. It touches the rim of a disc of the radius R and the
     /// mass M on its right side and is wound on it. Between the roof and the disc it has the
     /// length l0. The disc goes down with v and turns counterclockwise with omega.
@@ -76,8 +75,7 @@ figures! { _: &Parameters, d = usual()?, run = d.run(1e-12)?, end = run.transiti
     /// its centre goes along a narrow bow.
     turn: {
         let over = run.transition("winds up")?.t;
-        let centre = |t: f64| Ok({ let [x, y, ..] = run.at(t)?.1; (x, y) });
-        let path = sampled(times(end - 0.3, over + 0.3, 80), centre)?;
+        let path = path(&run, end - 0.3, over + 0.3, 80)?;
         let held = |leaves, t| run.at(t).map(|(_, y)| (leaves, y, d.taut(leaves, &y)));
         let before = held(Leaves::Unwinding, end)?;
         let after = held(Leaves::Winding, over)?;
@@ -97,15 +95,15 @@ figures! { _: &Parameters, d = usual()?, run = d.run(1e-12)?, end = run.transiti
     /// about the centre rises with it, has a narrow peak of nearly twice its value in the turn,
     /// and falls again. Dashed, a bounce, which reverses the velocity at once.
     speeds: {
-        let second = (Parameters::default().radius / Parameters::default().gravity).sqrt();
-        let speed = (Parameters::default().radius * Parameters::default().gravity).sqrt();
-        let fall = |t: f64| Ok({ let y = run.at(t)?.1; (t * second, -speed * y[4]) });
-        let rim = |t: f64| Ok({ let y = run.at(t)?.1; (t * second, speed * y[5]) });
-        let instants = || times(0.0, run.end_time(), 400);
+        let [second, speed] = [usual.radius / usual.gravity, usual.radius * usual.gravity].map(f64::sqrt);
+        let of = |k: usize, unit: f64, ink| {
+            let points = sampled(times(0.0, run.end_time(), 400), |t| Ok((t * second, unit * run.at(t)?.1[k])))?;
+            Ok::<_, kit::Error>(Curve::new(points, ink))
+        };
         let bounce = times(end, 2.0 * end, 2).map(|t| (t * second, speed * (t - 2.0 * end) / 1.5));
         Panel::over_axes("$t$ / s", Axis::linear("velocity / (m/s)").range(-4.0, 7.0))
-            .curve(Curve::new(sampled(instants(), rim)?, Ink::Velocity).label_at(r"$\omega R$", 0.75, 5.0, Side::Right))
-            .curve(Curve::new(sampled(instants(), fall)?, Ink::Body).label_at("$v$", 0.2, 1.3, Side::AboveLeft))
+            .curve(of(5, speed, Ink::Velocity)?.label_at(r"$\omega R$", 0.75, 5.0, Side::Right))
+            .curve(of(4, -speed, Ink::Body)?.label_at("$v$", 0.2, 1.3, Side::AboveLeft))
             .curve(Curve::new(bounce, Ink::Velocity).dashed().label_at("wrong: bounce", 0.54, -3.3, Side::Left))
     };
 
@@ -114,7 +112,7 @@ figures! { _: &Parameters, d = usual()?, run = d.run(1e-12)?, end = run.transiti
     /// string of one and a half radii, lie a little above it.
     peak: {
         let wound = Sweep::over("$s_0/R$", 1.0, 12.0).at([1.0, 2.0, 3.5, 5.0, 7.0, 9.0, 11.0]);
-        let at = |wound| Disc { wound, ..d };
+        let at = |wound| d.but(|d| d.wound = wound);
         let tension = Axis::linear("$T_{max}/Mg$").range(0.0, 60.0);
         wound.panel(tension)
             .curve(wound.exact(|s| long_peak(&at(s))).label_at("very long string", 8.0, 37.0, Side::BelowRight))
@@ -140,19 +138,16 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (d, second) = (disc(p)?, (p.radius / p.gravity).sqrt());
     let run = d.run(p.tolerance)?;
-    let pull = move |d: &Disc, run: &Run<Leaves, 6>, t: f64| {
+    let [end, over] = ["all unwound", "winds up"].map(|name| run.transition(name));
+    let (end, over, last) = (end?.t, over?.t, run.end_time());
+    let spans = [(0.0, end, 40), (end, over, 120), (over, last, 60)];
+    let instants = spans
+        .into_iter()
+        .flat_map(|(from, to, count)| times(from, to, count));
+    let tension = sampled(instants, |t| {
         let (leaves, y) = run.at(t)?;
         Ok((t * second, d.taut(leaves, &y).tension))
-    };
-    let (end, over, last) = (
-        run.transition("all unwound")?.t,
-        run.transition("winds up")?.t,
-        run.end_time(),
-    );
-    let instants = times(0.0, end, 40)
-        .chain(times(end, over, 120))
-        .chain(times(over, last, 60));
-    let tension = sampled(instants, |t| pull(&d, &run, t))?;
+    })?;
     let graph = Panel::over_axes("$t$ / s", "$T/Mg$").curve(Curve::new(tension, Ink::Force));
     let stills = [0.7 * end, 0.5 * (end + over), 0.75 * last].map(|t| t * second);
     let deep = d.length() + 2.6;
@@ -170,25 +165,13 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              against time: level, a high narrow peak, and low again.",
             taut.tension
         );
-        let path = sampled(times(0.0, now, 300), |t| {
-            Ok({
-                let [x, y, ..] = run.at(t)?.1;
-                (x, y)
-            })
-        })?;
-        let sketch = roofed((-0.5 * deep, 0.5 * deep), (-deep, 0.4))
-            .high(355)
-            .guide(path);
-        let sketch = drawn(sketch, 0.0, &(leaves, y, taut));
+        let sketch = roofed((-0.5 * deep, 0.5 * deep), (-deep, 0.4)).high(355);
+        let sketch = sketch.guide(path(&run, 0.0, now, 300)?);
         let [tx, ty] = [y[0] + taut.arm[0], y[1] + taut.arm[1]];
         let far = hypot(tx, ty);
         let long = 0.9 * taut.tension.min(0.9 * far);
-        Ok((
-            alt,
-            sketch.arrow_along(
-                [(tx, ty), (tx * (1.0 - long / far), ty * (1.0 - long / far))],
-                Ink::Force,
-            ),
-        ))
+        let pulled = [(tx, ty), (tx * (1.0 - long / far), ty * (1.0 - long / far))];
+        let sketch = drawn(sketch, 0.0, &(leaves, y, taut));
+        Ok((alt, sketch.arrow_along(pulled, Ink::Force)))
     })
 }

@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use kit::times;
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, Event, Solution, ode, size_or};
-use rotation_dynamics::math::{atan2, hypot, sin, sincos};
+use rotation_dynamics::math::{atan2, cos, hypot, sin, sincos};
 use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
 
 /// The disc, and its string at the start.
@@ -151,13 +151,10 @@ impl Disc {
         let (k, l, method) = (self.shape, self.length(), Dop853::new(step)?);
         let knot = move |[string, knot, rate, turns]: &[f64; 4]| {
             let ((s, c), delta) = (sincos(string - knot), string - knot);
-            let (a, b) = (
-                -turns * turns * c - sin(*string),
-                l * rate * rate * c + sincos(*knot).1,
-            );
+            let a = -turns * turns * c - sin(*string);
+            let b = l * rate * rate * c + cos(*knot);
             let faster = (b + a * s) / (k + c * c);
-            let pull =
-                sincos(*string).1 + l * rate * rate - faster * c - turns * turns * sin(delta);
+            let pull = cos(*string) + l * rate * rate - faster * c - turns * turns * sin(delta);
             ([*rate, *turns, (a + faster * s) / l, faster], pull)
         };
         let spin = (2.0 * self.wound / (1.0 + k)).sqrt();
@@ -183,12 +180,9 @@ impl Phased<6> for Disc {
     type Phase = Leaves;
 
     fn derivative(&self, leaves: Leaves, y: &[f64; 6]) -> [f64; 6] {
-        let Taut {
-            acceleration: [ax, ay],
-            spin,
-            ..
-        } = self.taut(leaves, y);
-        [y[3], y[4], y[5], ax, ay, spin]
+        let taut = self.taut(leaves, y);
+        let [ax, ay] = taut.acceleration;
+        [y[3], y[4], y[5], ax, ay, taut.spin]
     }
 
     fn conditions(&self, leaves: Leaves) -> Vec<Condition<'_, Leaves, 6>> {
@@ -196,21 +190,14 @@ impl Phased<6> for Disc {
         let slack = Condition::contact("slack", move |y| self.taut(leaves, y).tension, Next::End);
         let roof = Condition::gap("roof", |y: &[f64; 6]| -1.0 - y[1], Next::End);
         let winds = move |y: &[f64; 6]| self.taut(leaves, y).winds;
-        let mut all = vec![slack, roof];
-        all.extend(match leaves {
-            Leaves::Unwinding => vec![Condition::gap(
-                "all unwound",
-                margin,
-                Next::Enter(Leaves::Knot),
-            )],
-            Leaves::Knot => vec![Condition::opening_gap(
-                "winds up",
-                margin,
-                Next::Enter(Leaves::Winding),
-            )],
-            Leaves::Winding => vec![Condition::gap("top", winds, Next::End)],
-        });
-        all
+        let next = match leaves {
+            Leaves::Unwinding => Condition::gap("all unwound", margin, Next::Enter(Leaves::Knot)),
+            Leaves::Knot => {
+                Condition::opening_gap("winds up", margin, Next::Enter(Leaves::Winding))
+            }
+            Leaves::Winding => Condition::gap("top", winds, Next::End),
+        };
+        vec![slack, roof, next]
     }
 
     fn scale(&self, y: &[f64; 6]) -> [f64; 6] {

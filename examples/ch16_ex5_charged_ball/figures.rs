@@ -10,14 +10,15 @@ fn pulls() -> Sweep {
 /// A solid ball with mu = 0.1, R = g = 1.
 fn unit(pull: f64) -> Ball {
     let (press, radius, shape, mu, length) = (1.0, 1.0, 0.4, 0.1, 10.0);
+    let (spot, resisting) = (0.0, [0.0; 2]);
     Ball {
         pull,
         press,
         radius,
         shape,
         mu,
-        spot: 0.0,
-        resisting: [0.0; 2],
+        spot,
+        resisting,
         length,
     }
 }
@@ -25,14 +26,9 @@ fn unit(pull: f64) -> Ball {
 /// x'', R phi'' and the part that is lost, simulated.
 fn simulated(pull: f64) -> Result<[f64; 3]> {
     let ball = unit(pull);
-    let run = ball.run(ball.start(0.0, 0.0), 1e3, 1e-10)?;
-    let arrives = run.event("arrives")?;
-    let ([vx, _, rate], work) = (arrives.before.v, 2.0 * pull * ball.length);
-    Ok([
-        vx / arrives.t,
-        -rate / arrives.t,
-        1.0 - (vx * vx + 0.4 * rate * rate) / work,
-    ])
+    let (t, [vx, _, rate]) = ball.rolled(1e3, 1e-10)?;
+    let left = (vx * vx + 0.4 * rate * rate) / (2.0 * pull * ball.length);
+    Ok([vx / t, -rate / t, 1.0 - left])
 }
 
 figures! { p: &Parameters;
@@ -94,7 +90,8 @@ figures! { p: &Parameters;
     /// is a wave about it, highest after a quarter of a turn and below zero after three quarters.
     ripple: {
         let (k, two) = (p.shape, 4.0 * PI);
-        let ball = Ball { mu: 1e3, spot: 0.5 * p.radius, length: two * p.radius, ..Ball::new(p)? };
+        let of = |ball: &mut Ball| (ball.mu, ball.spot, ball.length) = (1e3, 0.5 * p.radius, two * p.radius);
+        let ball = Ball::new(p)?.but(of);
         let run = ball.run(ball.ahead(), 1e3, 1e-10)?;
         let end = run.event("arrives")?.t;
         let dots = sampled(times(0.0, end, 16), |t| {
@@ -117,10 +114,7 @@ fn slide(p: &Parameters) -> Result<(Roll, f64)> {
     let shot = if p.shot == 0.0 { 0.3 } else { p.shot };
     let [a, _] = ball.accelerations();
     let end = 2.0 * shot.abs() / a.abs();
-    let far = Ball {
-        length: p.length + 10.0 * shot.abs() * end,
-        ..ball
-    };
+    let far = ball.but(|ball| ball.length = p.length + 10.0 * shot.abs() * end);
     Ok((far.run(far.start(0.0, shot), end, p.tolerance)?, end))
 }
 
@@ -138,21 +132,17 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// That ball with the two forces along the slab; below, the velocities of middle and rim.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let ((run, end), r, ball) = (slide(p)?, p.radius, Ball::new(p)?);
-    let speeds = |pick: fn(MechanismState<3>, f64) -> f64| {
-        sampled(times(0.0, end, 300), |t| Ok((t, pick(run.at(t)?, r))))
+    let speed = |k: usize, unit: f64, ink| {
+        Curve::sampled(times(0.0, end, 300), |t| Ok(unit * run.at(t)?.v[k]), ink)
     };
+    let rim = speed(2, -r, Ink::Velocity)?.dashed();
     let graph = Panel::over_axes("$t$ / s", "velocity / (m/s)")
         .level(0.0, Ink::Frame, "")
-        .curve(Curve::new(speeds(|ball, _| ball.v[0])?, Ink::Body).label_end("$v$"))
-        .curve(
-            Curve::new(speeds(|ball, r| -r * ball.v[2])?, Ink::Velocity)
-                .dashed()
-                .label_at(r"$R\omega$", 0.0, -0.02, Side::AboveRight),
-        );
+        .curve(speed(0, 1.0, Ink::Body)?.label_end("$v$"))
+        .curve(rim.label_at(r"$R\omega$", 0.0, -0.02, Side::AboveRight));
     let ways = sampled(times(0.0, end, 100), |t| Ok(run.at(t)?.q[0]))?;
-    let (left, right) = ways
-        .iter()
-        .fold((0.0_f64, 0.0_f64), |(a, b), &x| (a.min(x), b.max(x)));
+    let right = ways.iter().copied().fold(0.0, f64::max);
+    let left = ways.iter().copied().fold(0.0, f64::min);
     // So that the longer of the two forces fits.
     let pull = ball.pull.abs();
     let most = ball.holding().abs().max(ball.mu * ball.press) / pull;
@@ -173,6 +163,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             "After {t:.3} s the ball {does} {way}, and the friction at its contact points {along} the field. \
              Below, the velocities of its middle and of its rim against time."
         );
+        let beside = (x + 0.3 * r * rub.signum(), -0.16 * r);
         let scene = Sketch::within((left - 3.0 * r, right + 4.5 * r), (-0.9 * r, 2.6 * r))
             .high(102)
             .clear((left, right), (0.0, 2.0 * r), [80.0, 90.0, 24.0, 12.0])
@@ -180,12 +171,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .roller((x, r), r, FRAC_PI_2 + turn, Ink::Body)
             .vector((x, r), (ball.side(), 0.0), pixels, Ink::Force, "$qE$")
             .vector((x, 0.09 * r), (rub, 0.0), pixels, Ink::Force, "")
-            .text(
-                (x + 0.3 * r * rub.signum(), -0.16 * r),
-                "$F$",
-                Ink::Force,
-                Side::Below,
-            );
+            .text(beside, "$F$", Ink::Force, Side::Below);
         Ok((alt, scene))
     })
 }

@@ -197,7 +197,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let kept = Curve::new(ends(l, angle, (x, y)), Ink::Wrong).width(4.0);
         // Below the floor there is room for the weight of a ladder that lies on it.
         let scene = corner((-0.3 * l, 1.3 * l), (-0.27 * l, 1.03 * l), (1.1 * l, l))
-            .ghost(|sketch| if t > t_r { sketch.curve(kept) } else { sketch })
+            .ghost(|sketch| sketch.only_if(t > t_r, |sketch| sketch.curve(kept)))
             .curve(Curve::new([top, foot], Ink::Body).width(4.0))
             .vector(top, (s.wall_force, 0.0), 45.0, Ink::Force, "$N_{wall}$")
             .vector(foot, (0.0, s.floor_force), 45.0, Ink::Force, "$N_{floor}$")

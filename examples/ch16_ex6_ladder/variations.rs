@@ -3,7 +3,6 @@
 
 use super::*;
 use kit::supported_digits;
-use rotation_dynamics::Error;
 use rotation_dynamics::exact::ladder::Phase;
 
 /// The start nearest to upright (rad) at which friction is simulated: the contacts take forces
@@ -11,14 +10,10 @@ use rotation_dynamics::exact::ladder::Phase;
 const RUBS_FROM: f64 = 1e-9;
 
 /// The motion of another ladder from the same start, to nine digits where theta has them.
-fn slide(p: &Parameters, ladder: Ladder) -> rotation_dynamics::Result<Slide> {
+fn slide(p: &Parameters, ladder: Ladder) -> Result<Slide> {
+    let (start, within) = (ladder.at_rest(p.angle), rounding(p).clamp(1e-9, 0.1));
     let end = 100.0 * Exact::new(p.length, p.gravity, p.angle)?.landing_time();
-    motion_within(
-        ladder,
-        rounding(p).clamp(1e-9, 0.1),
-        ladder.at_rest(p.angle),
-        end,
-    )
+    Ok(motion_within(ladder, within, start, end)?)
 }
 
 /// Seven digits of a number.
@@ -32,7 +27,7 @@ pub fn mass(p: &Parameters) -> Result<Table> {
     let columns = "mass, inertia, height ratio, t_release, omega_floor".split(", ");
     let spreads = [(0.3, "mostly in the middle"), (1.0, "uniform"), (3.0, "at both ends")];
     Table::of("mass", columns, spreads, |(inertia, name)| {
-        let run = slide(p, Ladder { inertia, ..Ladder::smooth(p) })?;
+        let run = slide(p, Ladder::smooth(p).but(|ladder| ladder.inertia = inertia))?;
         let lets_go = run.event("wall lets go")?;
         let ratio = cos(lets_go.before.q[2]) / cos(p.angle);
         let numbers = [ratio, lets_go.t, run.event("lands")?.before.v[2]].map(digits);
@@ -46,17 +41,11 @@ fn holding_friction(p: &Parameters) -> f64 {
 }
 
 /// How the motion goes with this part of the friction that would hold the ladder.
-pub fn rubbing(p: &Parameters, part: f64) -> rotation_dynamics::Result<Slide> {
-    if p.angle < RUBS_FROM {
-        return Err(Error::out_of_range(
-            "angle",
-            p.angle,
-            "friction is simulated from 1e-9 rad on",
-        ));
-    }
-    let mut ladder = Ladder::smooth(p);
-    ladder.mu = part * holding_friction(p);
-    slide(p, ladder)
+pub fn rubbing(p: &Parameters, part: f64) -> Result<Slide> {
+    let told = "friction is simulated from 1e-9 rad on";
+    require(p.angle >= RUBS_FROM, "angle", p.angle, told)?;
+    let mu = part * holding_friction(p);
+    slide(p, Ladder::smooth(p).but(|ladder| ladder.mu = mu))
 }
 
 /// Dry friction at both ends.

@@ -20,7 +20,8 @@ fn strobe(disc: impl Fn(f64) -> f64) -> Sketch {
     let empty = Sketch::within((-1.3, 1.3), (-1.32, 0.24)).guide(path);
     let all = places.into_iter().fold(empty, |sketch, a: f64| {
         let draw = |sketch| drawn(sketch, 0.0, 0.2, [a, disc(a)]);
-        if a.abs() == 1.0 {
+        let at_end = a.abs() == 1.0;
+        if at_end {
             draw(sketch)
         } else {
             sketch.ghost(draw)
@@ -41,31 +42,23 @@ fn frictions(
     let exact = Curve::of(drags(120), |x| of(Between::new(share, x)), Ink::Ink);
     let simulated = Curve::sampled(drags(8), |x| Ok(seen(measured(share, x)?)), Ink::Body)?;
     let x = Axis::log("$c/JW$").range(1e-2, 1e2);
+    let late = seen(measured(share, 10.0)?);
     Ok(Panel::over_axes(x, y)
         .curve(exact.label_at(label[0], 0.1, of(Between::new(share, 0.1)), Side::Left))
-        .curve(simulated.dots().label_at(
-            label[1],
-            10.0,
-            seen(measured(share, 10.0)?),
-            Side::Right,
-        )))
+        .curve(simulated.dots().label_at(label[1], 10.0, late, Side::Right)))
 }
 
 /// Amplitudes of a swing from one radian, turning point by turning point, over the number of
 /// small swings since.
-fn amplitudes(share: f64, drag: f64) -> rotation_dynamics::Result<Vec<(f64, f64)>> {
+fn amplitudes(share: f64, drag: f64) -> Result<Vec<(f64, f64)>> {
     let scene = two_angles(share, drag);
     let turns = Event::falling("turns", |_, y: &[f64; 4]| y[1]);
     let start = [1.0, 0.0, 1.0, 0.0];
     let run = Dop853::new(1e-12)?.solve(&scene, 0.0, &start, 120.0 * PI, &[turns])?;
-    let each = run
-        .events()
-        .iter()
-        .map(|turn| (turn.t / (2.0 * PI), turn.state[0]));
-    Ok(core::iter::once((0.0, 1.0))
-        .chain(each)
-        .step_by(4)
-        .collect())
+    let turn = |turn: &LocatedEvent<4>| (turn.t / (2.0 * PI), turn.state[0]);
+    let each = run.events().iter().map(turn);
+    let all = core::iter::once((0.0, 1.0)).chain(each);
+    Ok(all.step_by(4).collect())
 }
 
 figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0);
@@ -98,7 +91,7 @@ figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0)
     /// against the radius of the disc. They begin at the same value, a little below one. The line
     /// for the free disc is level, that for the fixed one rises, faster and faster.
     radii: {
-        let of = |x: f64| Moments::new(&Parameters { radius: x * p.length, ..*p });
+        let of = |x: f64| Moments::new(&p.but(|p| p.radius = x * p.length));
         let unit = |m: &Moments| m.rate() * (p.length / p.gravity).sqrt();
         let fixed = |x| of(x).map_or(f64::NAN, |m| (1.0 + m.share).sqrt() / unit(&m));
         let seen = |x: f64| {
@@ -160,7 +153,7 @@ figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0)
             let decay = Between::new(felt, drag).decay;
             let line = Curve::of(times(0.0, 60.0, 60), |n| exp(-decay * 2.0 * PI * n), Ink::Ink);
             let dots = Curve::new(amplitudes(felt, drag)?, Ink::Body).dots();
-            Ok::<_, rotation_dynamics::Error>(panel.curve(line.label_at(label, 36.0, y, side)).curve(dots))
+            Ok::<_, kit::Error>(panel.curve(line.label_at(label, 36.0, y, side)).curve(dots))
         })?
     };
 }
@@ -168,19 +161,22 @@ figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0)
 /// How many small swings are followed.
 const SWINGS: f64 = 12.0;
 
+/// The pendulum of the fixed disc and that of the free one.
+fn both(p: &Parameters, m: &Moments) -> Result<[Pendulum; 2]> {
+    let fixed = pendulum(p, m.carried + m.own, p.release)?;
+    Ok([fixed, pendulum(p, m.carried, p.release)?])
+}
+
 /// Both pendulums from the release, for `--csv`; the free disc keeps its angle.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let m = Moments::new(p)?;
-    let (fixed, free) = (
-        pendulum(p, m.carried + m.own, p.release)?,
-        pendulum(p, m.carried, p.release)?,
-    );
+    let [fixed, free] = both(p, &m)?;
     let drag = p.friction / (m.own * m.rate());
     let run = swung(m.share, drag, p.release, 2.0 * PI * SWINGS, p.tolerance)?;
-    let columns =
-        "t [s], theta fixed [rad], theta free [rad], theta greased [rad], phi greased [rad]";
+    let [rod, disc] = ["theta greased [rad]", "phi greased [rad]"];
+    let columns = ["t [s]", "theta fixed [rad]", "theta free [rad]", rod, disc];
     let all = times(0.0, 2.0 * PI * SWINGS / m.rate(), 600);
-    Trajectory::sampled(columns.split(", "), all, |t| {
+    Trajectory::sampled(columns, all, |t| {
         let [rod, _, disc, _] = run.at((t * m.rate()).min(run.end_time()))?;
         Ok([t, fixed.at(t)?.theta, free.at(t)?.theta, rod, disc])
     })
@@ -189,15 +185,14 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// Both from the same release: the free one on the left.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (m, release, radius) = (Moments::new(p)?, p.release, p.radius / p.length);
-    let (fixed, free) = (
-        pendulum(p, m.carried + m.own, release)?,
-        pendulum(p, m.carried, release)?,
-    );
+    let [fixed, free] = both(p, &m)?;
     let end = 2.0 * PI * SWINGS / m.rate();
-    let angle = |which: &Pendulum| sampled(times(0.0, end, 480), |t| Ok((t, which.at(t)?.theta)));
+    let angle = |which: &Pendulum, ink| {
+        Curve::sampled(times(0.0, end, 480), |t| Ok(which.at(t)?.theta), ink)
+    };
     let graph = Panel::over_axes("$t$ / s", Axis::angle(r"$\theta$ / rad"))
-        .curve(Curve::new(angle(&free)?, Ink::Body))
-        .curve(Curve::new(angle(&fixed)?, Ink::Ink).dashed());
+        .curve(angle(&free, Ink::Body)?)
+        .curve(angle(&fixed, Ink::Ink)?.dashed());
     // As wide as the widest swing, and as high.
     let wide = sin(release.abs().min(FRAC_PI_2)) + radius + 0.08;
     let top = (radius - cos(release)).max(0.0) + 0.34;
@@ -212,9 +207,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let below = -1.18 - radius;
         let empty = Sketch::within((-wide, 3.0 * wide), (below - 0.14, top)).high(141);
         let left = drawn(empty, 0.0, radius, [loose, release]).pivot((0.0, 0.0), FRAC_PI_2);
-        let both =
-            drawn(left, 2.0 * wide, radius, [stiff, stiff]).pivot((2.0 * wide, 0.0), FRAC_PI_2);
-        let named = both
+        let named = drawn(left, 2.0 * wide, radius, [stiff, stiff])
+            .pivot((2.0 * wide, 0.0), FRAC_PI_2)
             .text((0.0, below), "free", Ink::Body, Side::Centre)
             .text((2.0 * wide, below), "fixed", Ink::Body, Side::Centre);
         Ok((alt, named))

@@ -49,9 +49,8 @@ fn problem(sense: f64) -> Sketch {
 /// The motion from rest at this offset, as points of the phase plane in units of the distance.
 fn portrait(p: &Parameters, sense: f64, offset: f64, end: f64) -> Result<Vec<(f64, f64)>> {
     let ride = released(&from(p, offset), sense, end)?;
-    let until = ride
-        .event("left lets go")
-        .map_or(ride.end_time(), |event| event.t);
+    let lost = ride.event("left lets go");
+    let until = lost.map_or(ride.end_time(), |event| event.t);
     let scale = p.distance * rate(p, sense);
     sampled(times(0.0, until, 300), |t| {
         let MechanismState { q, v } = ride.at(t)?;
@@ -117,8 +116,7 @@ figures! { p: &Parameters;
     tipping: {
         let ride = released(p, -1.0, 1e3 * span(p))?;
         let sketch = Sketch::within((-1.3 * p.distance, 1.9 * p.distance), (-0.45 * p.distance, 0.45 * p.distance));
-        let places = [0.0, caught(p, -1.0).2.min(ride.end_time()), ride.end_time()].map(|t| ride.at(t));
-        let [start, edge, end] = places;
+        let [start, edge, end] = [0.0, caught(p, -1.0).2.min(ride.end_time()), ride.end_time()].map(|t| ride.at(t));
         let (start, edge, end) = (start?.q, edge?.q, end?.q);
         drawn(sketch.ghost(|sketch| drawn(drawn(sketch, p, 0.0, start), p, 0.0, edge)), p, 0.0, end)
     };
@@ -130,9 +128,9 @@ figures! { p: &Parameters;
         let (ride, ode) = (released(p, 1.0, end)?, smoothed(p, 0.1 * p.runs()));
         let end = ride.end_time();
         let smooth = Dop853::new(1e-9)?.solve(&ode, 0.0, &[p.offset, 0.0], end, &[])?;
-        let speeds = sampled(times(0.0, end, 600), |t| Ok((t, ride.at(t)?.v[0])))?;
-        let wrong = sampled(times(0.0, end, 600), |t| Ok((t, smooth.at(t)?[1])))?;
-        let (wrong, speeds) = (Curve::new(wrong, Ink::Velocity).dashed(), Curve::new(speeds, Ink::Body));
+        let held = |t| Ok(ride.at(t)?.v[0]);
+        let speeds = Curve::sampled(times(0.0, end, 600), held, Ink::Body)?;
+        let wrong = Curve::sampled(times(0.0, end, 600), |t| Ok(smooth.at(t)?[1]), Ink::Velocity)?.dashed();
         Panel::over_axes("$t$ / s", Axis::linear("$v$ / (m/s)").range(-1.2 * p.runs(), 1.5 * p.runs()))
             .curve(wrong.label_at("wrong: smooth", 1.05 * round, 1.1 * p.runs(), Side::Above))
             .curve(speeds.label_at("held", 0.62 * round, 0.3 * p.runs(), Side::Left))
@@ -153,11 +151,8 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     Trajectory::sampled(columns.split(", "), times(0.0, end, 400), |t| {
         let (MechanismState { q, v }, [left, right]) = (ride.at(t)?, ride.forces(t)?);
         let forces = [left.normal, right.normal, left.tangential, right.tangential];
-        Ok([
-            &[t, q[0], v[0], q[2]][..],
-            &forces.map(|force| force / p.gravity),
-        ]
-        .concat())
+        let forces = forces.map(|force| force / p.gravity);
+        Ok([&[t, q[0], v[0], q[2]][..], &forces].concat())
     })
 }
 
@@ -165,13 +160,12 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (sense, end, ride) = ride(p)?;
     let (p, a) = (p.clone(), p.distance);
-    let x = sampled(times(0.0, end, 400), |t| Ok((t, ride.at(t)?.q[0])))?;
-    let graph = Panel::over_axes("$t$ / s", "$x$ / m").curve(Curve::new(x, Ink::Body));
+    let x = Curve::sampled(times(0.0, end, 400), |t| Ok(ride.at(t)?.q[0]), Ink::Body)?;
+    let graph = Panel::over_axes("$t$ / s", "$x$ / m").curve(x);
     let first = ride.events().first().map_or(0.3 * end, |event| event.t);
     let stills = [0.0, (0.9 * first + 0.1 * end).min(end), 0.3 * end];
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
-        let (MechanismState { q, .. }, forces, modes) =
-            (ride.at(t)?, ride.forces(t)?, ride.modes(t)?);
+        let (q, forces, modes) = (ride.at(t)?.q, ride.forces(t)?, ride.modes(t)?);
         let (s, c) = sincos(q[2]);
         let sketch = Sketch::within((-1.75 * a, 1.75 * a), (-0.62 * a, 0.65 * a));
         let mut sketch = drawn(sketch, &p, sense * p.runs() * t / (RADIUS * a), q);
@@ -196,9 +190,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              {:.2} m to the right{said}. Below, that place against time.",
             q[0]
         );
-        Ok((
-            alt,
-            sketch.vector((q[0], q[1]), (0.0, -1.0), 50.0, Ink::Force, ""),
-        ))
+        let weight = sketch.vector((q[0], q[1]), (0.0, -1.0), 50.0, Ink::Force, "");
+        Ok((alt, weight))
     })
 }

@@ -215,10 +215,8 @@ fn year() -> Result<Case> {
         end,
         of_axis,
     };
-    let (normal, equinox) = (
-        SpaceVector::new(0.0, 0.0, 1.0),
-        SpaceVector::new(1.0, 0.0, 0.0),
-    );
+    let normal = SpaceVector::new(0.0, 0.0, 1.0);
+    let equinox = SpaceVector::new(1.0, 0.0, 0.0);
     let [sun, moon] = attractors();
     let on_orbit = |rate: f64, whole: f64| {
         // The Moon attracts with a part of what its mean motion would need.
@@ -291,10 +289,8 @@ fn great_year() -> Result<Case> {
 /// The satellite of the page on the library, askew by a hundredth of a radian.
 fn satellite() -> Result<Case> {
     let n0 = 1.1e-3;
-    let (normal, down) = (
-        SpaceVector::new(0.0, 0.0, 1.0),
-        SpaceVector::new(-1.0, 0.0, 0.0),
-    );
+    let normal = SpaceVector::new(0.0, 0.0, 1.0);
+    let down = SpaceVector::new(-1.0, 0.0, 0.0);
     let gradient = GravityGradient::on_orbit(n0, normal, down)?;
     let body = RigidBody::new(PrincipalMoments::new(20.0, 90.0, 100.0)?);
     let askew = Attitude::about_space_axis(normal, 0.01)?;

@@ -103,14 +103,10 @@ pub fn table() -> Result<Table> {
     let bearing = CoulombBearing::new(0.02, &body, &start, 0.0)?;
     let oil = ViscousFriction::new(0.02, 0.01)?;
     let creaks = InternalDissipation::new(0.01)?;
-    let (up, aside) = (
-        SpaceVector::new(0.0, 0.0, 1.0),
-        SpaceVector::new(1.0, 0.0, 0.0),
-    );
-    let (held, moving) = (
-        GravityGradient::fixed(0.1, up)?,
-        GravityGradient::on_orbit(0.1, up, aside)?,
-    );
+    let up = SpaceVector::new(0.0, 0.0, 1.0);
+    let aside = SpaceVector::new(1.0, 0.0, 0.0);
+    let held = GravityGradient::fixed(0.1, up)?;
+    let moving = GravityGradient::on_orbit(0.1, up, aside)?;
     let rows = [
         ("nothing", run(&free, &start)?),
         ("weight", run(&free.with(weight), &start)?),

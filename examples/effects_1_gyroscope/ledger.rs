@@ -14,18 +14,11 @@ pub fn half_nods(y: &Gyroscope) -> u32 {
     while slope(theta).abs() > dry && count < 2000 {
         let down = -slope(theta).signum();
         let left = |way: f64| valley(theta) - dry * way - valley(theta + down * way);
-        let (mut inside, mut outside) = (1e-9, 0.01);
+        let mut outside = 0.01;
         while left(outside) > 0.0 {
             outside *= 1.5;
         }
-        for _ in 0..60 {
-            let middle = 0.5 * (inside + outside);
-            if left(middle) > 0.0 {
-                inside = middle;
-            } else {
-                outside = middle;
-            }
-        }
+        let [inside, _] = kit::bisect([1e-9, outside], 0.0, |way| left(way) > 0.0);
         theta += down * inside;
         count += 1;
     }
@@ -60,18 +53,9 @@ fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
         ])
     };
     let b0 = Bearings::SMOOTH;
-    let [pivot, pivot_seen] = only(Bearings {
-        azimuth: y.bearings.azimuth,
-        ..b0
-    })?;
-    let [axle, axle_seen] = only(Bearings {
-        axle: y.bearings.axle,
-        ..b0
-    })?;
-    let [air, air_seen] = only(Bearings {
-        air: y.bearings.air,
-        ..b0
-    })?;
+    let [pivot, pivot_seen] = only(b0.but(|b0| b0.azimuth = y.bearings.azimuth))?;
+    let [axle, axle_seen] = only(b0.but(|b0| b0.axle = y.bearings.axle))?;
+    let [air, air_seen] = only(b0.but(|b0| b0.air = y.bearings.air))?;
     let drag = y
         .bearings
         .air

@@ -49,11 +49,8 @@ pub fn nod_without_gimbals(y: &Gyroscope) -> rotation_dynamics::Result<Nod> {
 pub fn steady(y: &Gyroscope) -> rotation_dynamics::Result<Pose> {
     let (theta, axial) = (y.bottom()?, y.start.axial_momentum);
     let phi_rate = y.gimbals.steady_rate(theta, axial, 0.0)?;
-    Ok(Pose {
-        theta,
-        phi_rate,
-        ..y.start
-    })
+    Ok(y.start
+        .but(|start| (start.theta, start.phi_rate) = (theta, phi_rate)))
 }
 
 /// The rate of the azimuth there, from a turn.
@@ -67,13 +64,7 @@ pub fn walk(y: &Gyroscope, step: f64) -> Result<f64> {
 pub fn smallest(y: &Gyroscope) -> rotation_dynamics::Result<f64> {
     let (at, g) = (steady(y)?, &y.gimbals);
     let rate = g.nodding(at.theta, at.axial_momentum, at.phi_rate);
-    let kicked = |size| {
-        Pose {
-            theta_rate: 0.01 * size * rate,
-            ..at
-        }
-        .to_array()
-    };
+    let kicked = |size| at.but(|at| at.theta_rate = 0.01 * size * rate).to_array();
     small_frequency(g, kicked, 20.0 / rate, |y| y[0] - at.theta)
 }
 
@@ -104,10 +95,7 @@ pub fn decay(y: &Gyroscope, step: f64) -> Result<f64> {
         azimuth,
         ..Bearings::SMOOTH
     });
-    let start = Pose {
-        theta_rate: 1e-3 * rate,
-        ..at
-    };
+    let start = at.but(|at| at.theta_rate = 1e-3 * rate);
     let course = Gyroscope { start, ..slow }.run(None, 25.0 * PI / rate, step)?;
     let turns = course.turning_points();
     let theta = |k: usize| turns.get(k).map_or(f64::NAN, |(_, at)| at.theta);
@@ -138,10 +126,7 @@ pub fn half_nods(y: &Gyroscope, step: f64) -> Result<Option<f64>> {
 pub fn sag(y: &Gyroscope, step: f64) -> Result<f64> {
     sinking(
         y,
-        Bearings {
-            tilt: Bearing::SMOOTH,
-            ..y.bearings
-        },
+        y.bearings.but(|bearings| bearings.tilt = Bearing::SMOOTH),
         step,
     )
 }

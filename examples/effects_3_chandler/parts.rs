@@ -88,8 +88,7 @@ impl CoreAndMantle {
     pub fn of(p: &Parameters, step: &Step) -> Result<Self> {
         let whole = body(p)?.moments().to_array();
         let (across, along) = (p.core * p.a, p.core * p.a * (1.0 + p.cavity));
-        let inside = from_to(0.0, p.a).because("the core is a part of the Earth");
-        inside.check("moment of the core", along)?;
+        allowed! { "moment of the core": along, from_to(0.0, p.a), "the core is a part of the Earth"; }?;
         let link = (along * (2.0 * across - along)).sqrt();
         let elastic = if step.elastic {
             p.love / p.fluid * (p.c - p.a)
@@ -132,11 +131,9 @@ impl CoreAndMantle {
     fn equation(&self) -> [f64; 3] {
         let [own, both, core] = self.yields;
         let (c, c_f) = (self.whole[2], self.core[2]);
-        let (a, link, f) = (
-            self.whole[0] + own,
-            self.link[0] + both,
-            self.core[0] + core,
-        );
+        let a = self.whole[0] + own;
+        let link = self.link[0] + both;
+        let f = self.core[0] + core;
         [
             (a - c) * c_f,
             (a - c) * f + a * c_f - link * link,

@@ -243,6 +243,6 @@ pub fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let end = p.days * DAY;
     let (begin, exact) = (state(0.0)?, state(end)?);
     let problem = Problem::new(Scene::new(body).with(ring), begin, end, exact);
-    report.set_closed_form(ClosedForm::new(move |part| Ok(motion(part * end))));
+    report.in_closed_form(move |part| motion(part * end));
     report.strip(&problem, &[ATTITUDE, 1e-4, 1e-6, 1e-10])
 }

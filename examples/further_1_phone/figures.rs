@@ -205,10 +205,8 @@ fn flips_in_a_row(throw: &Throw, before: u32) -> Result<Panel> {
 /// The free motion through ten flips, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let throw = thrown(p)?;
-    let (free, end) = (
-        throw.free()?,
-        throw.until_flip()? + 9.5 * throw.between_flips()?,
-    );
+    let free = throw.free()?;
+    let end = throw.until_flip()? + 9.5 * throw.between_flips()?;
     let columns = [
         "t [s]",
         "omega_1 [rad/s]",

@@ -233,10 +233,8 @@ pub fn sway(moments: [f64; 3], axis: usize, tilt: f64) -> (f64, Throw) {
         [into_1, into_3]
     };
     let first = atan2(moments[1] * middle, moments[axis] * rates[axis]);
-    let (across, along) = (
-        gain.sqrt() * middle,
-        hypot(rates[axis], own.sqrt() * middle),
-    );
+    let across = gain.sqrt() * middle;
+    let along = hypot(rates[axis], own.sqrt() * middle);
     let second = atan2(moments[other] * across, moments[axis] * along);
     (first.max(second), Throw { moments, rates })
 }

@@ -25,10 +25,7 @@ fn stiffened(log_stiffness: f64) -> Compass {
 
 /// The ship speeds up within ten minutes; azimuth in rad over minutes.
 fn voyage(p: &Parameters, tuning: f64, label: &str, at: (f64, Side)) -> Result<Curve> {
-    let c = Compass::new(&Parameters {
-        tuning,
-        ..p.clone()
-    })?;
+    let c = Compass::new(&p.but(|p| p.tuning = tuning))?;
     let (start, end) = (axle(0.0, c.rest()[1]).to_array(), 9000.0);
     let run = Dop853::new(1e-10)?.solve(&c.slow(ship(p, p.speed, 600.0)), 0.0, &start, end, &[])?;
     let azimuth = |t: f64| Ok(angles(run.at(60.0 * t)?)[0]);

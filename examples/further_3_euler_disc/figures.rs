@@ -58,14 +58,8 @@ fn sampled_names<const N: usize>(
 
 /// Time before the simulated end when the inclination is this.
 fn reached(settled: &Settled, tilt: f64) -> Result<f64> {
-    let (mut early, mut late) = (0.0, settled.run.end_time());
-    for _ in 0..60 {
-        let middle = 0.5 * (early + late);
-        match settled.at(middle)?.tilt > tilt {
-            true => early = middle,
-            false => late = middle,
-        }
-    }
+    let steeper = |t| Ok::<_, kit::Error>(settled.at(t)?.tilt > tilt);
+    let [early, _] = try_bisect([0.0, settled.run.end_time()], 0.0, steeper)?;
     Ok(settled.end - early)
 }
 
@@ -250,10 +244,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             "",
             Side::Above,
         );
-        let (contact, face) = (
-            motion.rate() * t / (time * TAU),
-            motion.face() * t / (time * TAU),
-        );
+        let contact = motion.rate() * t / (time * TAU);
+        let face = motion.face() * t / (time * TAU);
         let alt = format!(
             "The disc after {t:.2} s, askew on its edge. Its contact has run round {contact:.2} times, \
              and the mark on its face has turned by {face:.2} of a turn; below, both against time."

@@ -123,11 +123,9 @@ figures! { p: &Parameters, run = USUAL.run(1e-12)?;
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (yoyo, _) = scene(p)?;
     let run = yoyo.run(p.tolerance)?;
-    let (w, r, newton) = (
-        p.spin,
-        p.radius,
-        2.0 * p.weight * p.spin * p.spin * p.radius,
-    );
+    let w = p.spin;
+    let r = p.radius;
+    let newton = 2.0 * p.weight * p.spin * p.spin * p.radius;
     let columns = [
         "t [s]",
         "turned by [rad]",
@@ -154,10 +152,8 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (yoyo, w, rate) = (scene(p)?.0, p.spin, p.spin.abs());
     let run = yoyo.run(p.tolerance)?;
-    let (end, out) = (
-        run.transition("unwound")?.t,
-        run.transition("outward")?.before,
-    );
+    let end = run.transition("unwound")?.t;
+    let out = run.transition("outward")?.before;
     let (free, [[x, y], [vx, vy]]) = (run.end_time(), yoyo.weight(&out));
     let far = 1.0 + yoyo.length;
     let last = free + 0.45 * far / hypot(vx, vy);

@@ -17,6 +17,7 @@ mod motion;
 mod pendulum;
 mod plank;
 mod scene;
+mod sliding_ladder;
 mod turns;
 
 use rotation_dynamics::Error;

@@ -135,6 +135,15 @@ pub fn cell(page: &dyn Page, flags: &str, [heading, row, column]: [&str; 3]) -> 
     number.parse().expect("it begins with a number")
 }
 
+/// A column of what the page prints with its defaults, as far as it holds numbers.
+#[track_caller]
+pub fn column(page: &dyn Page, heading: &str, name: &str) -> Vec<f64> {
+    let table = section(page, "", heading);
+    let found = table.columns().iter().position(|column| column == name);
+    let column = found.unwrap_or_else(|| panic!("{heading} has no column {name}"));
+    table.rows().iter().filter_map(|row| row[column].parse().ok()).collect()
+}
+
 /// The lines of the card of effects that a simulation measures, with the defaults: the
 /// predicted error of leaving out the effect, and the measured one. There are `N` of them.
 #[track_caller]

@@ -228,11 +228,9 @@ fn every_instance_is_confirmed() {
     let gyroscopes = poses.map(|(theta, spin)| format!("--theta={theta} --spin={spin} --phi=40"));
     let frames = [0.0, -5000.0, 2e-3].map(|w| format!("--frame={w} --omega-z={w} --disc={w}"));
     // A tilt at the edge of what is allowed, and an axle that would be led through a pole.
-    let edges = [
-        "--theta=3.1415916535 --omega-x=-1",
-        "--omega-x=-1 --omega-y=0 --omega-z=0 --phi=0",
-    ];
-    confirmed(&EXAMPLE, edges, 2);
+    confirmed(&EXAMPLE, [
+        "--theta=3.1415916535 --omega-x=-1", "--omega-x=-1 --omega-y=0 --omega-z=0 --phi=0",
+    ], 2);
     let still = "--omega-x=0 --omega-y=0 --omega-z=0 --precession=0 --nutation=0 --spin=0";
     confirmed(&EXAMPLE, gyroscopes.into_iter().chain(frames), 7);
     let lines = [
@@ -307,14 +305,13 @@ fn drawn_for_any_rates() {
 
 #[test]
 fn what_has_no_rates_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--theta=0", "theta = 0 is not allowed"),
         ("--theta=3.2", "theta = 3.2 is not allowed"),
         ("--interval=0", "interval = 0 is not allowed"),
         ("--spin=nan", "NaN is not a finite number"),
         ("--tolerance=1e-17", "tolerance = 1e-17 is not allowed"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// The card: of a steady precession the turn between two pictures is three turns one after the

@@ -194,15 +194,11 @@ fn a_published_instant_is_met() {
 
 #[test]
 fn other_years_and_orbits_are_confirmed() {
-    let runs = [
-        "--year=20",
-        "--eccentricity=0.3 --obliquity=1.4 --year=25",
-        "--eccentricity=0 --obliquity=0",
-        "--year=1500.5 --perigee=0",
-        "--mean-longitude=0 --day=1 --tolerance=1e-6",
-        "--day=1e9 --picture-year=20",
-    ];
-    confirmed(&EXAMPLE, runs, 6);
+    confirmed(&EXAMPLE, [
+        "--year=20", "--eccentricity=0.3 --obliquity=1.4 --year=25",
+        "--eccentricity=0 --obliquity=0", "--year=1500.5 --perigee=0",
+        "--mean-longitude=0 --day=1 --tolerance=1e-6", "--day=1e9 --picture-year=20",
+    ], 6);
     let p = Parameters::default();
     assert_eq!(date(&p, 42), "12 February");
     assert_eq!(date(&p, 366), "1 January");
@@ -224,14 +220,13 @@ fn drawn_for_any_orbit() {
 
 #[test]
 fn what_is_no_year_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--year=1", "year = 1 is not allowed"),
         ("--eccentricity=0.9", "eccentricity = 0.9 is not allowed"),
         ("--obliquity=-0.4", "obliquity = -0.4 is not allowed"),
         ("--day=0", "day = 0 is not allowed"),
         ("--year=inf", "not a finite number"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// The card, for the Earth and for other orbits: noons later by one step from the closed form,

@@ -25,7 +25,7 @@ fn at(x: f64, y: f64, z: f64) -> SpaceVector {
 
 #[test]
 fn the_instances_of_the_notes_come_out() {
-    let instances = [
+    errors_of(&EXAMPLE, [
         ("wheel_speed", 7.0),
         ("cycloid", 2.8),
         ("coin_part", PI),
@@ -34,8 +34,7 @@ fn the_instances_of_the_notes_come_out() {
         ("net_rate", 3.887_301_263_230_201_4),
         ("across", 1.438_276_615_812_609),
         ("along", 2.632_747_685_671_118),
-    ];
-    errors_of(&EXAMPLE, instances).attain(2.0e0..=2.1e0, 8);
+    ]).attain(2.0e0..=2.1e0, 8);
     assert_eq!(value(&EXAMPLE, "cycle_contact"), 0.0);
 }
 
@@ -53,15 +52,14 @@ fn confirmed_far_from_the_notes() {
 
 #[test]
 fn what_does_not_roll_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--radius=0", "radius = 0 is not allowed"),
         ("--wheel-rate=0", "at rest nothing rolls"),
         ("--tilt=4", "tilt = 4 is not allowed"),
         ("--orbit=nan", "not a finite number"),
         ("--shaft=900 --radius=0.01", "shaft/radius = 90"),
         ("--tolerance=1", "tolerance = 1 is not allowed"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// V = omega R without calculus: polygons tip along, a side for a turn of 2 pi over their

@@ -409,12 +409,11 @@ fn other_plates_and_motions_are_confirmed() {
 
 #[test]
 fn what_is_no_plate_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--mass 0", "mass = 0 is not allowed"),
         ("--width=-0.4", "width = -0.4 is not allowed"),
         ("--height nan", "not a finite number"),
         ("--tolerance 1e-20", "tolerance = 1e-20 is not allowed"),
         ("--omega-x 1e200", "is not allowed"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }

@@ -244,12 +244,11 @@ fn other_planks_are_confirmed() {
 
 #[test]
 fn what_is_no_plank_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--angle 0", "angle = 0 is not allowed"),
         ("--angle 1.6", "angle = 1.6 is not allowed"),
         ("--length=-1", "length = -1 is not allowed"),
         ("--mass nan", "not a finite number"),
         ("--tolerance 1e-16", "tolerance = 1e-16 is not allowed"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }

@@ -31,18 +31,15 @@ fn to_design(v: SpaceVector) -> DesignVector {
 
 #[test]
 fn every_scene_asked_for_is_confirmed() {
-    let runs = [
-        "--tilt=0 --height=3 --rate=200",
-        "--tilt=1e-6 --height=0.01 --radius=0.2",
+    confirmed(&EXAMPLE, [
+        "--tilt=0 --height=3 --rate=200", "--tilt=1e-6 --height=0.01 --radius=0.2",
         "--tilt=1.5707963267948966 --tolerance=1e-6",
         "--wheel-rate=0.01 --coin-rate=50 --coin-radius=1",
         "--runner-rate=30 --runner-shaft=0.01 --gravity=0",
-        "--runner-rate=0.1 --runner-shaft=20 --runner-radius=0.05",
-        "--runner-shaft=299",
+        "--runner-rate=0.1 --runner-shaft=20 --runner-radius=0.05", "--runner-shaft=299",
         "--runner-radius=4e-4 --runner-shaft=0.3 --runner-rate=40",
         "--plate-side=10 --plate-mass=1e-3 --plate-rate=1e3",
-    ];
-    confirmed(&EXAMPLE, runs, 9);
+    ], 9);
 }
 
 /// The page's tries, as it answers them, against the runs.
@@ -60,7 +57,7 @@ fn tries_give_what_the_page_says() {
 
 #[test]
 fn what_is_no_body_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--mass=0", "mass = 0 is not allowed"),
         ("--tilt=2", "tilt = 2 is not allowed"),
         ("--radius=-0.1", "radius = -0.1 is not allowed"),
@@ -69,8 +66,7 @@ fn what_is_no_body_is_refused() {
         ("--runner-rate=1e-12", "(N - M g)/N"),
         ("--tolerance=0", "tolerance = 0"),
         ("--height=1e200", "not a finite number"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 #[test]

@@ -279,16 +279,11 @@ fn every_throw_is_confirmed() {
     let flags = asides.into_iter().flat_map(|aside| bodies.map(|body| format!("--aside={aside} {body}")));
     let flags = flags.flat_map(|flags| ["least", "largest"].map(|way| format!("{flags} --toward={way}")));
     confirmed(&EXAMPLE, flags, 40);
-    let odd = [
-        "--with air",
-        "--with air=0.001 --rate=300 --toward=largest",
-        "--with air=10 --mass=0.001",
-        "--rate=0.001",
-        "--rate=1e-9 --aside=0.001",
-        "--mass=0.0001 --rate=1000",
+    confirmed(&EXAMPLE, [
+        "--with air", "--with air=0.001 --rate=300 --toward=largest", "--with air=10 --mass=0.001",
+        "--rate=0.001", "--rate=1e-9 --aside=0.001", "--mass=0.0001 --rate=1000",
         "--length=12.61081 --width=2.412957 --thickness=2.305522 --rate=41.3 --aside=0.18 --toward=largest",
-    ];
-    confirmed(&EXAMPLE, odd, 7);
+    ], 7);
 }
 
 /// What the page says of its runs: twice the rate, half the wait, the same turns.
@@ -301,7 +296,7 @@ fn the_rate_is_only_a_clock() {
 
 #[test]
 fn what_does_not_tumble_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--width=0.21", "must differ"),
         ("--length=0.1", "must differ"),
         ("--aside=0", "aside = 0 is not allowed"),
@@ -313,8 +308,7 @@ fn what_does_not_tumble_is_refused() {
         ("--toward=middle", "invalid value"),
         ("--with air=-1", "air = -1 is not allowed"),
         ("--tolerance=1e-17", "doubles allow"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// What the card measures, by other routes: the closed form of a throw that is off by more, and

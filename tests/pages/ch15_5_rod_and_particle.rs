@@ -22,26 +22,18 @@ fn blow(p: &Parameters) -> Blow {
 
 #[test]
 fn other_rods_and_particles_are_confirmed() {
-    let runs = [
-        "--particle=0.01",
-        "--particle=80",
-        "--length=0.01 --speed=300",
-        "--mass=30 --speed=0.1 --tolerance=1e-9",
-        "--tolerance=1e-3",
-        "--length=0.004",
-        "--particle=1000 --mass=0.001",
-        "--particle=0.001 --mass=1000 --length=0.001 --speed=1000",
-        "--length=1000 --speed=0.001 --tolerance=1e-9",
-        "--with table",
-        "--with table=0.01 --particle=3 --length=0.3",
-        "--with table=2",
-    ];
-    confirmed(&EXAMPLE, runs, 12);
+    confirmed(&EXAMPLE, [
+        "--particle=0.01", "--particle=80", "--length=0.01 --speed=300",
+        "--mass=30 --speed=0.1 --tolerance=1e-9", "--tolerance=1e-3", "--length=0.004",
+        "--particle=1000 --mass=0.001", "--particle=0.001 --mass=1000 --length=0.001 --speed=1000",
+        "--length=1000 --speed=0.001 --tolerance=1e-9", "--with table",
+        "--with table=0.01 --particle=3 --length=0.3", "--with table=2",
+    ], 12);
 }
 
 #[test]
 fn what_cannot_hit_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--speed=0", "speed = 0 is not allowed"),
         ("--mass=-1", "mass = -1 is not allowed"),
         ("--mass=1e300", "it must be from 1e-6 to 1000000"),
@@ -49,8 +41,7 @@ fn what_cannot_hit_is_refused() {
         ("--tolerance=1e-16", "tolerance = 1e-16"),
         ("--with table=0", "table = 0 is not allowed"),
         ("--with table=0.0001 --speed=50", "angle until the table stops it"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// Equation (1): sum of m r^2 over ten thousand pieces of the rod, and the particle.

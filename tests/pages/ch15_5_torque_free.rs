@@ -352,15 +352,12 @@ fn every_top_asked_for_is_confirmed() {
     let flags = heights.into_iter().flat_map(|h| rates.map(|[y, z]| format!("--height={h} --omega-y={y} --omega-z={z}")));
     confirmed(&EXAMPLE, flags, 30);
     // Slow, huge, tiny; a tilt at which the twist of gravity vanishes on average.
-    let odd = [
-        "--omega-y=1e-6 --omega-z=1e-5",
-        "--omega-y=1e8 --omega-z=1e8",
-        "--mass=1e-9 --radius=1e-6 --height=1e-5",
-        "--mass=1e9 --radius=1e6 --height=0",
+    confirmed(&EXAMPLE, [
+        "--omega-y=1e-6 --omega-z=1e-5", "--omega-y=1e8 --omega-z=1e8",
+        "--mass=1e-9 --radius=1e-6 --height=1e-5", "--mass=1e9 --radius=1e6 --height=0",
         "--omega-y=14.142135623730951 --omega-z=20 --radius=0.05 --height=0.15",
         "--omega-y=0.01 --omega-z=0.01",
-    ];
-    confirmed(&EXAMPLE, odd, 6);
+    ], 6);
 }
 
 /// The inventory's instances.
@@ -388,7 +385,7 @@ fn the_notes_numbers_come_out() {
 
 #[test]
 fn what_is_no_wobbling_top_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--mass=0", "mass = 0 is not allowed"),
         ("--height=-1", "height = -1 is not allowed"),
         ("--omega-y=0", "omega_y = 0 is not allowed"),
@@ -398,8 +395,7 @@ fn what_is_no_wobbling_top_is_refused() {
         ("--omega-z=1e200 --omega-y=1e200", "it must be from 1e-9 to 1000000000"),
         ("--drawn-tilt=2", "drawn_tilt = 2 is not allowed"),
         ("--tolerance=1e-17", "doubles allow"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// What the card measures, by other routes: L goes round the direction of flight, as much as the

@@ -18,15 +18,12 @@ fn study() -> Study {
 
 #[test]
 fn two_routes_agree_for_other_asteroids_and_flybys() {
-    let runs = [
-        "--moment-x=3.0 --moment-y=3.5",
-        "--moment-x=3.3 --moment-y=3.1 --longitude=1",
-        "--moment-y=3.26735",
-        "--moment-x=8 --moment-y=7.5 --closest=1e11",
+    confirmed(&EXAMPLE, [
+        "--moment-x=3.0 --moment-y=3.5", "--moment-x=3.3 --moment-y=3.1 --longitude=1",
+        "--moment-y=3.26735", "--moment-x=8 --moment-y=7.5 --closest=1e11",
         "--moment-x=1.5 --moment-y=2.4 --speed=1000 --longitude=3.141592653589793",
         "--closest=6e8 --speed=20000 --longitude=-2 --tolerance=1e-6",
-    ];
-    confirmed(&EXAMPLE, runs, 6);
+    ], 6);
     // Twice as far away the tide is an eighth.
     let far = said(&EXAMPLE, "--closest=3.1116e9", "tide_number");
     assert!((8.0 * far / value(&EXAMPLE, "tide_number") - 1.0).abs() < 1e-11);
@@ -34,14 +31,13 @@ fn two_routes_agree_for_other_asteroids_and_flybys() {
 
 #[test]
 fn what_cannot_be_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--moment-x=7 --moment-y=2", "belong to no body"),
         ("--moment-x=1.2", "moment_x = 1.2 is not allowed"),
         ("--closest=0", "closest = 0 is not allowed"),
         ("--tolerance=1", "tolerance = 1 is not allowed"),
         ("--speed=NaN", "speed"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// Seconds against a calendar of another make (Python's), and the rows that are there.

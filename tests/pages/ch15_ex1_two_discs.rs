@@ -14,14 +14,11 @@ fn the_instances_of_the_notes_come_out() {
 
 #[test]
 fn other_discs_are_confirmed() {
-    let runs = [
-        "--upper=0.0001 --drop=0",
-        "--lower=80",
-        "--upper-rate=-3 --lower-rate=-2.9 --drop=0",
+    confirmed(&EXAMPLE, [
+        "--upper=0.0001 --drop=0", "--lower=80", "--upper-rate=-3 --lower-rate=-2.9 --drop=0",
         "--upper-rate=0 --friction=0.001 --drop=5",
         "--upper-rate=900 --lower-rate=-900 --tolerance=1e-6",
-    ];
-    confirmed(&EXAMPLE, runs, 5);
+    ], 5);
     // Those that are laid down or slip backward are drawn as well.
     for (drop, upper_rate) in [(0.0, 40.0), (0.2, -40.0)] {
         let p = Parameters { drop, upper_rate, ..Parameters::default() };
@@ -31,7 +28,7 @@ fn other_discs_are_confirmed() {
 
 #[test]
 fn what_does_not_slip_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--upper=0", "upper = 0 is not allowed"),
         ("--upper-rate=0 --lower-rate=0", "the larger of the two rates = 0 is not allowed"),
         ("--lower-rate=40", "over the larger rate, = 0 is not allowed"),
@@ -39,8 +36,7 @@ fn what_does_not_slip_is_refused() {
         ("--drop=-0.1", "drop = -0.1 is not allowed"),
         ("--friction=400", "with time left to slip, = 0.2 is not allowed"),
         ("--upper-rate=nan", "not a finite number"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// The heat that the faces take up, torque times slip summed over the time, is the same for three

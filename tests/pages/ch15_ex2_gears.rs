@@ -15,34 +15,25 @@ fn the_instances_of_the_notes_come_out() {
 
 #[test]
 fn other_gears_are_confirmed() {
-    let runs = [
-        "--radius-a=0.01 --arm-rate=-5",
-        "--inertia-b=0.00001 --mass-b=0.01",
-        "--inertia-a=0.01",
-        "--rate=0.01 --friction=0.001",
-        "--radius-a=3 --radius-b=0.02 --arm-rate=30",
-        "--rate=0.002 --arm-rate=700",
-        "--tolerance=1e-6",
-        "--inertia-a=1000 --inertia-b=0.000001",
-        "--inertia-b=10 --mass-b=1000 --friction=0.001",
-        "--radius-b=0.001 --radius-a=0.5",
-        "--with bearing",
-        "--with bearing=0.98",
-    ];
-    confirmed(&EXAMPLE, runs, 12);
+    confirmed(&EXAMPLE, [
+        "--radius-a=0.01 --arm-rate=-5", "--inertia-b=0.00001 --mass-b=0.01", "--inertia-a=0.01",
+        "--rate=0.01 --friction=0.001", "--radius-a=3 --radius-b=0.02 --arm-rate=30",
+        "--rate=0.002 --arm-rate=700", "--tolerance=1e-6", "--inertia-a=1000 --inertia-b=0.000001",
+        "--inertia-b=10 --mass-b=1000 --friction=0.001", "--radius-b=0.001 --radius-a=0.5",
+        "--with bearing", "--with bearing=0.98",
+    ], 12);
 }
 
 #[test]
 fn what_cannot_mesh_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--radius-b=0", "radius_b = 0 is not allowed"),
         ("--radius-a=10 --radius-b=0.001", "radius_a/radius_b = 10000"),
         ("--inertia-a=-1", "inertia_a = -1 is not allowed"),
         ("--friction=0", "friction = 0 is not allowed"),
         ("--rate=inf", "not a finite number"),
         ("--with bearing=2", "bearing over the torque of the rims = 2 is not allowed"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// The centre of B is at rest, so B has one angular momentum about all points of the plane; carried
@@ -90,12 +81,8 @@ fn what_the_card_measures() {
     let p = Parameters::default();
     let (b, own) = (rate_b(&p, 0.0).abs(), p.friction * p.radius_a / (0.03 * p.rate) / p.inertia_a);
     let part = |t: f64| 1.0 - 0.03 * (1.0 - exp(-own * t));
-    let (mut low, mut high) = (0.0, time(&p));
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        let behind = b * part(middle) > p.friction * p.radius_b / p.inertia_b * middle;
-        *(if behind { &mut low } else { &mut high }) = middle;
-    }
+    let behind = |t: f64| b * part(t) > p.friction * p.radius_b / p.inertia_b * t;
+    let [low, _] = kit::bisect([0.0, time(&p)], 0.0, behind);
     let (whole, rubs) = (momentum(&p, 0.0), 1.5e-3 * (9.80665 * p.mass_b + p.friction) * 0.005);
     let mut errors = Errors::of("measured over another route, less one");
     errors.push(motor[1] / (whole * (1.0 - part(low))) - 1.0);

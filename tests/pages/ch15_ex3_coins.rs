@@ -24,14 +24,13 @@ fn formulas_and_simulations_agree_for_all_radii() {
 
 #[test]
 fn what_does_not_fit_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--outer=0", "outer = 0 is not allowed"),
         ("--outer=0.02 --side=inside", "inside a ring, = 1 is not allowed"),
         ("--outer=50", "outer/inner = 2500"),
         ("--rate=0", "at rest nothing rolls"),
         ("--side=under", "invalid value"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// Polygons with equal sides roll on each other: from one side to the next the moving one turns

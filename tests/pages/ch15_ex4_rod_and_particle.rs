@@ -19,30 +19,23 @@ fn blow(p: &Parameters, end: f64) -> Blow {
 
 #[test]
 fn other_rods_and_particles_are_confirmed() {
-    let runs = [
-        "--particle=0.01",
-        "--particle=80",
-        "--length=0.01 --speed=300 --tolerance=1e-9",
-        "--mass=30 --speed=0.1 --tolerance=1e-9",
-        "--tolerance=1e-3",
-        "--particle=0.4",
-        "--length=0.002",
-        "--particle=1000 --mass=0.001",
+    confirmed(&EXAMPLE, [
+        "--particle=0.01", "--particle=80", "--length=0.01 --speed=300 --tolerance=1e-9",
+        "--mass=30 --speed=0.1 --tolerance=1e-9", "--tolerance=1e-3", "--particle=0.4",
+        "--length=0.002", "--particle=1000 --mass=0.001",
         "--particle=0.001 --mass=1000 --length=0.001 --speed=1000",
-    ];
-    confirmed(&EXAMPLE, runs, 9);
+    ], 9);
 }
 
 #[test]
 fn what_cannot_hit_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--speed=0", "at rest nothing is hit"),
         ("--particle=0", "particle = 0 is not allowed"),
         ("--mass=1e-12", "it must be from 0.001 to 1000"),
         ("--length=inf", "not a finite number"),
         ("--tolerance=0.1", "tolerance = 0.1"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// The point a sixth of the length beyond the middle is at rest just after the impact, for any

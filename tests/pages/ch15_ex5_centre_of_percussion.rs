@@ -17,25 +17,17 @@ fn the_instances_of_the_notes_come_out() {
 
 #[test]
 fn other_bats_are_confirmed() {
-    let runs = [
-        "--hands=0.1 --hit=0.5",
-        "--hit=0.05 --restitution=1",
-        "--ball=100 --speed=0.5",
-        "--length=3 --hands=1.2 --hit=2.9 --contact=0.01",
-        "--mass=0.02 --ball=0.003 --hit=0.85",
-        "--hit=0.04",
-        "--hit=0",
-        "--ball=0.0013 --hit=0.8",
-        "--ball=900 --hit=0.8",
-        "--contact=0.00001 --hit=0.3",
-        "--contact=0.05",
-    ];
-    confirmed(&EXAMPLE, runs, 11);
+    confirmed(&EXAMPLE, [
+        "--hands=0.1 --hit=0.5", "--hit=0.05 --restitution=1", "--ball=100 --speed=0.5",
+        "--length=3 --hands=1.2 --hit=2.9 --contact=0.01", "--mass=0.02 --ball=0.003 --hit=0.85",
+        "--hit=0.04", "--hit=0", "--ball=0.0013 --hit=0.8", "--ball=900 --hit=0.8",
+        "--contact=0.00001 --hit=0.3", "--contact=0.05",
+    ], 11);
 }
 
 #[test]
 fn what_is_not_on_the_bat_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--length=0", "length = 0 is not allowed"),
         ("--hit=0.9", "hit/length = 1.05"),
         ("--hands=0.4", "hands/length = 0.47"),
@@ -43,8 +35,7 @@ fn what_is_not_on_the_bat_is_refused() {
         ("--restitution=1.2", "restitution = 1.2 is not allowed"),
         ("--contact=0.1", "the angle in the time of contact, = 1.37"),
         ("--mass=nan", "not a finite number"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// Hands that hold push with as much as the place needs that moves, if nobody holds it: the

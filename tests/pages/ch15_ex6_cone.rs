@@ -11,15 +11,14 @@ use support::{EPS, Errors};
 
 #[test]
 fn the_instances_of_the_notes_come_out() {
-    let instances = [
+    errors_of(&EXAMPLE, [
         ("omega", -3.547_833_630_058_67),
         ("l_rho", -0.089_755_429_562_472_2),
         ("l_up", 0.131_291_554_321_4),
         ("energy", 0.159_218_665_741_05),
         ("omega_tip", 6.231_600_004_822_99),
         ("turns", 2.567_932_455_547_78),
-    ];
-    errors_of(&EXAMPLE, instances).attain(3.6e1..=3.7e1, 6);
+    ]).attain(3.6e1..=3.7e1, 6);
 }
 
 #[test]
@@ -32,15 +31,14 @@ fn formulas_and_particles_agree_for_every_cone() {
 
 #[test]
 fn what_cannot_roll_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--half-angle=0", "half_angle = 0 is not allowed"),
         ("--half-angle=1.6", "from 0.001 to 1.5698"),
         ("--rate=7 --friction=2", "beyond which the cone tips, = 7 is not allowed"),
         ("--rate=5", "beyond which the cone slips, = 5 is not allowed"),
         ("--rate=0", "rate = 0 is not allowed"),
         ("--mass=nan", "not a finite number"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// The particles have the mass, the centre and the moments about the vertex of the library's
@@ -49,7 +47,7 @@ fn what_cannot_roll_is_refused() {
 fn twenty_four_particles_stand_for_the_cone() {
     let (mut errors, mut damaged) = (Errors::in_units_of(EPS, "moments"), Errors::of("a tenth wider"));
     for half_angle in [0.1, 0.4, 1.2] {
-        let body = cone::Cone { mass: 2.0, height: 0.3, half_angle };
+        let body = Parameters { half_angle, ..Parameters::default() };
         let sum = |f: &dyn Fn([f64; 3]) -> f64| -> f64 {
             body.particles().iter().map(|(m, r)| m * f(r.to_array())).sum()
         };
@@ -94,9 +92,8 @@ fn the_force_moves_outward_because_l_turns() {
     let (a, mut errors) = (p.half_angle, Errors::of("moment about phi over M h^2 Omega^2"));
     let mut damaged = Errors::of("the same, L along omega");
     for (rate, faster) in [(1.5, 0.0), (1.5, 2.0), (4.0, -3.0), (6.0, 1.0)] {
-        let body = cone::Cone { mass: p.mass, height: p.height, half_angle: a };
         let turn = |t: f64| rolled(a, rate * t + 0.5 * faster * t * t);
-        let sums = body.sums(turn, 0.02 * sin(a) / rate).expect("sums");
+        let sums = p.sums(turn, 0.02 * sin(a) / rate).expect("sums");
         let unit = p.mass * p.height * p.height * rate * rate;
         errors.push(sums.moment.y() / unit - angular_momentum(a)[0]);
         damaged.push(sums.moment.y() / unit - 0.3 * angular_velocity(a));
@@ -112,7 +109,7 @@ fn left_to_itself_it_loses_what_the_card_measures() {
     let (mut errors, mut damaged) = (Errors::of("part lost"), Errors::of("the other law"));
     let mut strips = Errors::of("a hundred strips");
     for (half_angle, rate, part) in [(0.1, 0.5, 0.03), (0.4, 1.5, 0.1), (1.2, 6.0, 0.6)] {
-        let body = cone::Cone { mass: 2.0, height: 0.3, half_angle };
+        let body = Parameters { half_angle, ..Parameters::default() };
         let air = body.air(half_angle, 1.204);
         let whole = 1.204 * tan(half_angle) * cos(half_angle).powi(3) * 0.3_f64.powi(5) / 5.0;
         strips.push(air / whole - 1.0);

@@ -9,14 +9,13 @@ use support::Errors;
 
 #[test]
 fn the_instances_of_the_notes_come_out() {
-    let instances = [
+    errors_of(&EXAMPLE, [
         ("omega_rho", -3.547_833_630_058_67),
         ("l_rho", -0.034_246_250_717_791_1),
         ("l_up", 0.169_239_541_285_344),
         ("energy", 0.187_679_655_964_008),
         ("pressure", 14.881_206_253_589),
-    ];
-    errors_of(&EXAMPLE, instances).attain(2.79e1..=2.80e1, 5);
+    ]).attain(2.79e1..=2.80e1, 5);
 }
 
 #[test]
@@ -29,7 +28,7 @@ fn formulas_and_particles_agree_for_every_cone() {
 
 #[test]
 fn what_is_no_cone_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--half-angle=0", "half_angle = 0 is not allowed"),
         ("--half-angle=1.6", "from 0.001 to 1.5698"),
         ("--rate=0", "rate = 0 is not allowed"),
@@ -37,8 +36,7 @@ fn what_is_no_cone_is_refused() {
         ("--height=-1", "height = -1 is not allowed"),
         ("--mass=inf", "not a finite number"),
         ("--tolerance=1e-15", "tolerance = 1e-15 is not allowed"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// Without the table, but with its force N, the axis stays level; with a hundredth less it
@@ -65,7 +63,7 @@ fn the_force_of_the_table_keeps_the_axis_level() {
 fn the_raised_cone_turns_as_the_lying_one_but_faster() {
     let (mut errors, mut damaged) = (Errors::of("ratios"), Errors::of("ratio of the energies, 1"));
     for a in [0.1, 0.4, 0.8, 1.2] {
-        let body = cone::Cone { mass: 2.0, height: 0.3, half_angle: a };
+        let body = Parameters { half_angle: a, ..Parameters::default() };
         let h = 0.01 * sin(a);
         let lying = body.sums(|t| cone::placed(a, t, -t / sin(a)), h).expect("sums");
         let raised = body.sums(|t| cone::placed(0.0, t, -t / tan(a)), h).expect("sums");
@@ -84,7 +82,7 @@ fn the_raised_cone_turns_as_the_lying_one_but_faster() {
 fn driven_faster_it_needs_friction_along_its_path() {
     let (mut errors, mut damaged) = (Errors::of("F/(M h Omega')"), Errors::of("at a constant rate"));
     for a in [0.1, 0.4, 0.8, 1.2] {
-        let body = cone::Cone { mass: 1.0, height: 1.0, half_angle: a };
+        let body = Parameters { mass: 1.0, height: 1.0, half_angle: a, ..Parameters::default() };
         let friction = |growth: f64| {
             let turned = |t: f64| rolled(a, t + 0.5 * growth * t * t);
             body.sums(turned, 0.01 * sin(a)).expect("sums").moment.x() / tan(a)

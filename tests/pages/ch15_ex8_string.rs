@@ -2,6 +2,7 @@
 //! the report: a claim that differs from its oracle is an error.
 
 use crate::answers::{confirmed, errors_of, refused};
+use kit::simpson;
 use pages::ch15_ex8_string::pull::{Pulled, across, energy, radius};
 use pages::ch15_ex8_string::*;
 use rotation_dynamics::integrators::{after, place_and_velocity};
@@ -10,41 +11,34 @@ use support::Errors;
 
 #[test]
 fn the_instances_of_the_notes_come_out() {
-    let instances = [
+    errors_of(&EXAMPLE, [
         ("force", 2.304),
         ("angular_velocity", 4.8),
         ("speed", 5.77_f64.sqrt()),
         ("angle", 9.0),
         ("work", 0.351),
-    ];
-    errors_of(&EXAMPLE, instances).attain(2.84..=2.85, 5);
+    ]).attain(2.84..=2.85, 5);
 }
 
 #[test]
 fn other_strings_are_confirmed() {
-    let runs = [
-        "--pull=1 --time=0.5",
-        "--pull=10 --time=0.07",
-        "--pull=0.01 --time=30",
-        "--speed=30 --mass=5 --pull=0.5 --time=1",
-        "--hole=0.01",
-        "--pull=0.005 --time=130",
+    confirmed(&EXAMPLE, [
+        "--pull=1 --time=0.5", "--pull=10 --time=0.07", "--pull=0.01 --time=30",
+        "--speed=30 --mass=5 --pull=0.5 --time=1", "--hole=0.01", "--pull=0.005 --time=130",
         "--tolerance=1e-6",
-    ];
-    confirmed(&EXAMPLE, runs, 7);
+    ], 7);
 }
 
 #[test]
 fn what_cannot_be_pulled_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--radius=-0.8", "radius = -0.8 is not allowed"),
         ("--pull=0", "pull = 0 is not allowed"),
         ("--time=8e-9", "what is pulled in, = 1e-9 is not"),
         ("--time=7.6", "what is left of the string, = 0.04"),
         ("--hole=0.9", "hole/radius = 1.125"),
         ("--pull=400 --time=1e-3", "pull/|speed| = 266.6"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// Forty times up to the edge of the hole: the simulation runs along the spiral, the string
@@ -76,13 +70,9 @@ fn the_spiral_and_the_tension() {
 fn the_work_is_the_energy_gained() {
     let (mut errors, mut damaged) = (Errors::of("work less gain"), Errors::of("first force all the way"));
     for pull in [0.03, 1.0 / 15.0, 0.3, 2.0] {
-        let (end, n) = (0.5 / pull, 400);
+        let end = 0.5 / pull;
         let run = Pulled::new(pull, 0.1, 1e-14, end).unwrap();
-        let part = |k: i32| {
-            let weight = [2.0, 4.0][(k % 2) as usize] / if k == 0 || k == n { 2.0 } else { 1.0 };
-            weight * run.tension(end * f64::from(k) / f64::from(n)).unwrap() * pull
-        };
-        let work = (0..=n).map(part).sum::<f64>() * end / f64::from(3 * n);
+        let work = simpson([0.0, end], 400, |t| run.tension(t)).unwrap() * pull;
         // After the jerk the particle has the energy of both velocities.
         let gain = energy(&run.at(end).unwrap()) - 0.5 * (1.0 + pull * pull);
         errors.push(work - gain);

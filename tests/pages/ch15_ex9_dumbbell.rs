@@ -18,28 +18,21 @@ fn the_reference_case_is_met() {
 
 #[test]
 fn other_hits_are_confirmed() {
-    let runs = [
-        "--restitution=0.5",
-        "--restitution=0.1 --mass=3",
-        "--slant=1.5707963267948966",
-        "--slant=0.7 --restitution=0.2",
-        "--ball=0.8",
-        "--length=6 --speed=0.1",
-        "--tolerance=1e-6",
-    ];
-    confirmed(&EXAMPLE, runs, 7);
+    confirmed(&EXAMPLE, [
+        "--restitution=0.5", "--restitution=0.1 --mass=3", "--slant=1.5707963267948966",
+        "--slant=0.7 --restitution=0.2", "--ball=0.8", "--length=6 --speed=0.1", "--tolerance=1e-6",
+    ], 7);
 }
 
 #[test]
 fn what_is_no_dumbbell_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--length=-0.6", "length = -0.6 is not allowed"),
         ("--restitution=1.2", "restitution = 1.2"),
         ("--slant=-0.1", "slant = -0.1"),
         ("--knob=0.3", "knob/length = 0.5 is not allowed"),
         ("--ball=7", "(ball + knob)/length = 11.7"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// For a turn and a half the masses run along their cycloids, and the ball stays behind; the

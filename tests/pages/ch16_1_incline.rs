@@ -206,11 +206,10 @@ fn other_bodies_and_slopes_are_confirmed() {
     let slopes = ["--friction 0", "--friction 0.05", "--angle 1.5", "--angle 0.002 --gravity 1.62"];
     let runs = bodies.iter().flat_map(|body| slopes.iter().map(move |slope| format!("{body} {slope}")));
     confirmed(&EXAMPLE, runs, 16);
-    let ends = [
-        "--angle=1e-9", "--angle=1e-6", "--angle=1.5707963", "--shape=1e-6", "--speed=1e6", "--gravity=1e-6",
-        "--friction=1e6", "--friction=0",
-    ];
-    confirmed(&EXAMPLE, ends, 8);
+    confirmed(&EXAMPLE, [
+        "--angle=1e-9", "--angle=1e-6", "--angle=1.5707963", "--shape=1e-6", "--speed=1e6",
+        "--gravity=1e-6", "--friction=1e6", "--friction=0",
+    ], 8);
     // A number that friction divides is not told where there is none.
     let told = answer(&EXAMPLE, "--friction=0").stdout;
     assert!(!told.contains("mu_min/mu") && told.contains("mu/mu_min"), "{told}");
@@ -218,7 +217,7 @@ fn other_bodies_and_slopes_are_confirmed() {
 
 #[test]
 fn what_is_no_incline_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--angle 1.6", "angle = 1.6 is not allowed"),
         ("--angle=0", "level nothing brings it back"),
         ("--speed=-2", "started downward it never turns"),
@@ -226,6 +225,5 @@ fn what_is_no_incline_is_refused() {
         ("--shape 1.2", "shape = 1.2 is not allowed"),
         ("--friction=-0.1", "friction = -0.1 is not allowed"),
         ("--speed nan", "not a finite number"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }

@@ -170,7 +170,7 @@ fn other_cylinders_are_confirmed() {
 
 #[test]
 fn what_needs_no_torque_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--height 0.08660254", "like a ball it needs no torque"),
         ("--tilt 1.6", "tilt = 1.6 is not allowed"),
         ("--tilt 0.001 --tolerance 1e-6", "so near to upright or level the swing goes over"),
@@ -178,8 +178,7 @@ fn what_needs_no_torque_is_refused() {
         ("--rate=0", "at rest the cylinder needs no torque"),
         ("--radius=-1", "radius = -1 is not allowed"),
         ("--rate inf", "not a finite number"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// The card of effects: where the torque of a spring, by bisection, is that of the tilt to which it

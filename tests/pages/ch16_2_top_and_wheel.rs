@@ -8,26 +8,17 @@ use support::Errors;
 
 #[test]
 fn bodies_in_si_units_are_confirmed() {
-    let runs = [
-        "--spin 628.3",
-        "--precession 1.8",
-        "--spin -300 --theta 2",
-        "--length -0.1 --theta 0.3 --spin 50",
-        "--theta 0 --nutation 0.01",
-        "--with gravity=1.62",
-        "--without gravity",
-        "--body wheel --without gravity",
-        "--theta 1e-4",
-        "--body wheel --length 0.3",
-        "--body wheel --precession 0.6754",
-        "--spin 139 --theta 1e-6",
-    ];
-    confirmed(&EXAMPLE, runs, 12);
+    confirmed(&EXAMPLE, [
+        "--spin 628.3", "--precession 1.8", "--spin -300 --theta 2",
+        "--length -0.1 --theta 0.3 --spin 50", "--theta 0 --nutation 0.01", "--with gravity=1.62",
+        "--without gravity", "--body wheel --without gravity", "--theta 1e-4",
+        "--body wheel --length 0.3", "--body wheel --precession 0.6754", "--spin 139 --theta 1e-6",
+    ], 12);
 }
 
 #[test]
 fn what_cannot_be_is_refused_in_words() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--mass 0", "mass = 0"),
         ("--i3 -1", "I3 = -1"),
         ("--body chair", "invalid value"),
@@ -36,8 +27,7 @@ fn what_cannot_be_is_refused_in_words() {
         ("--with brake=0.05", "more stops the spin"),
         ("--with air --with brake", "must be the only torque about the body's axis"),
         ("--with wind", "there is no effect 'wind'; there are: gravity, friction, air, brake"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// The number that this run prints under `key`.
@@ -99,20 +89,13 @@ fn the_card_predicts_what_a_run_gives() {
 /// With what no closed form knows: two routes agree on the end, and the ledger stands.
 #[test]
 fn what_is_put_in_is_confirmed_by_a_second_route() {
-    let runs = [
-        "--with friction",
-        "--with air",
-        "--with brake",
-        "--with brake=1 --body wheel",
-        "--with friction=1e-3 --with air --body wheel",
-        "--with friction=1e-6 --with brake=1e-9",
-        "--with air=1e3 --without gravity",
-        "--with brake --theta 0 --nutation 0.01",
-        "--with friction=0.1 --theta 1e-4",
-        "--with air --spin -300 --theta 2",
+    confirmed(&EXAMPLE, [
+        "--with friction", "--with air", "--with brake", "--with brake=1 --body wheel",
+        "--with friction=1e-3 --with air --body wheel", "--with friction=1e-6 --with brake=1e-9",
+        "--with air=1e3 --without gravity", "--with brake --theta 0 --nutation 0.01",
+        "--with friction=0.1 --theta 1e-4", "--with air --spin -300 --theta 2",
         "--with friction --length -0.1 --theta 0.3 --spin 50",
-    ];
-    confirmed(&EXAMPLE, runs, 11);
+    ], 11);
     let lead = |flags: &str| cell(&EXAMPLE, flags, ["effects", "air", "measured"]);
     // Laminar drag goes with the root of the density, at the same viscosity; were nu kept, the
     // ratio would be 4.

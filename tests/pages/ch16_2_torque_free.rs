@@ -210,7 +210,7 @@ fn the_other_spin_is_a_mirror() {
 
 #[test]
 fn what_has_no_nod_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--lean 0.35", "at 0 the axis meets Z"),
         ("--lean 0 --cone 0.2", "lean = 0 is not allowed: it must be from 0.001 to 3.1"),
         ("--lean 2.8", "pi - lean - cone"),
@@ -219,6 +219,5 @@ fn what_has_no_nod_is_refused() {
         ("--cone 1.6", "cone = 1.6 is not allowed"),
         ("--radius=-1", "radius = -1 is not allowed"),
         ("--radius 0.001 --height 10", "a thinner needle has no spin"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }

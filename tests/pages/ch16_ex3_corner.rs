@@ -14,7 +14,7 @@ const SPIN: f64 = 6.06;
 
 #[test]
 fn the_instances_of_the_notes_come_out() {
-    let instances = [
+    errors_of(&EXAMPLE, [
         ("n_floor", 27.689_364_705_882_4),
         ("n_wall", 6.922_341_176_470_59),
         ("alpha", 57.686_176_470_588_2),
@@ -22,8 +22,7 @@ fn the_instances_of_the_notes_come_out() {
         ("turns", 4.966_162_000_899_39),
         ("t_roll", 0.815_772_970_382_343),
         ("v_roll", 2.0),
-    ];
-    errors_of(&EXAMPLE, instances).attain(26.9..=27.0, 7);
+    ]).attain(26.9..=27.0, 7);
     // The damaged twin: friction that is larger by a thousandth.
     let off = computed(&EXAMPLE, "--friction=0.25025", "t_stop");
     assert!((off / 1.040_110_537_237_49 - 1.0).abs() > 1e-4, "{off}");
@@ -39,12 +38,11 @@ fn formulas_and_simulations_agree() {
     ];
     let both = frictions.iter().flat_map(|mu| spins.iter().map(move |spin| format!("{mu} {spin}")));
     confirmed(&EXAMPLE, both.chain(others.map(String::from)), 26);
-    let ends = [
+    confirmed(&EXAMPLE, [
         "--spin=-60", "--spin=-60 --sense=away", "--friction=0", "--friction=0 --spin=-1",
-        "--friction=1e-6", "--friction=10", "--spin=1e-6", "--spin=1e6", "--fading=0", "--fading=1e3",
-        "--with lean=0.5", "--with lean=1.2",
-    ];
-    confirmed(&EXAMPLE, ends, 12);
+        "--friction=1e-6", "--friction=10", "--spin=1e-6", "--spin=1e6", "--fading=0",
+        "--fading=1e3", "--with lean=0.5", "--with lean=1.2",
+    ], 12);
 }
 
 /// A spin the other way round is the corner in a mirror: the same times and forces.
@@ -57,7 +55,7 @@ fn the_other_spin_is_a_mirror() {
 
 #[test]
 fn what_is_no_cylinder_in_a_corner_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--radius=-0.1", "radius = -0.1 is not allowed"),
         ("--mass=0", "mass = 0 is not allowed"),
         ("--friction=-0.2", "at least 0"),
@@ -68,8 +66,7 @@ fn what_is_no_cylinder_in_a_corner_is_refused() {
         ("--fading=1e6", "fading*spin*radius = 6000000"),
         ("--with lean=1.5", "climbs out"),
         ("--sense=up", "sense"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// Its figures are drawn for other cylinders as well.

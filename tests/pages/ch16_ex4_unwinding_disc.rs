@@ -2,6 +2,7 @@
 //! equations in angles confirm each other is part of the report.
 
 use crate::answers::{confirmed, errors_of, number, refused};
+use kit::simpson;
 use pages::ch16_ex4_unwinding_disc::string::{Disc, Leaves};
 use pages::ch16_ex4_unwinding_disc::*;
 use rotation_dynamics::math::{acos, atan2, cos, hypot, sin, sincos};
@@ -9,30 +10,22 @@ use support::Errors;
 
 #[test]
 fn the_instances_of_the_notes_come_out() {
-    let instances = [
+    errors_of(&EXAMPLE, [
         ("a", 6.537_766_666_666_666),
         ("tension", 9.806_65),
         ("omega", 16.344_416_666_666_667),
         ("t_end", 0.553_095_709_523_567_5),
         ("v_end", 3.616_010_693_199_528),
-    ];
-    errors_of(&EXAMPLE, instances).attain(1.95..=1.96, 5);
+    ]).attain(1.95..=1.96, 5);
 }
 
 #[test]
 fn other_discs_are_confirmed() {
-    let runs = [
-        "--shape=1",
-        "--shape=0.1 --time=0.4",
-        "--shape=50 --time=0.3",
-        "--wound=10 --free=5",
-        "--wound=0.25 --time=0.2",
-        "--radius=0.02 --free=0.1",
-        "--mass=0.05 --stiffness=100",
-        "--gravity=1.62",
-        "--tolerance=1e-6",
-    ];
-    confirmed(&EXAMPLE, runs, 9);
+    confirmed(&EXAMPLE, [
+        "--shape=1", "--shape=0.1 --time=0.4", "--shape=50 --time=0.3", "--wound=10 --free=5",
+        "--wound=0.25 --time=0.2", "--radius=0.02 --free=0.1", "--mass=0.05 --stiffness=100",
+        "--gravity=1.62", "--tolerance=1e-6",
+    ], 9);
     assert_eq!(number(&EXAMPLE, "--radius=0.1", "peak_long"), 45.0);
     assert!(number(&EXAMPLE, "--free=100", "climb") > 0.99999);
     assert_eq!(number(&EXAMPLE, "--shape=1", "peak_long"), 13.0);
@@ -40,7 +33,7 @@ fn other_discs_are_confirmed() {
 
 #[test]
 fn what_does_not_unwind_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--radius=-0.2", "radius = -0.2 is not allowed"),
         ("--shape=0", "shape = 0 is not allowed"),
         ("--time=0.6", "no string is left to unwind"),
@@ -48,8 +41,7 @@ fn what_does_not_unwind_is_refused() {
         ("--wound=0.001 --time=0.01", "wound/radius = 0.005"),
         ("--shape=1e-4 --time=0.4", "near the axis falls"),
         ("--stiffness=0", "stiffness = 0 is not allowed"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// The solver knows accelerations only. The string has its length all the way, measured along its
@@ -118,15 +110,11 @@ fn the_tension_does_not_jump_at_either_end_of_the_turn() {
 /// for a turn and for a bounce. Simpson's rule over the tension.
 #[test]
 fn the_turn_gives_the_impulse_of_a_bounce() {
-    let (d, n) = (Disc { free: 1e6, ..usual() }, 2000);
+    let d = Disc { free: 1e6, ..usual() };
     let run = d.run(1e-14).unwrap();
     let [from, to] = ["all unwound", "winds up"].map(|name| run.transition(name).unwrap().t);
-    let pull = |k: u32| {
-        let weight = [2.0, 4.0][(k % 2) as usize] / if k == 0 || k == n { 2.0 } else { 1.0 };
-        let y = run.at(from + (to - from) * f64::from(k) / f64::from(n)).unwrap().1;
-        weight * d.taut(Leaves::Knot, &y).tension
-    };
-    let impulse = (0..=n).map(pull).sum::<f64>() * (to - from) / f64::from(3 * n);
+    let pull = |t| Ok::<_, kit::Error>(d.taut(Leaves::Knot, &run.at(t)?.1).tension);
+    let impulse = simpson([from, to], 2000, pull).unwrap();
     let speed = (2.0 * d.wound / (1.0 + d.shape)).sqrt();
     let mut errors = Errors::of("impulse less 2 M v + M g t");
     errors.push(impulse - 2.0 * speed - (to - from));

@@ -41,17 +41,16 @@ fn the_other_sign_mirrors_the_motion() {
 /// The numbers of the inventory, from its 15 digits.
 #[test]
 fn the_instance_of_the_inventory_is_met() {
-    let cases = [
+    errors_of(&EXAMPLE, [
         ("a", 1.785_714_285_714_285_7),
         ("friction", 0.001_428_571_428_571_428_6),
         ("mu_min", 0.072_836_872_355_566_3),
-    ];
-    errors_of(&EXAMPLE, cases).attain(3.4..=3.5, 3);
+    ]).attain(3.4..=3.5, 3);
 }
 
 #[test]
 fn what_is_no_charged_ball_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--charge=0", "below which nothing drives the ball"),
         ("--mass=-1", "mass = -1 is not allowed"),
         ("--friction=-0.1", "friction = -0.1 is not allowed"),
@@ -59,8 +58,7 @@ fn what_is_no_charged_ball_is_refused() {
         ("--spot=1.1", "spot = 1.1 is not allowed"),
         ("--charge=1e-20", "q E/(m g)"),
         ("--field=nan", "not a finite number"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// Energy: what the field has done is in the going and in the turning; without the turning it

@@ -6,27 +6,20 @@ use support::Errors;
 
 #[test]
 fn predictions_hold_for_every_gyroscope() {
-    let runs = [
-        "--spin 250 --seconds 20",
-        "--spin 1000 --seconds 20",
-        "--pivot 0",
-        "--pivot 3e-4 --spin 250",
-        "--tolerance 1e-9",
-        "--spin -314.16",
-        "--seconds 0.1",
-    ];
-    confirmed(&EXAMPLE, runs, 7);
+    confirmed(&EXAMPLE, [
+        "--spin 250 --seconds 20", "--spin 1000 --seconds 20", "--pivot 0",
+        "--pivot 3e-4 --spin 250", "--tolerance 1e-9", "--spin -314.16", "--seconds 0.1",
+    ], 7);
 }
 
 #[test]
 fn what_is_no_gyroscope_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--spin 0", "spin = 0 is not allowed"),
         ("--seconds 100", "seconds = 100 is not allowed"),
         ("--pivot -1", "pivot = -1 is not allowed"),
         ("--tolerance 1", "tolerance = 1 is not allowed"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// Linear: half the effect, half the error; simulated with a hundred

@@ -17,22 +17,22 @@ fn with(change: impl Fn(&mut Parameters)) -> Gyroscope {
 #[test]
 fn every_gyroscope_is_confirmed() {
     let heavy = "--ring=5e-3 --ring-along=5e-3 --fork=5e-3";
-    let runs = [
-        "--rpm=2000", "--rpm=10000", "--theta=0.5", "--theta=1.6", "--theta=0.3", "--theta=1.65", "--tilt-dry=0",
-        "--tilt-dry=0.03 --tilt-viscous=0.02", "--tilt-viscous=1e-5", "--pivot-dry=2e-3",
-        "--pivot-viscous=1e-3 --rpm=2000", "--axle-dry=2e-4 --rpm=2000 --pivot-dry=5e-5",
-        "--stop=2.8", "--stop=1.7 --tolerance=1e-8", "--tolerance=1e-13",
-        "--fork=0 --ring=0 --ring-along=0", "--theta=0.5 --rpm=2000 --pivot-dry=2e-3",
+    confirmed(&EXAMPLE, [
+        "--rpm=2000", "--rpm=10000", "--theta=0.5", "--theta=1.6", "--theta=0.3", "--theta=1.65",
+        "--tilt-dry=0", "--tilt-dry=0.03 --tilt-viscous=0.02", "--tilt-viscous=1e-5",
+        "--pivot-dry=2e-3", "--pivot-viscous=1e-3 --rpm=2000",
+        "--axle-dry=2e-4 --rpm=2000 --pivot-dry=5e-5", "--stop=2.8", "--stop=1.7 --tolerance=1e-8",
+        "--tolerance=1e-13", "--fork=0 --ring=0 --ring-along=0",
+        "--theta=0.5 --rpm=2000 --pivot-dry=2e-3",
         "--rpm=2000 --theta=1.6 --stop=1.7 --pivot-dry=2e-3",
-    ];
-    confirmed(&EXAMPLE, runs, 18);
+    ], 18);
     let slow = ["--rpm=2000 --theta=0.5", "--theta=1.6 --tilt-dry=0.03 --pivot-viscous=1e-3 --axle-dry=2e-4", "--theta=1.6 --rpm=2000 --tilt-viscous=0.02"];
     confirmed(&EXAMPLE, slow.map(|flags| format!("{heavy} {flags}")), 3);
 }
 
 #[test]
 fn what_is_no_gyroscope_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--ring-along=1e-3", "belong to no body"),
         ("--fork=-1e-4", "fork = -0.0001 is not allowed"),
         ("--rpm=100", "from 2000 to 10000"),
@@ -41,8 +41,7 @@ fn what_is_no_gyroscope_is_refused() {
         ("--stop=1", "from 1.7 to 2.8"),
         ("--tolerance=0", "tolerance = 0"),
         ("--pivot-dry=nan", "pivot-dry"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// The slope of the logarithm of `error` over that of its argument, between neighbours.

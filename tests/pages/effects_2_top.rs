@@ -16,24 +16,22 @@ fn top<F: TipFriction>(tip: f64, friction: F) -> Top<F> {
 
 #[test]
 fn every_throw_agrees_with_its_formulas() {
-    let runs = [
+    confirmed(&EXAMPLE, [
         "--tip=0.004 --spin=170 --tilt=0.2", "--tip=0.007 --spin=130 --tilt=0.35 --friction=0.03",
         "--friction=0.08 --modulus=2e9 --slope=2e-3 --tolerance=1e-8",
         "--spin=170 --tilt=0.35 --modulus=8e9 --slope=3e-4",
-    ];
-    confirmed(&EXAMPLE, runs, 4);
+    ], 4);
 }
 
 #[test]
 fn what_it_does_not_carry_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--tip=0", "tip = 0 is not allowed"),
         ("--spin=250", "from 130 to 170"),
         ("--tip=0.004 --spin=130", "spin over the least spin"),
         ("--slope=0", "slope = 0 is not allowed"),
         ("--friction=0.5", "from 0.03 to 0.08"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// Friction of every size leaves L . (l e3 + r Z) alone; the twin has the line to the centre

@@ -13,18 +13,20 @@ use support::{Errors, assert_error};
 
 #[test]
 fn every_such_earth_is_confirmed() {
-    let runs = [
-        "--love=0 --ocean=0 --slow=0", "--love=0.6", "--love=0.75", "--ocean=0.4", "--slow=0.4", "--fluid=0.5", "--fluid=5", "--core=0.01", "--core=0.5", "--cavity=0.01",
-        "--cavity=0.001", "--a=0.329 --c=0.332", "--a=0.2 --c=0.20011 --core=0.5 --love=0.6 --ocean=0.1 --slow=0.05 --fluid=0.84 --loss=0.001 --wobble=1", "--a=0.3 --c=0.3058 --loss=0.02 --love=0.6", "--day=20000", "--day=9e5",
-        "--loss=0.001", "--loss=0.02", "--fluid=1.2", "--wobble=1 --annual=1", "--annual=0", "--annual=1e-9",
+    confirmed(&EXAMPLE, [
+        "--love=0 --ocean=0 --slow=0", "--love=0.6", "--love=0.75", "--ocean=0.4", "--slow=0.4",
+        "--fluid=0.5", "--fluid=5", "--core=0.01", "--core=0.5", "--cavity=0.01", "--cavity=0.001",
+        "--a=0.329 --c=0.332",
+        "--a=0.2 --c=0.20011 --core=0.5 --love=0.6 --ocean=0.1 --slow=0.05 --fluid=0.84 --loss=0.001 --wobble=1",
+        "--a=0.3 --c=0.3058 --loss=0.02 --love=0.6", "--day=20000", "--day=9e5", "--loss=0.001",
+        "--loss=0.02", "--fluid=1.2", "--wobble=1 --annual=1", "--annual=0", "--annual=1e-9",
         "--wobble=0.01", "--seed=0", "--seed=7.5", "--tolerance=1", "--observed=500",
-    ];
-    confirmed(&EXAMPLE, runs, 27);
+    ], 27);
 }
 
 #[test]
 fn what_is_no_such_earth_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--a=0.4 --c=0.3", "(C - A)/A = -0.25"),
         ("--a=0.3 --c=0.4", "(C - A)/A = 0.33"),
         ("--love=1", "nothing calls the pole back"),
@@ -35,8 +37,7 @@ fn what_is_no_such_earth_is_refused() {
         ("--fluid=9383", "followed for a thousand such times"),
         ("--seed=-1", "seed = -1 is not allowed"),
         ("--day=nan", "day"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// The Love number of a fluid Earth, 3 J2 G M/(Omega^2 a^3), as on the page on the wobble; and

@@ -25,20 +25,17 @@ fn printed() -> Parsed {
 
 #[test]
 fn every_earth_and_moon_is_confirmed() {
-    let runs = [
-        "--obliquity=0.2",
-        "--obliquity=0.7 --moon-inclination=0",
-        "--obliquity=0.1",
+    confirmed(&EXAMPLE, [
+        "--obliquity=0.2", "--obliquity=0.7 --moon-inclination=0", "--obliquity=0.1",
         "--ellipticity=0.01 --day=150000 --moon-distance=3e8 --moon-inclination=0.15 --node-period=30",
         "--ellipticity=1e-4 --moon-distance=6e8 --day=50000 --node-period=12 --days=5",
         "--sun-eccentricity=0.1 --moon-eccentricity=0.1 --tolerance=1e-10 --days=60",
-    ];
-    confirmed(&EXAMPLE, runs, 6);
+    ], 6);
 }
 
 #[test]
 fn what_is_no_earth_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--ellipticity=0", "ellipticity = 0 is not allowed"),
         ("--ellipticity=-0.003", "from 0.0001 to 0.01"),
         ("--day=0", "day = 0 is not allowed"),
@@ -48,8 +45,7 @@ fn what_is_no_earth_is_refused() {
         ("--node-period=-18.6", "from 12 to 30"),
         ("--days=1e9", "from 5 to 100"),
         ("--tolerance=1e-3", "tolerance = 0.001 is not allowed"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// The whole tensor's torque against the formula with the axis alone; the damaged twin takes

@@ -40,7 +40,7 @@ fn other_throws_are_confirmed() {
 
 #[test]
 fn what_cannot_be_thrown_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--length=-1", "length = -1 is not allowed"),
         ("--width=0.2", "width over length"),
         ("--thickness=0.1", "thickness over width"),
@@ -53,8 +53,7 @@ fn what_cannot_be_thrown_is_refused() {
         ("--mass=NaN", "mass"),
         ("--mass=1e-300", "mass times length squared"),
         ("--tilt=1e-10 --toward=0.6736", "distance of the start from the one that never turns over"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// Sixty steps a second are too few for twenty turns a second: the table says so, and the rest of

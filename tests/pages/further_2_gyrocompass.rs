@@ -18,16 +18,16 @@ fn formulas_and_simulations_agree_for_every_compass() {
     confirmed(&EXAMPLE, latitudes.flat_map(built), 15);
     let coarse = ["--tolerance=1e-6", "--latitude=0.05 --offset=0.2", "--latitude=1.5", "--latitude=-1.5 --speed=50", "--tuning=0.1 --spin=50000"];
     confirmed(&EXAMPLE, coarse, 5);
-    let ends = [
-        "--spin=-1500", "--spin=100000", "--release=-0.5", "--release=3.13", "--release=1e-3", "--offset=0", "--offset=0.5",
-        "--latitude=1.5 --offset=0", "--latitude=-1.5 --offset=0.01", "--tuning=0.01", "--speed=8000", "--speed=-8000", "--gravity=1", "--latitude=0 --offset=2",
-    ];
-    confirmed(&EXAMPLE, ends, 14);
+    confirmed(&EXAMPLE, [
+        "--spin=-1500", "--spin=100000", "--release=-0.5", "--release=3.13", "--release=1e-3",
+        "--offset=0", "--offset=0.5", "--latitude=1.5 --offset=0", "--latitude=-1.5 --offset=0.01",
+        "--tuning=0.01", "--speed=8000", "--speed=-8000", "--gravity=1", "--latitude=0 --offset=2",
+    ], 14);
 }
 
 #[test]
 fn what_is_no_compass_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--spin=0", "a wheel at rest does not feel the Earth turn"),
         ("--latitude=1.5707963267948966", "no direction is north"),
         ("--latitude=-1.6", "no direction is north"),
@@ -39,8 +39,7 @@ fn what_is_no_compass_is_refused() {
         ("--spin=10", "(Foucault's period over the compass's)^2"),
         ("--latitude=1.5 --offset=0.1", "offset times tan(latitude)"),
         ("--release=4", "release = 4 is not allowed"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// A wheel with L/I_t = 1 on an Earth that turns at `earth`.

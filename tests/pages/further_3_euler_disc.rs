@@ -50,12 +50,11 @@ fn eq_4_vectors_and_angles_say_the_same() {
 
 #[test]
 fn eq_1_to_6_steady_motions_agree_with_simulations() {
-    let runs = [
+    confirmed(&EXAMPLE, [
         "--inclination=0.05 --circle=0.1", "--inclination=1.3 --circle=-0.2 --gravity=1.62",
-        "--inclination=1.5 --circle=-9 --radius=0.1 --rolling=1e-5",
-        "--inclination=1e-6", "--inclination=1.5707963", "--circle=-1000",
-    ];
-    confirmed(&EXAMPLE, runs, 6);
+        "--inclination=1.5 --circle=-9 --radius=0.1 --rolling=1e-5", "--inclination=1e-6",
+        "--inclination=1.5707963", "--circle=-1000",
+    ], 6);
     // In a steady motion all vectors only turn about the vertical: by the equations in vectors.
     let (mut errors, mut damaged) = (Errors::of("acceleration"), Errors::of("slower"));
     for tilt in [0.01, 0.1, 0.4, 0.9, 1.3] {
@@ -124,11 +123,10 @@ fn eq_7_the_loss_is_drag_times_way() {
 /// Times and rates of the settling from several starts, by both losses.
 #[test]
 fn eq_8_9_the_law_holds_for_other_discs() {
-    let runs = [
+    confirmed(&EXAMPLE, [
         "--loss=rolling --rolling=2e-4 --left=0.5", "--loss=rolling --left=30",
         "--mass=0.01 --start=0.15 --film=1e-6", "--radius=0.012 --mass=0.004 --start=0.15",
-    ];
-    confirmed(&EXAMPLE, runs, 4);
+    ], 4);
 }
 
 /// The start of Moffatt's note: about a hundred seconds. The law's first power alone.
@@ -254,7 +252,7 @@ fn figures_are_drawn_for_other_discs() {
 
 #[test]
 fn what_cannot_be_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--radius=-1", "radius = -1 is not allowed"),
         ("--inclination=1.6", "inclination = 1.6 is not allowed"),
         ("--inclination=1.3 --circle=0.1", "cos(inclination) - 6 circle"),
@@ -267,6 +265,5 @@ fn what_cannot_be_is_refused() {
         ("--inclination=0", "flat it is at rest"),
         ("--circle=-1e4", "a straight line"),
         ("--start=0.3", "small inclinations"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }

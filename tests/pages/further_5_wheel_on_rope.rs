@@ -15,11 +15,11 @@ fn formulas_and_simulations_agree_for_every_wheel() {
     let ropes = ["0.2", "1", "3"].into_iter();
     let wheels = ["--spin=12 --rise=0.2", "--spin=40 --rise=-1", "--lever=0.3 --push=1 --rise=0.1", "--push=-2.5 --rise=-0.3"];
     confirmed(&EXAMPLE, ropes.flat_map(|b| wheels.map(|flags| format!("--rope={b} {flags}"))), 12);
-    let ends = [
-        "--tolerance=1e-6", "--radius=0.25 --spin=60", "--spin=-12", "--spin=-40 --rise=-1.4", "--spin=-12 --push=1 --rise=-0.3",
-        "--spin=-12 --push=-1", "--rise=1.5", "--lever=0.001", "--push=100", "--gravity=0.1",
-    ];
-    confirmed(&EXAMPLE, ends, 10);
+    confirmed(&EXAMPLE, [
+        "--tolerance=1e-6", "--radius=0.25 --spin=60", "--spin=-12", "--spin=-40 --rise=-1.4",
+        "--spin=-12 --push=1 --rise=-0.3", "--spin=-12 --push=-1", "--rise=1.5", "--lever=0.001",
+        "--push=100", "--gravity=0.1",
+    ], 10);
 }
 
 /// Spun the other way, the wheel goes round the other way: with the same rope, pull and nutation.
@@ -33,7 +33,7 @@ fn a_wheel_spun_the_other_way_goes_round_the_other_way() {
 
 #[test]
 fn what_is_no_wheel_on_a_rope_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--rope=0", "rope = 0 is not allowed"),
         ("--spin=0", "no slow precession holds the axle up"),
         ("--spin=-6", "no slow precession holds the axle up"),
@@ -43,8 +43,7 @@ fn what_is_no_wheel_on_a_rope_is_refused() {
         ("--spin=2 --rise=0", "angle of the rope with a level axle"),
         ("--spin=6", "no slow precession holds the axle up"),
         ("--push=-3", "tension at the start over the weight"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 fn wheel(spin: f64, rope: f64) -> Wheel {

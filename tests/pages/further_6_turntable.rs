@@ -25,17 +25,17 @@ fn level(v: SpaceVector) -> f64 {
 
 #[test]
 fn other_tables_and_holes_are_confirmed() {
-    let runs = [
+    confirmed(&EXAMPLE, [
         "--rate 3.4907 --radius 0.005 --orbit 80 --drop 0",
         "--shape 0.6666666666666666 --loss 0.4 --friction 0.5",
         "--velocity 1.5 --tilt 0.2 --tolerance 1e-11",
         "--hole 0.3 --golf 0.02 --orbit 12 --friction 0.7",
         "--rate 100 --place 0.01 --velocity 0.05 --tolerance 1e-11",
-        "--rate -10 --tilt -0.02 --orbit -30 --drop -0.3", "--velocity -0.2 --place -0.1", "--place 0",
-        "--rate 0.5 --tilt 0.05", "--loss 0", "--loss 1e-5", "--loss 80", "--radius 0.001", "--rate 1e4",
-        "--friction 1e-6", "--friction 1e4", "--orbit 1 --drop 1", "--shape 0.05", "--gravity 1e-3",
-    ];
-    confirmed(&EXAMPLE, runs, 19);
+        "--rate -10 --tilt -0.02 --orbit -30 --drop -0.3", "--velocity -0.2 --place -0.1",
+        "--place 0", "--rate 0.5 --tilt 0.05", "--loss 0", "--loss 1e-5", "--loss 80",
+        "--radius 0.001", "--rate 1e4", "--friction 1e-6", "--friction 1e4", "--orbit 1 --drop 1",
+        "--shape 0.05", "--gravity 1e-3",
+    ], 19);
 }
 
 /// The table turns the other way: the circle is run through the other way round and lies on the other
@@ -53,7 +53,7 @@ fn a_table_that_turns_the_other_way_mirrors_the_motion() {
 
 #[test]
 fn what_is_no_turntable_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--rate=0", "rate = 0 is not allowed"),
         ("--radius=-1", "radius = -1 is not allowed"),
         ("--shape=2", "that is all mass at the surface"),
@@ -67,8 +67,7 @@ fn what_is_no_turntable_is_refused() {
         ("--friction=0", "friction = 0 is not allowed"),
         ("--golf=0.06", "(radius of the cylinder - that of the ball)"),
         ("--tilt=nan", "not a finite number"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// (1) Rolling: the piece of the ball that touches, carried by the attitude, moves with the table.

@@ -15,36 +15,25 @@ fn asked(askew: f64, tolerance: f64) -> Parameters {
 
 #[test]
 fn what_is_asked_for_is_confirmed() {
-    let runs = [
-        "--askew 0.001",
-        "--askew 0.2",
-        "--askew 0.8",
-        "--askew 0.3 --tolerance 1e-5",
-        "--mean-motion 2e-4",
-        "--mean-motion 2e-3",
-        "--torque 0",
-        "--torque 0.5",
-        "--torque -0.2",
-        "--askew -0.1",
-        "--tolerance 1e-11",
-        "--tolerance 1e-3",
-    ];
-    confirmed(&EXAMPLE, runs, 12);
+    confirmed(&EXAMPLE, [
+        "--askew 0.001", "--askew 0.2", "--askew 0.8", "--askew 0.3 --tolerance 1e-5",
+        "--mean-motion 2e-4", "--mean-motion 2e-3", "--torque 0", "--torque 0.5", "--torque -0.2",
+        "--askew -0.1", "--tolerance 1e-11", "--tolerance 1e-3",
+    ], 12);
 }
 
 /// A swing of 0.3 rad feeds the slightest touch across the plane: with the magnet eight digits
 /// of the start are lost in a day.
 #[test]
 fn what_cannot_be_had_is_refused() {
-    let runs = [
+    refused(&EXAMPLE, [
         ("--askew 0.3", "an error of 1e-8 rad is asked for, and doubles allow"),
         ("--askew 1.6", "does not swing back"),
         ("--askew 0", "hung straight it does not swing"),
         ("--mean-motion 0", "mean_motion = 0 is not allowed"),
         ("--torque -1", "torque = -1 is not allowed"),
         ("--tolerance 1e-12", "tolerance = 1e-12 is not allowed"),
-    ];
-    refused(&EXAMPLE, runs);
+    ]);
 }
 
 /// Each hour of the day, for swings and errors of many sizes, against the pendulum that twice

@@ -9,7 +9,7 @@
 //! What an example is made of: its [`parameters!`](crate::parameters); a [`Report`] with
 //! its [`claims!`](crate::claims), its [`limits!`](crate::limits) and its card of
 //! [`effect_card!`](crate::effect_card); [`figures!`](crate::figures) by [`draw`], a
-//! [`MovingPicture`], and [`times`] and [`sampled`] to sample a motion; all that by [`prelude`]; at the end [`example!`](crate::example), which makes an
+//! [`MovingPicture`], and [`times`] and [`sampled`] to sample a motion; [`allowed!`](crate::allowed) and [`require`] to refuse what the page cannot take; all that by [`prelude`]; at the end [`example!`](crate::example), which makes an
 //! [`Example`] of them. What the pages on the heavy top share is in [`heavy_top`].
 //!
 //! # The text of a report
@@ -63,6 +63,7 @@ mod lines;
 mod live;
 mod moving;
 mod number;
+mod numeric;
 mod parameters;
 pub mod prelude;
 mod prepared;
@@ -72,7 +73,7 @@ mod strip;
 mod table;
 mod trajectory;
 
-pub use air::driven_in_air;
+pub use air::{driven_in_air, taken_by_air};
 pub use answer::{Answer, DEGREES, RECIPROCAL, USUAL_SLIPS, Verdict, digits_asked};
 pub use card::EffectEntry;
 pub use claim::{Claim, Oracle, Slip};
@@ -85,6 +86,7 @@ pub use lab::{Lab, Tried};
 pub use live::Moves;
 pub use moving::MovingPicture;
 pub use number::{below, rounded_up, short, supported_digits};
+pub use numeric::{But, bisect, require, simpson, solved, try_bisect, when};
 pub use parameters::{Flag, Grid, ParameterSet, Settings, Value, name_of_flag};
 pub use prepared::Prepared;
 pub use sampling::{sampled, times};

@@ -55,6 +55,33 @@ macro_rules! claims {
     } };
 }
 
+/// Refuses what a page cannot take, by numbers that are computed from its parameters: what each
+/// is, its value, the interval that is allowed, and why it ends there. The first that is outside
+/// counts. Evaluates to a `Result`.
+///
+/// ```
+/// use kit::interval::{above, from_to};
+/// let said = |length: f64, hole: f64| kit::allowed! {
+///     "length - hole, what is left,": length - hole, above(0.0), "nothing moves inside the hole";
+///     "hole/length": hole / length, from_to(0.01, 1.0), "the turns are too many";
+/// }.map_err(|error| error.to_string());
+/// assert_eq!(said(1.0, 0.5), Ok(()));
+/// assert_eq!(said(1.0, 0.001).unwrap_err(),
+///     "hole/length = 0.001 is not allowed: it must be from 0.01 to 1 (the turns are too many)");
+/// ```
+///
+/// # Errors
+/// As [`Interval::check`](crate::interval::Interval::check).
+#[macro_export]
+macro_rules! allowed {
+    ($( $name:literal : $value:expr, $allowed:expr, $because:literal; )+) => {
+        (|| -> $crate::Result<()> {
+            $( $allowed.because($because).check($name, $value)?; )+
+            Ok(())
+        })()
+    };
+}
+
 /// Adds limits to a report: why it must come out as a doc comment, then the limit, what the
 /// result gives there, what it must give, and within which bound. Evaluates to a `Result`.
 ///

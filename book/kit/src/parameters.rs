@@ -9,7 +9,12 @@ use crate::interval::Interval;
 /// Declares the parameters of an example: a struct with named public fields, its
 /// [`Default`], and its [`ParameterSet`].
 ///
-/// Each field has its meaning as a doc comment and one of
+/// Each field has its meaning as a doc comment, and is one of the kinds below. Two that stand on many
+/// pages say themselves what they are:
+/// - `gravity(ALLOWED)`: the acceleration of gravity, usually that of the Earth;
+/// - `step(DEFAULT, LARGEST)`: the error of a step of the simulations, from 1e-15.
+///
+/// The others are
 /// - `number(DEFAULT, UNIT, ALLOWED)`: an `f64`; `ALLOWED` is an [`Interval`] by one of the
 ///   functions of [`interval`](crate::interval);
 /// - `optional(UNIT, ALLOWED)`: an `Option<f64>`, `None` unless it is set;
@@ -35,23 +40,30 @@ use crate::interval::Interval;
 ///         /// friction of the hinge
 ///         friction: effect(0.02, "N m s", above(0.0));
 ///         /// weight
-///         gravity: effect(9.81, "m/s^2", above(0.0)).present();
+///         weight: effect(9.81, "N", above(0.0)).present();
+///         gravity: gravity(above(0.0));
+///         tolerance: step(1e-13, 1e-3);
 ///     }
 /// }
 /// let p = Parameters { length: -3.0, ..Parameters::default() };
 /// assert_eq!(p.check().unwrap_err().to_string(), "length = -3 is not allowed: it must be greater than 0");
-/// assert_eq!((p.mass, p.start, p.friction, p.gravity), (None, "rest", None, Some(9.81)));
+/// assert_eq!((p.mass, p.start, p.friction, p.weight), (None, "rest", None, Some(9.81)));
+/// assert_eq!((p.gravity, p.tolerance), (9.80665, 1e-13));
 /// assert_eq!(Parameters::FLAGS[1].name(), "mass");
 /// assert_eq!(Parameters::FLAGS[0].grid().map(|grid| grid.typed(1)).as_deref(), Some("1.5"));
 /// ```
 #[macro_export]
 macro_rules! parameters {
     (@type number) => { f64 };
+    (@type gravity) => { f64 };
+    (@type step) => { f64 };
     (@type optional) => { Option<f64> };
     (@type choice) => { &'static str };
     (@type effect) => { Option<f64> };
     (@default effect @present () $usual:expr, $unit:literal, $allowed:expr) => { Some($usual) };
     (@default effect $usual:expr, $unit:literal, $allowed:expr) => { None };
+    (@default gravity $allowed:expr) => { 9.80665 };
+    (@default step $default:expr, $largest:literal) => { $default };
     (@default number $default:expr, $unit:literal, $allowed:expr) => { $default };
     (@default optional $unit:literal, $allowed:expr) => { None };
     (@default choice $default:literal $(, $other:literal)*) => { $default };
@@ -63,6 +75,19 @@ macro_rules! parameters {
     (@flag number $name:expr, $meaning:expr; $default:expr, $unit:literal, $allowed:expr) => {
         $crate::Flag::number($name, $unit, $meaning, $crate::parameters!(@allowed $allowed))
     };
+    (@flag gravity $name:expr, $meaning:expr; $allowed:expr) => {
+        $crate::Flag::number(
+            $name, "m/s^2", "acceleration of gravity", $crate::parameters!(@allowed $allowed),
+        )
+    };
+    (@flag step $name:expr, $meaning:expr; $default:expr, $largest:literal) => {
+        $crate::Flag::number(
+            $name,
+            "-",
+            concat!("error of a step of the simulations: from 1e-15 to ", stringify!($largest)),
+            $crate::interval::from_to(1e-15, $largest),
+        )
+    };
     (@flag optional $name:expr, $meaning:expr; $unit:literal, $allowed:expr) => {
         $crate::Flag::number($name, $unit, $meaning, $crate::parameters!(@allowed $allowed))
     };
@@ -73,11 +98,15 @@ macro_rules! parameters {
         $crate::Flag::choice($name, $meaning, &[$($word),+])
     };
     (@value number $field:expr) => { Some($crate::Value::Number($field)) };
+    (@value gravity $field:expr) => { Some($crate::Value::Number($field)) };
+    (@value step $field:expr) => { Some($crate::Value::Number($field)) };
     (@value choice $field:expr) => { Some($crate::Value::Word($field)) };
     (@value $optional:ident $field:expr) => { $field.map($crate::Value::Number) };
     (@set number $field:expr, $value:expr) => {
         if let Some($crate::Value::Number(number)) = $value { $field = number; }
     };
+    (@set gravity $field:expr, $value:expr) => { $crate::parameters!(@set number $field, $value) };
+    (@set step $field:expr, $value:expr) => { $crate::parameters!(@set number $field, $value) };
     (@set choice $field:expr, $value:expr) => {
         if let Some($crate::Value::Word(word)) = $value { $field = word; }
     };
@@ -92,7 +121,7 @@ macro_rules! parameters {
         $(#[$about:meta])*
         $visibility:vis struct $set:ident {
             $(
-                $(#[doc = $meaning:literal])+
+                $(#[doc = $meaning:literal])*
                 $field:ident : $kind:ident ( $($setting:tt)* )
                     $( .drawn($from:expr, $to:expr, $step:expr) )? $( .present $present:tt )?;
             )*
@@ -102,7 +131,7 @@ macro_rules! parameters {
         #[derive(Debug, Clone, PartialEq)]
         #[allow(unreachable_pub, reason = "the fields are public, the set as its page wants it")]
         $visibility struct $set {
-            $( $(#[doc = $meaning])+ pub $field: $crate::parameters!(@type $kind), )*
+            $( $(#[doc = $meaning])* pub $field: $crate::parameters!(@type $kind), )*
         }
         impl Default for $set {
             fn default() -> Self {
@@ -111,7 +140,7 @@ macro_rules! parameters {
         }
         impl $crate::ParameterSet for $set {
             const FLAGS: &'static [$crate::Flag] = &[
-                $( $crate::parameters!(@flag $kind stringify!($field), concat!($($meaning),+); $($setting)*)
+                $( $crate::parameters!(@flag $kind stringify!($field), concat!($($meaning),*); $($setting)*)
                     $( .drawn($from, $to, $step) )?, )*
             ];
         }

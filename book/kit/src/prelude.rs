@@ -4,11 +4,11 @@
 //! vectors. What the page is about (bodies, effects, closed forms, methods) it names itself.
 
 pub use super::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Solid, Stack, Sweep, View};
-pub use super::{CardLine, ClosedForm, Figure, MovingPicture, Report, Table, Trajectory};
-pub use super::{claim, effect, limit, sampled, times};
+pub use super::{But, CardLine, ClosedForm, Figure, MovingPicture, Report, Table, Trajectory};
+pub use super::{bisect, claim, effect, limit, require, sampled, times, try_bisect, when};
 pub use crate::error::Result;
 pub use crate::interval::{above, between, from_to};
-pub use crate::{claims, effect_card, example, figures, limits, parameters};
+pub use crate::{allowed, claims, effect_card, example, figures, limits, parameters};
 pub use rotation_dynamics::frame::{BodyVector, SpaceVector};
 pub use rotation_dynamics::math::{
     acos, asin, atan2, cbrt, cos, exp, hypot, log, pow, sin, sincos, tan,

@@ -207,6 +207,11 @@ impl Report {
         self.closed_form = Some(closed_form);
     }
 
+    /// [`set_closed_form`](Self::set_closed_form) of one that gives a state at every part of the motion.
+    pub fn in_closed_form<T>(&mut self, state: impl Fn(f64) -> T + Send + Sync + 'static) {
+        self.set_closed_form(ClosedForm::new(move |part| Ok(state(part))));
+    }
+
     /// Adds a table of its own.
     ///
     /// # Errors

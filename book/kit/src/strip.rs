@@ -115,33 +115,37 @@ impl Report {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a tolerance that is not above 0 and finite.
-    pub fn controlled<T>(
+    pub fn controlled<T, E>(
         &mut self,
         method: &str,
         tolerances: impl IntoIterator<Item = f64>,
-        run: impl Fn(f64) -> rotation_dynamics::Result<T> + Clone + Send + Sync + 'static,
+        run: impl Fn(f64) -> core::result::Result<T, E> + Clone + Send + Sync + 'static,
         work: fn(&T) -> Work,
         error: impl Fn(&T) -> Result<f64> + Clone + Send + Sync + 'static,
     ) -> Result<()>
     where
         T: 'static,
+        E: Into<crate::Error> + 'static,
     {
         let method = method.to_owned();
         let tolerances = descending(tolerances.into_iter().collect())?;
         self.add_lines(move || {
             let line = |&requested: &f64| {
-                let (delivered, work, again) = match run(requested) {
+                let (delivered, work, again) = match run(requested).map_err(Into::into) {
                     Ok(done) => {
                         let run = run.clone();
-                        let again = Computation::new(move || Ok(run(requested)?), error.clone());
+                        let again = Computation::new(
+                            move || run(requested).map_err(Into::into),
+                            error.clone(),
+                        );
                         (error(&done)?, work(&done).to_string(), Some(again))
                     }
-                    Err(Error::NotDelivered {
+                    Err(crate::Error::Library(Error::NotDelivered {
                         best,
                         condition: None,
                         ..
-                    }) => (best, REFUSED.into(), None),
-                    Err(other) => return Err(other.into()),
+                    })) => (best, REFUSED.into(), None),
+                    Err(other) => return Err(other),
                 };
                 let (method, requested) = (method.clone(), Some(requested));
                 Ok(Price {
@@ -157,7 +161,26 @@ impl Report {
         Ok(())
     }
 
-    /// The lines of [`controlled`](Self::controlled) for DOP853 by its error of a step, on a motion that
+    /// The lines of [`controlled`](Self::controlled) for a simulation by DOP853 with this error of a
+    /// step.
+    ///
+    /// # Errors
+    /// As [`controlled`](Self::controlled).
+    pub fn stepped<T, E>(
+        &mut self,
+        steps: impl IntoIterator<Item = f64>,
+        run: impl Fn(f64) -> core::result::Result<T, E> + Clone + Send + Sync + 'static,
+        work: fn(&T) -> Work,
+        error: impl Fn(&T) -> Result<f64> + Clone + Send + Sync + 'static,
+    ) -> Result<()>
+    where
+        T: 'static,
+        E: Into<crate::Error> + 'static,
+    {
+        self.controlled("DOP853, error of a step", steps, run, work, error)
+    }
+
+    /// The lines of [`stepped`](Self::stepped), on a motion that
     /// comes back: `back` finds that event (as [`Dop853::zero`] does), which is known to be at
     /// the time `period`, with `place` as the first of its components. The larger of the
     /// relative error of the time and the error of the place counts.
@@ -176,10 +199,10 @@ impl Report {
     ///
     /// # Errors
     /// As [`controlled`](Self::controlled).
-    pub fn dial_of_return<const N: usize>(
+    pub fn dial_of_return<E: Into<crate::Error> + 'static, const N: usize>(
         &mut self,
         tolerances: impl IntoIterator<Item = f64>,
-        back: impl Fn(f64) -> rotation_dynamics::Result<(LocatedEvent<N>, Work)>
+        back: impl Fn(f64) -> core::result::Result<(LocatedEvent<N>, Work), E>
         + Clone
         + Send
         + Sync
@@ -190,8 +213,7 @@ impl Report {
         let error = move |(back, _): &(LocatedEvent<N>, Work)| {
             Ok(largest([back.t / period - 1.0, back.state[0] - place]))
         };
-        let label = "DOP853, error of a step";
-        self.controlled(label, tolerances, back, |run| run.1, error)
+        self.stepped(tolerances, back, |run| run.1, error)
     }
 }
 

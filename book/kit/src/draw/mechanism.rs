@@ -144,6 +144,6 @@ impl Sketch {
             6 => Side::Below,
             _ => Side::BelowRight,
         };
-        self.arrow_along([at, tip], ink).text(tip, label, ink, side)
+        self.arrow_to(at, tip, ink, label, side)
     }
 }

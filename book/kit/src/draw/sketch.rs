@@ -97,6 +97,12 @@ impl Sketch {
         self
     }
 
+    /// With what `draw` adds, if it is `shown`.
+    #[must_use]
+    pub fn only_if(self, shown: bool, draw: impl FnOnce(Self) -> Self) -> Self {
+        if shown { draw(self) } else { self }
+    }
+
     /// The mirrored scene if `mirrored`: left and right are exchanged, and every sense of turning.
     #[must_use]
     pub fn mirrored_if(mut self, mirrored: bool) -> Self {
@@ -211,6 +217,20 @@ impl Sketch {
         let middle = ((from.0 + to.0) / 2.0, (from.1 + to.1) / 2.0);
         self.arrow_along([from, to], ink)
             .text(middle, label, ink, side)
+    }
+
+    /// Adds an arrow with a label beside its tip.
+    #[must_use]
+    pub fn arrow_to(
+        self,
+        from: (f64, f64),
+        tip: (f64, f64),
+        ink: Ink,
+        label: &str,
+        side: Side,
+    ) -> Self {
+        self.arrow_along([from, tip], ink)
+            .text(tip, label, ink, side)
     }
 
     /// Adds an arrow along a curve.

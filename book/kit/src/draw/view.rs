@@ -201,6 +201,12 @@ impl View {
         self
     }
 
+    /// With what `draw` adds, if it is `shown`.
+    #[must_use]
+    pub fn only_if(self, shown: bool, draw: impl FnOnce(Self) -> Self) -> Self {
+        if shown { draw(self) } else { self }
+    }
+
     /// Adds a dashed line anywhere in space: an axis, a construction line.
     #[must_use]
     pub fn dashed(mut self, points: impl IntoIterator<Item = SpaceVector>, ink: Ink) -> Self {
