@@ -14,7 +14,9 @@ use rotation_dynamics::Error;
 use rotation_dynamics::effects::DiscDrag;
 use rotation_dynamics::exact::heavy_top::SymmetricTop;
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
-use rotation_dynamics::gimbals::{Bearing, Bearings, Course, Decay, Gimbals, Nod, Pose};
+use rotation_dynamics::gimbals::{
+    Bearing, Bearings, Decay, GimbalMotion, Gimbals, NutationCycle, Pose,
+};
 use rotation_dynamics::integrators::Dop853;
 
 parameters! {
@@ -95,8 +97,8 @@ impl Gyroscope {
         stop: Option<f64>,
         until: f64,
         step: f64,
-    ) -> rotation_dynamics::Result<Course> {
-        Course::new(self.gimbals, self.bearings, self.start, stop, until, step)
+    ) -> rotation_dynamics::Result<GimbalMotion> {
+        GimbalMotion::new(self.gimbals, self.bearings, self.start, stop, until, step)
     }
     // ANCHOR_END: scene
 
@@ -166,7 +168,7 @@ impl Gyroscope {
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let y = Gyroscope::new(p)?;
     let (g, axial) = (&y.gimbals, y.start.axial_momentum);
-    let nod = Nod::of(g, &y.start)?;
+    let nod = NutationCycle::of(g, &y.start)?;
     let simulated = measured::nod(&y, p.tolerance)?;
     let (dip, bottom) = (nod.theta_max - nod.theta_min, y.bottom()?);
     let steady = g.steady_rate(bottom, axial, 0.0)?;
@@ -252,7 +254,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let bare = measured::nod_without_gimbals(&y)?.period / measured::bare(&y)?;
     let walks = |fork: f64| with(fork)?.steady_rate(p.theta, axial, 0.0);
     let fast = y.start.but(|start| start.axial_momentum = 1e3 * axial);
-    let (quick, fast) = (Nod::of(g, &fast)?, fast.axial_momentum);
+    let (quick, fast) = (NutationCycle::of(g, &fast)?, fast.axial_momentum);
     let walk = quick.precession / quick.period * fast / g.weight_moment();
     let nods = TAU / quick.period / (fast * sin(p.theta));
     let fixed = with(1e18)?;
@@ -279,7 +281,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         "fast rotor: nods over L_z sin/sqrt(P N)":
             nods * (g.tilting() * g.turning(p.theta)).sqrt() => 1.0, within 1e-5;
         /// what cannot turn about the vertical is a pendulum
-        "fork of any mass: period over a pendulum's": Nod::of(&fixed, &y.start)?.period / pendulum => 1.0, within 1e-13;
+        "fork of any mass: period over a pendulum's": NutationCycle::of(&fixed, &y.start)?.period / pendulum => 1.0, within 1e-13;
         /// rotor and ring act on each other
         "axle braked: (change of L_Z)/L_z":
             (g.vertical_momentum(&braked) - g.vertical_momentum(&y.start)) / axial => 0.0, within 1e3 * p.tolerance;
@@ -289,11 +291,11 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 /// The accuracy strip: one nod without friction.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let y = Gyroscope::new(p)?;
-    let nod = Nod::of(&y.gimbals, &y.start)?;
+    let nod = NutationCycle::of(&y.gimbals, &y.start)?;
     let asked = [p.tolerance, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
     let (gimbals, start) = (y.gimbals, y.start);
     report.set_closed_form(ClosedForm::new(move |_| {
-        Ok(Nod::of(&gimbals, &start)?.period)
+        Ok(NutationCycle::of(&gimbals, &start)?.period)
     }));
     let back = move |step: f64| {
         Dop853::new(step)?.zero(&y.gimbals, y.start.to_array(), 2, 3.0 * nod.period, |y| {

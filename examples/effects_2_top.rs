@@ -10,7 +10,7 @@ use kit::prelude::*;
 use rotation_dynamics::effects::DiscDrag;
 use rotation_dynamics::integrators::Work;
 use rotation_dynamics::tops::{
-    Configuration, Course, Dry, NoSlip, Patch, Shape, Smooth, Throw, TipFriction, Top,
+    Configuration, Dry, NoSlip, Patch, Shape, Smooth, Throw, TipFriction, Top, TopMotion,
 };
 
 parameters! {
@@ -47,7 +47,7 @@ const WEIGHT: f64 = MASS * GRAVITY;
 /// A top of the page, with air and on a floor that slopes.
 type Toy<F> = Top<F, (), ((), DiscDrag)>;
 /// Its motion.
-pub type Life = Course<Patch, (), ((), DiscDrag)>;
+pub type Life = TopMotion<Patch, (), ((), DiscDrag)>;
 
 impl Parameters {
     fn shape(&self) -> rotation_dynamics::Result<Shape> {

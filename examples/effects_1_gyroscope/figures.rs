@@ -45,19 +45,19 @@ fn on_stand(theta: f64, phi: f64, zeta: f64) -> View {
 }
 
 /// The first moments, nods and all.
-fn nods(y: &Gyroscope, p: &Parameters) -> Result<(Course, f64)> {
+fn nods(y: &Gyroscope, p: &Parameters) -> Result<(GimbalMotion, f64)> {
     let last = (2.0 * y.lasting(y.bottom()? - p.theta)?).clamp(0.5, 20.0);
     Ok((y.run(Some(p.stop), last, p.tolerance)?, last))
 }
 
 /// The tilt against time of this motion.
-fn tilt(course: &Course, end: f64, count: u32) -> Result<Vec<(f64, f64)>> {
+fn tilt(course: &GimbalMotion, end: f64, count: u32) -> Result<Vec<(f64, f64)>> {
     let end = end.min(course.end_time());
     sampled(times(0.0, end, count), |t| Ok((t, course.at(t)?.theta)))
 }
 
 /// The path of the end of the axis.
-fn path(course: &Course, end: f64) -> Result<Vec<SpaceVector>> {
+fn path(course: &GimbalMotion, end: f64) -> Result<Vec<SpaceVector>> {
     let end = end.min(course.end_time());
     sampled(times(0.0, end, 1500), |t| {
         let at = course.at(t)?;
@@ -184,7 +184,7 @@ figures! { p: &Parameters, y = Gyroscope::new(p)?, first = nods(&y, p)?,
     gimbals: {
         let longer = |k: f64, period: f64| -> Result<f64> { Ok(period / measured::bare(&heavier(p, k)?)? - 1.0) };
         let exact = |k: f64| -> f64 {
-            let nod = heavier(p, k).and_then(|y| Ok(Nod::of(&y.gimbals, &y.start)?));
+            let nod = heavier(p, k).and_then(|y| Ok(NutationCycle::of(&y.gimbals, &y.start)?));
             nod.and_then(|nod| longer(k, nod.period)).unwrap_or(f64::NAN)
         };
         let small = exact(1e-4) / 1e-4;

@@ -38,8 +38,11 @@ struct Line {
 fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
     let (g, s) = (&y.gimbals, sin(p.theta));
     let axial = y.start.axial_momentum;
-    let (nod, bare) = (Nod::of(g, &y.start)?, measured::nod_without_gimbals(y)?);
-    let sizes = |n: &Nod| n.theta_max - n.theta_min;
+    let (nod, bare) = (
+        NutationCycle::of(g, &y.start)?,
+        measured::nod_without_gimbals(y)?,
+    );
+    let sizes = |n: &NutationCycle| n.theta_max - n.theta_min;
     // P = I1 (1 + a), N = I1 sin^2 (1 + b).
     let a = p.ring / I1;
     let b = g.turning(p.theta) / (I1 * s * s) - 1.0;

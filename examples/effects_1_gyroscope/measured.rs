@@ -15,7 +15,7 @@ pub struct Back {
 /// The first nod without friction, by located events.
 pub fn nod(y: &Gyroscope, step: f64) -> Result<Back> {
     let start = y.start.to_array();
-    let until = 3.0 * Nod::of(&y.gimbals, &y.start)?.period;
+    let until = 3.0 * NutationCycle::of(&y.gimbals, &y.start)?.period;
     let turned = |count| {
         let method = Dop853::new(step)?;
         Ok::<_, Error>(method.zero(&y.gimbals, start, count, until, |y| y[1])?.0)
@@ -41,8 +41,8 @@ pub fn bare(y: &Gyroscope) -> Result<f64> {
 }
 
 /// The nod of the rotor alone, by quadrature.
-pub fn nod_without_gimbals(y: &Gyroscope) -> rotation_dynamics::Result<Nod> {
-    Nod::of(&Gimbals::new(*y.gimbals.rotor(), [0.0; 3], 0.0)?, &y.start)
+pub fn nod_without_gimbals(y: &Gyroscope) -> rotation_dynamics::Result<NutationCycle> {
+    NutationCycle::of(&Gimbals::new(*y.gimbals.rotor(), [0.0; 3], 0.0)?, &y.start)
 }
 
 /// The pose of steady precession at the bottom of the valley.

@@ -45,7 +45,7 @@ fn seen(at: &Configuration, point: SpaceVector) -> SpaceVector {
 
 /// Tilt against time, smoothed by nothing.
 fn tilts<F: TipFriction, E: rotation_dynamics::effects::Effect>(
-    run: &Course<F, (), E>,
+    run: &TopMotion<F, (), E>,
     span: impl IntoIterator<Item = f64>,
 ) -> Result<Vec<(f64, f64)>> {
     sampled(span, |t| Ok((t, run.configuration(t)?.tilt())))

@@ -52,7 +52,7 @@ pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// Work (J) of sliding, pivoting and air between two times.
 fn works<F: TipFriction>(
-    life: &Course<F, (), ((), DiscDrag)>,
+    life: &TopMotion<F, (), ((), DiscDrag)>,
     from: f64,
     to: f64,
 ) -> Result<[f64; 3]> {

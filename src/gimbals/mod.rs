@@ -9,9 +9,9 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`Gimbals`], [`Pose`] | the moments of inertia, and a state |
-//! | [`Nod`] | one nod without friction: turning points, period, advances, by quadrature |
+//! | [`NutationCycle`] | one nod without friction: turning points, period, advances, by quadrature |
 //! | [`Bearing`], [`Bearings`] | viscous and dry friction of the three bearings, and the air |
-//! | [`Course`] | a motion with friction, every stop and reversal of a bearing located |
+//! | [`GimbalMotion`] | a motion with friction, every stop and reversal of a bearing located |
 //! | [`Decay`] | what friction does by theory: decay of the nods, sag of the axis |
 //!
 //! Coordinates are the notes' Euler angles. The tilt theta is that of the mechanism and not
@@ -24,14 +24,14 @@
 //! R. N. Arnold, L. Maunder, *Gyrodynamics and its Engineering Applications* (1961).
 
 mod bearings;
-mod course;
 mod decay;
-mod nod;
+mod motion;
+mod nutation;
 
 pub use bearings::{Bearing, Bearings, Hold, Holds};
-pub use course::{Change, Course};
 pub use decay::Decay;
-pub use nod::Nod;
+pub use motion::{Change, GimbalMotion};
+pub use nutation::NutationCycle;
 
 use crate::error::{Error, Result, finite, not_negative};
 use crate::exact::heavy_top::SymmetricTop;
@@ -53,12 +53,12 @@ use crate::math::{cos, sincos};
 ///
 /// ```
 /// use rotation_dynamics::exact::heavy_top::SymmetricTop;
-/// use rotation_dynamics::gimbals::{Gimbals, Nod};
+/// use rotation_dynamics::gimbals::{Gimbals, NutationCycle};
 /// # fn main() -> rotation_dynamics::Result<()> {
 /// let rotor = SymmetricTop::new(5.45e-3, 9.0e-4, 4.9, 0.1)?;
 /// let bare = Gimbals::new(rotor, [0.0; 3], 0.0)?;
 /// let held = Gimbals::new(rotor, [1.5e-4, 1.5e-4, 2e-5], 2e-4)?;
-/// let [free, slow] = [bare, held].map(|g| Nod::of(&g, &g.released(1.0, 314.0)));
+/// let [free, slow] = [bare, held].map(|g| NutationCycle::of(&g, &g.released(1.0, 314.0)));
 /// // Gimbals make the nods slower and deeper, and leave the precession what it is.
 /// let (free, slow) = (free?, slow?);
 /// assert!(slow.period > 1.03 * free.period && slow.theta_max > free.theta_max);

@@ -14,7 +14,7 @@
 //! | [`Smooth`], [`Dry`], [`Patch`], [`NoSlip`] | the laws of friction |
 //! | [`Drilling`], [`RollingResistance`] | resistances |
 //! | [`Throw`] | how it starts |
-//! | [`Course`] | the motion, with its events |
+//! | [`TopMotion`] | the motion, with its events |
 //! | [`Configuration`], [`Forces`] | what can be asked of a moment |
 //!
 //! The friction of the tip acts at the contact, whose arm from the centre of mass is
@@ -28,16 +28,16 @@
 //! *Advanced Rigid Dynamics*; the laws of friction at their types.
 
 mod configuration;
-mod course;
 mod friction;
 mod motion;
+mod top_motion;
 
 pub use configuration::{Configuration, Forces, Powers};
-pub use course::{Course, Throw};
 pub use friction::{
     Drilling, Dry, Grip, NoSlip, Patch, ResistingMoment, RollingResistance, Smooth, TipFriction,
 };
 pub use motion::{ContactMode, Phase};
+pub use top_motion::{Throw, TopMotion};
 
 use crate::body::RigidBody;
 use crate::effects::Effect;

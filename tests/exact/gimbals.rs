@@ -9,7 +9,9 @@ use rotation_dynamics::effects::DiscDrag;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::gimbals::{Bearing, Bearings, Course, Decay, Gimbals, Hold, Nod, Pose};
+use rotation_dynamics::gimbals::{
+    Bearing, Bearings, Decay, GimbalMotion, Gimbals, Hold, NutationCycle, Pose,
+};
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode, small_frequency};
 use rotation_dynamics::math::{EPS, cos, log, sin, sincos};
 use support::{Errors, assert_error};
@@ -39,8 +41,8 @@ fn pose(g: &Gimbals, theta: f64, rates: [f64; 2], spin: f64) -> Pose {
     }
 }
 
-fn nod(g: &Gimbals, at: &Pose) -> Nod {
-    Nod::of(g, at).unwrap_or_else(|e| panic!("{at:?}: {e}"))
+fn nod(g: &Gimbals, at: &Pose) -> NutationCycle {
+    NutationCycle::of(g, at).unwrap_or_else(|e| panic!("{at:?}: {e}"))
 }
 
 #[test]
@@ -281,7 +283,7 @@ fn energy_lost_is_heat() {
         let mut errors = Errors::of("power balance");
         for (g, b) in both().into_iter().flat_map(|g| frictions().map(|b| (g, b))) {
             let start = g.released(1.0, 314.0);
-            let course = Course::new(g, b, start, None, 1.0, tolerance).expect("a motion");
+            let course = GimbalMotion::new(g, b, start, None, 1.0, tolerance).expect("a motion");
             let total = |at: &Pose| g.axis_energy(at) + g.spin_energy(at);
             for t in [0.1, 0.5, 1.0] {
                 let at = course.at(t).unwrap();
@@ -303,9 +305,9 @@ fn no_reversal_is_missed() {
     let mut errors = Errors::of("times of the changes");
     let mut count = 0;
     for (g, b) in both().into_iter().flat_map(|g| frictions().map(|b| (g, b))) {
-        let run = |step| Course::new(g, b, g.released(1.0, 314.0), None, 2.0, step).unwrap();
+        let run = |step| GimbalMotion::new(g, b, g.released(1.0, 314.0), None, 2.0, step).unwrap();
         let [coarse, fine] = [run(1e-8), run(1e-13)];
-        let names = |c: &Course| {
+        let names = |c: &GimbalMotion| {
             c.changes()
                 .iter()
                 .map(|c| (c.name, c.to))
@@ -327,7 +329,7 @@ fn no_reversal_is_missed() {
 fn bearings_hold_and_slip_as_they_say() {
     let (mut held, mut slipped) = (0, 0);
     for (g, b) in both().into_iter().flat_map(|g| frictions().map(|b| (g, b))) {
-        let course = Course::new(g, b, g.released(1.0, 314.0), None, 2.0, 1e-10).unwrap();
+        let course = GimbalMotion::new(g, b, g.released(1.0, 314.0), None, 2.0, 1e-10).unwrap();
         for k in 1..2000 {
             let t = f64::from(k) * 1e-3;
             let (at, holds) = (course.at(t).unwrap(), course.holds(t).unwrap());
@@ -360,7 +362,7 @@ fn a_locking_axle_leaves_the_vertical_momentum() {
     let g = both()[0];
     let b = rubbing([0.0; 2], [0.0; 2], [0.0, 0.5], false);
     let start = g.released(1.0, 100.0);
-    let course = Course::new(g, b, start, None, 1.0, 1e-12).unwrap();
+    let course = GimbalMotion::new(g, b, start, None, 1.0, 1e-12).unwrap();
     let locks = course
         .changes()
         .iter()
@@ -397,7 +399,7 @@ fn viscous_friction_takes_small_nods_as_linear_theory_says() {
                 ..g.released(theta, 1e3)
             };
             let course =
-                Course::new(g, b, start, None, 25.0 * PI / theory.frequency, 1e-13).unwrap();
+                GimbalMotion::new(g, b, start, None, 25.0 * PI / theory.frequency, 1e-13).unwrap();
             let turns = course.turning_points();
             let at = |k: usize| turns[k].1.theta;
             let width = |k: usize| at(k + 1) - 0.5 * (at(k) + at(k + 2));
@@ -424,7 +426,7 @@ fn dry_friction_takes_equal_steps() {
     let nod = nod(&g, &start);
     let bottom = 0.5 * (nod.theta_min + nod.theta_max);
     let theory = Decay::of(&g, &b, bottom, axial).unwrap();
-    let course = Course::new(g, b, start, None, 1.0, 1e-13).unwrap();
+    let course = GimbalMotion::new(g, b, start, None, 1.0, 1e-13).unwrap();
     let stops: Vec<f64> = course
         .changes()
         .iter()
@@ -475,7 +477,7 @@ fn the_axis_sinks_and_rises_as_the_slow_motion_says() {
             phi_rate,
             ..g.released(1.0, 314.0)
         };
-        let course = Course::new(g, b, start, None, 30.0, 1e-11).unwrap();
+        let course = GimbalMotion::new(g, b, start, None, 30.0, 1e-11).unwrap();
         let slow = Decay::slow(g, b);
         let (end, _) = Dop853::new(1e-12)
             .unwrap()
@@ -522,9 +524,9 @@ fn what_is_no_gyroscope_is_refused() {
         theta: f64::NAN,
         ..g.released(1.0, 1.0)
     };
-    assert!(Nod::of(&g, &bad).is_err());
+    assert!(NutationCycle::of(&g, &bad).is_err());
     let run = |theta: f64, t: f64| {
-        Course::new(
+        GimbalMotion::new(
             g,
             Bearings::SMOOTH,
             g.released(theta, 300.0),

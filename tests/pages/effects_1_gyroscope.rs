@@ -4,7 +4,7 @@
 use crate::answers::{answer, confirmed, refused};
 use kit::parse;
 use pages::effects_1_gyroscope::*;
-use rotation_dynamics::gimbals::{Bearing, Bearings, Decay, Nod, Pose};
+use rotation_dynamics::gimbals::{Bearing, Bearings, Decay, NutationCycle, Pose};
 use rotation_dynamics::math::{cos, log, pow, sin};
 use support::{Errors, assert_error};
 
@@ -58,7 +58,7 @@ const FAST: [f64; 4] = [4000.0, 5600.0, 8000.0, 10000.0];
 fn eq_3_a_fast_rotor_in_gimbals() {
     let off = |rpm: f64, which: usize, bare: bool| {
         let y = with(|p| p.rpm = rpm);
-        let nod = Nod::of(&y.gimbals, &y.start).unwrap();
+        let nod = NutationCycle::of(&y.gimbals, &y.start).unwrap();
         let (axial, s) = (y.start.axial_momentum, sin(y.start.theta));
         let (p, n) = if bare { (5.45e-3, 5.45e-3 * s * s) } else { (y.gimbals.tilting(), y.gimbals.turning(y.start.theta)) };
         let dip = 2.0 * y.gimbals.weight_moment() * n / (axial * axial * s);

@@ -6,7 +6,7 @@ use rotation_dynamics::tops::*;
 use support::Errors;
 
 /// Largest relative change of energy, Jellett's integral, L_Z and L_3 over a run.
-fn drift<F: TipFriction, R: ResistingMoment, E: Effect>(run: &Course<F, R, E>) -> [f64; 4] {
+fn drift<F: TipFriction, R: ResistingMoment, E: Effect>(run: &TopMotion<F, R, E>) -> [f64; 4] {
     let (top, end) = (run.top(), run.end_time());
     let values = |t: f64| {
         let at = run.configuration(t).unwrap();

@@ -12,7 +12,7 @@ use rotation_dynamics::exact::ladder::Ladder;
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
 use rotation_dynamics::exact::plank::Plank;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::gimbals::{Bearings, Course, Gimbals};
+use rotation_dynamics::gimbals::{Bearings, GimbalMotion, Gimbals};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{
     Dop853, GaussLegendre, Integrator, MuntheKaas4, Resisted, Rk4, Scheme, SpinFree, Splitting,
@@ -536,7 +536,7 @@ fn of_runs() -> Result<Vec<Row<'static>>> {
     let rotor = SymmetricTop::new(5.45e-3, 9.0e-4, 4.9, 0.1)?;
     let gimbals = Gimbals::new(rotor, [1.5e-4, 1.5e-4, 2e-5], 2e-4)?;
     let start = gimbals.released(1.0, 314.0);
-    let course = Course::new(gimbals, Bearings::SMOOTH, start, None, 0.5, 1e-9)?;
+    let course = GimbalMotion::new(gimbals, Bearings::SMOOTH, start, None, 0.5, 1e-9)?;
     let (more, most) = (course.clone(), course.clone());
     let given = free([1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?;
     let exact = ExactMotion::new("given", move |t| given.try_state(t));
@@ -556,25 +556,25 @@ fn of_runs() -> Result<Vec<Row<'static>>> {
         row("planar/contact/motion.rs forces", move |t| {
             Ok(vec![c.forces(t)?[0].normal])
         }),
-        row("tops/course.rs phase", move |t| {
+        row("tops/top_motion.rs phase", move |t| {
             Ok(vec![top.phase(t)?.passed as f64])
         }),
-        row("tops/course.rs coordinates", move |t| {
+        row("tops/top_motion.rs coordinates", move |t| {
             Ok(second.coordinates(t)?.to_vec())
         }),
-        row("tops/course.rs configuration", move |t| {
+        row("tops/top_motion.rs configuration", move |t| {
             Ok(third.configuration(t)?.axis.to_array().to_vec())
         }),
-        row("tops/course.rs forces", move |t| {
+        row("tops/top_motion.rs forces", move |t| {
             Ok(vec![fourth.forces(t)?.1.normal])
         }),
-        row("gimbals/course.rs at", move |t| {
+        row("gimbals/motion.rs at", move |t| {
             Ok(course.at(t)?.to_array().to_vec())
         }),
-        row("gimbals/course.rs holds", move |t| {
+        row("gimbals/motion.rs holds", move |t| {
             more.holds(t).map(|_| vec![0.0])
         }),
-        row("gimbals/course.rs heat", move |t| {
+        row("gimbals/motion.rs heat", move |t| {
             Ok(most.heat(t)?.to_vec())
         }),
         row("accuracy/error_control/exact_motion.rs at", move |t| {
@@ -748,7 +748,7 @@ fn a_run_to_no_time_is_refused() {
             ),
             ("gimbals", {
                 let start = gimbals.released(1.0, 314.0);
-                Course::new(gimbals, Bearings::SMOOTH, start, None, bad, 1e-9).is_ok()
+                GimbalMotion::new(gimbals, Bearings::SMOOTH, start, None, bad, 1e-9).is_ok()
             }),
         ];
         for (name, ran) in ends {

@@ -55,7 +55,7 @@ impl Throw {
 
 /// The motion of a top from its throw on.
 #[derive(Debug, Clone)]
-pub struct Course<F, R, E> {
+pub struct TopMotion<F, R, E> {
     top: Top<F, R, E>,
     run: Run<Phase, 14>,
 }
@@ -84,7 +84,12 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect + Clone> Top<F, R, E> {
     /// A throw that is not finite; a start that the floor would have to hold down or with the
     /// rim in the floor ([`CannotHold`](crate::Error::CannotHold)); those of
     /// [`simulate`].
-    pub fn simulate(&self, throw: &Throw, t_end: f64, tolerance: f64) -> Result<Course<F, R, E>> {
+    pub fn simulate(
+        &self,
+        throw: &Throw,
+        t_end: f64,
+        tolerance: f64,
+    ) -> Result<TopMotion<F, R, E>> {
         let method = Dop853::new(tolerance)?;
         let scene = Scene {
             top: self,
@@ -92,7 +97,7 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect + Clone> Top<F, R, E> {
         };
         let (phase, start) = self.start(&scene, throw)?;
         let run = simulate(&scene, &method, phase, start, t_end)?;
-        Ok(Course {
+        Ok(TopMotion {
             top: self.clone(),
             run,
         })
@@ -128,7 +133,7 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect + Clone> Top<F, R, E> {
     }
 }
 
-impl<F: TipFriction, R: ResistingMoment, E: Effect> Course<F, R, E> {
+impl<F: TipFriction, R: ResistingMoment, E: Effect> TopMotion<F, R, E> {
     /// The top.
     pub const fn top(&self) -> &Top<F, R, E> {
         &self.top

@@ -26,7 +26,7 @@ use core::f64::consts::{PI, TAU};
 /// of DOP853 at 1e-14. Cost: some dozens of
 /// points, more near a separatrix.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Nod {
+pub struct NutationCycle {
     /// The smallest tilt, rad.
     pub theta_min: f64,
     /// The greatest tilt, rad.
@@ -103,7 +103,7 @@ impl Cubic {
     }
 }
 
-impl Nod {
+impl NutationCycle {
     /// The nod on which `gimbals` are at this pose.
     ///
     /// # Errors
@@ -261,7 +261,7 @@ mod tests {
         let rotor = SymmetricTop::new(5.45e-3, 9.0e-4, 4.9, 0.1).expect("a rotor");
         let gimbals = Gimbals::new(rotor, [0.0; 3], 0.0).expect("gimbals");
         let (theta, spin) = (1.0, 300.0);
-        let nod = Nod::of(&gimbals, &gimbals.released(theta, spin)).expect("a nod");
+        let nod = NutationCycle::of(&gimbals, &gimbals.released(theta, spin)).expect("a nod");
         let start = EulerAngles {
             phi: 0.0,
             theta,

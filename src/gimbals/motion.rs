@@ -44,13 +44,13 @@ pub struct Change {
 ///
 /// ```
 /// use rotation_dynamics::exact::heavy_top::SymmetricTop;
-/// use rotation_dynamics::gimbals::{Bearing, Bearings, Course, Gimbals};
+/// use rotation_dynamics::gimbals::{Bearing, Bearings, GimbalMotion, Gimbals};
 /// # fn main() -> rotation_dynamics::Result<()> {
 /// let rotor = SymmetricTop::new(5.45e-3, 9.0e-4, 4.9, 0.1)?;
 /// let gimbals = Gimbals::new(rotor, [1.5e-4, 1.5e-4, 2e-5], 2e-4)?;
 /// let bearings = Bearings { tilt: Bearing::new(0.0, 0.01)?, ..Bearings::SMOOTH };
 /// let start = gimbals.released(1.0, 314.0);
-/// let course = Course::new(gimbals, bearings, start, None, 2.0, 1e-10)?;
+/// let course = GimbalMotion::new(gimbals, bearings, start, None, 2.0, 1e-10)?;
 /// // Dry friction stops the nods altogether; the precession goes on.
 /// let end = course.at(2.0)?;
 /// assert_eq!(end.theta_rate, 0.0);
@@ -62,14 +62,14 @@ pub struct Change {
 /// # }
 /// ```
 #[derive(Debug, Clone)]
-pub struct Course {
+pub struct GimbalMotion {
     pieces: Vec<(f64, Run<Holds, N>)>,
     changes: Vec<Change>,
     end: f64,
     work: Work,
 }
 
-impl Course {
+impl GimbalMotion {
     /// The motion from `start` at t = 0 until `until` (s), or until the tilt reaches `stop`
     /// (rad), with this error of a step of DOP853.
     ///
