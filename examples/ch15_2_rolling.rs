@@ -474,7 +474,7 @@ fn resisted(p: &Parameters, report: &mut Report) -> Result<()> {
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let rate = p.wheel_rate.abs();
     let speed = rate * p.wheel_radius;
-    // A tyre of solid rubber, flattened by a hundredth of its radius: on the flat its tread is
+    // A tyre with air in it, flattened by a hundredth of its radius: on the flat its tread is
     // pressed from the arc 2 b R into the chord 2 R sin(b). So is that of 22 flats in a row.
     let (flat, tipped) = (1.0 - cos(TAU / 44.0), tipping(22).0[22].x() / TAU);
     let (resistance, turn) = (0.005, TAU / rate);
@@ -490,7 +490,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (width, spin) = (0.02 / (2.0 * p.shaft), -p.rate * p.shaft / p.radius);
     let counted = |work: Work| format!("{} derivatives", work.derivatives);
     effect_card! { report,
-        "flattening of a solid tyre":
+        "flattening of a pneumatic tyre":
             "d/R" = flat, costs flat * speed / 3.0, "m/s of the speed, to first order",
             measured speed * (1.0 - tipped), at_cost "none, 22 tips";
         "rolling resistance of a hoop":

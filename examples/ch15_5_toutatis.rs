@@ -557,7 +557,7 @@ fn tides(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) -> R
         bend: bend, "deg", "the path far away" => 180.0 - angle_between(early, late), within 2e-3;
         /// change of L over L
         tide_momentum: size, "-", "Euler's equations" => other, within bound;
-        /// that part of the angular velocity
+        /// change of L over L, times the angular velocity
         tide_rate: size * rate, "deg/d", "Euler's equations" => other * rate, within bound * rate;
         /// attitude moved, twenty days after the closest
         tide_attitude: apart, "deg", "Euler's equations" => off(&attitude), within 60.0 * bound;

@@ -257,7 +257,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         nutation: nutation(core.rates()[1]), "d",
         "simulated, core and mantle" => nutation(core.nutation(alpha, 1e-12)?), within 1e-6 * whole;
         /// quality of the wobble, 2 pi over the part of its energy that is lost in a circuit
-        quality: quality, "-", "complex root for core and mantle" => complex, within 0.02 * quality,
+        quality: quality, "-", "complex root for core and mantle" => complex, within first * quality,
         in "Fading":
             2.0 * quality => "the energy goes as the square";
         /// the part of the wobble that is left after a circuit, at this quality

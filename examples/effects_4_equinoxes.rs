@@ -221,10 +221,13 @@ fn precession(p: &Parameters, report: &mut Report) -> Result<()> {
     let second = nutation::crossed(p)?;
     let crossed = 2.0 * second.abs() + 1e-6 * yearly(both).abs();
     let halves = 3.0 * TAU * ARCSEC * (longitude + tilt) * (longitude + tilt);
-    let node = nutation::first_order(p)?[0][0];
     let great = TAU / both.abs() / YEAR;
     let whole = run(p, as_rings(p)?, 1, great * YEAR)?;
-    let left = angles(*whole.end_state())[0] - angles(start(p, 1)?)[0];
+    // Its nutation of the node is taken off, to first order: a part of the precession in a round
+    // of the node is left of it.
+    let [begins, ends] = [0.0, great * YEAR].map(|t| nutation::at(p, t, 1));
+    let left = angles(*whole.end_state())[0] - ends?[0] - (angles(start(p, 1)?)[0] - begins?[0]);
+    let node = nutation::first_order(p)?[0][0] * TAU / great * nutation::node_round(p) / YEAR;
     claims! { report,
         /// precession by the Sun, a year
         sun: yearly(sun_rate), "arcsec", "its orbit, simulated" => yearly(by_sun), within phase,

@@ -605,11 +605,14 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         0.025 * p.rope / p.mass,
         p.mass * p.gravity / (1e9 * 0.25 * PI * 36e-6),
     );
-    let [slowing, left] = braked(p, &wheel, 1.204)?;
+    let [slowing, spun] = braked(p, &wheel, 1.204)?;
     let bound = wheel.at_end() * rate / wheel.momentum;
     // tan(lean) g = rate^2 (lever + rope sin(lean)), by the length of the rope.
     let ((s, c), far) = (sincos(rope), rate * rate * p.rope / p.gravity);
-    let longer = far * s * c * c / (1.0 - far * c * c * c) / rope;
+    let left = 1.0 - far * c * c * c;
+    let longer = far * s * c * c / left / rope;
+    // By the mass of the rope: less by its mean weight, more by its centrifugal force.
+    let heavier = s * c * (0.5 - far * c / 3.0) / left;
     let stretched = Wheel {
         rope: p.rope * (1.0 + stretch),
         ..Wheel::new(p)
@@ -618,11 +621,11 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         "lean of the rope": "p^2 b/g" = rate * rate * p.rope / p.gravity,
             costs rope, "rad of the rope", included;
         "precession not slow": "J p/L" = bound, costs bound * tan(p.rise).abs(), "of the rate", included;
-        "mass of the rope": "m_r/m" = mass, costs 0.5 * mass * rope, "rad of the rope";
+        "mass of the rope": "m_r/m" = mass, costs heavier * mass, "rad of the rope";
         "stretch of the rope": "mg/(E A)" = stretch, costs longer * stretch * rope, "rad of the rope",
             measured stretched.outward(rate, 0.0) - rope, within 1e-14;
         "air on the wheel": "M/(L p)" = slowing, costs 1.0 - 1.0 / (1.0 + 4.0 * PI * slowing).sqrt(),
-            "of the spin a turn", measured 1.0 - left;
+            "of the spin a turn", measured 1.0 - spun;
         "turning of the Earth": "Omega_E/p" = 7.292e-5 / rate.abs(), costs 7.292e-5 / rate.abs(), "of the rate, at most";
     }
 }

@@ -36,7 +36,7 @@ pub fn of(drawn: &Drawn) -> Result<String, String> {
         let fields = [
             claim.key().into(),
             claim.printed(),
-            rounded_up(claim.bound()),
+            claim.printed_bound(),
             rounded_up(claim.tolerance()),
         ];
         fields

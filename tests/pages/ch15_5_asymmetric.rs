@@ -9,10 +9,19 @@ use rotation_dynamics::effects::Torque;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
-use rotation_dynamics::math::{atan2, exp, log};
+use rotation_dynamics::math::{DoubleDouble, atan2, exp, log};
 use rotation_dynamics::scene::Scene;
 use std::f64::consts::TAU;
+use std::ops::{Add, Div, Mul, Sub};
 use support::{Errors, derivative};
+
+/// Doubles, or pairs of them.
+trait Number:
+    Copy + PartialOrd + From<f64> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+}
+impl Number for f64 {}
+impl Number for DoubleDouble {}
 
 /// Bodies and starts of both kinds, near and far from the middle axis.
 fn tumbles() -> Vec<Tumble> {
@@ -216,6 +225,56 @@ fn the_naive_step_adds_the_square_of_its_slope() {
     let least = (0..4000).map(|k| book.rates(0.01 * f64::from(k)).unwrap()[2]);
     assert!(least.fold(f64::INFINITY, f64::min) > 0.9 * book.start[2]);
     assert!(Naive::of_the_page(60.0).take(260).any(|rates| rates[2] < 0.0));
+}
+
+/// L^2 - 2 E I2, and the sum of its terms' sizes.
+fn difference<T: Number>(moments: [f64; 3], [p, _, r]: [T; 3]) -> [T; 2] {
+    let [i1, i2, i3] = moments.map(T::from);
+    let (least, largest) = (i1 * (i2 - i1) * p * p, i3 * (i3 - i2) * r * r);
+    [largest - least, largest + least]
+}
+
+/// Equation (12), to round-off; the twin leaves a moment out.
+#[test]
+fn a_naive_step_multiplies_the_difference() {
+    let (mut errors, mut damaged) = (Errors::of("difference after a step"), Errors::of("over I2 I3"));
+    for tumble in tumbles() {
+        let [i1, i2, i3] = tumble.moments;
+        let mut run = Naive { moments: tumble.moments, rates: tumble.start, step: 0.05 };
+        // A step away from the start, where one of the rates is zero.
+        let before = run.next().unwrap();
+        let [was, size] = difference(tumble.moments, before);
+        let [is, _] = difference(tumble.moments, run.next().unwrap());
+        let by = |other: f64| 1.0 - (i2 - i1) * (i3 - i2) / (other * i3) * (0.05 * before[1]).powi(2);
+        errors.push((is - by(i1) * was) / size);
+        damaged.push((is - by(i2) * was) / was);
+    }
+    errors.attain(3.3e-16..=3.4e-16, 24);
+    damaged.exceed(1e-7, 24);
+}
+
+/// The step in which the plain recursion (1) crosses in these numbers, at 240 steps a second.
+fn plain_crossing<T: Number>() -> u32 {
+    let run = Naive::of_the_page(240.0);
+    let ([i1, i2, i3], mut rates) = (run.moments.map(T::from), run.rates.map(T::from));
+    let crossed = (1..10_000).find(|_| {
+        let ([p, q, r], h) = (rates, T::from(1.0) / T::from(240.0));
+        let slopes = [(i2 - i3) / i1 * q * r, (i3 - i1) / i2 * r * p, (i1 - i2) / i3 * p * q];
+        rates = [0, 1, 2].map(|i| rates[i] + h * slopes[i]);
+        difference(run.moments, rates)[0] <= T::from(0.0)
+    });
+    crossed.expect("it crosses")
+}
+
+/// With 120 and with 200 digits (mpmath) the plain recursion crosses in step 4311, where the
+/// difference over 2 E I2 goes from 5.0e-64 to -7.0e-64. So does the page's; doubles, and pairs of
+/// them, cross before, at their own rounding.
+#[test]
+fn rounding_does_not_decide_when_it_crosses() {
+    assert_eq!((240.0 * value(&EXAMPLE, "naive_crosses_later")).round(), 4311.0);
+    let (rounded, in_pairs) = (plain_crossing::<f64>(), plain_crossing::<DoubleDouble>());
+    assert!(4150 < rounded && rounded < 4200, "{rounded}");
+    assert!(4250 < in_pairs && in_pairs < 4300, "{in_pairs}");
 }
 
 /// A naive step after which the length of L is brought back.

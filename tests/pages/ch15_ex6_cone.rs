@@ -133,3 +133,18 @@ fn left_to_itself_it_loses_what_the_card_measures() {
     // At a hundredth of the rate it stops on the way.
     assert_eq!(ledger(&EXAMPLE, "--rate=0.015").len(), 1);
 }
+
+/// The squares of the two rates at which a cone tips and slips, the larger over the smaller.
+#[test]
+fn with_a_coefficient_of_one_tipping_and_slipping_are_close() {
+    let apart = |a: f64| {
+        let ratio = tips(a) * needed(a, 1.0);
+        ratio.max(1.0 / ratio)
+    };
+    let mut errors = Errors::of("ratio from 0.2 to 1.35 rad");
+    (0..=115).for_each(|k| errors.push(apart(0.2 + 0.01 * f64::from(k))));
+    errors.attain(1.25..=1.26, 116);
+    let mut beyond = Errors::of("ratio of slimmer and flatter cones");
+    [0.05, 0.1, 0.18, 1.4, 1.45, 1.5].into_iter().for_each(|a| beyond.push(apart(a)));
+    beyond.exceed(1.26, 6);
+}

@@ -8,7 +8,7 @@
 use insta::Settings;
 use crate::answers::{root, with_report};
 use kit::draw::PALETTE;
-use kit::{Figure, Page, parse};
+use kit::{Figure, Page, parse, rounded_up};
 use pages::{ALL, WHOLE};
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
@@ -120,6 +120,30 @@ fn nothing_is_locked_twice_or_without_an_example() {
     if WHOLE {
         assert_eq!(figures, locked);
     }
+}
+
+/// The numbers that have the value and the bound in a row of the claims, as it is printed, hold
+/// those that have the claim's own; the twin is the bound of the value before it was rounded.
+#[test]
+fn a_printed_bound_holds_for_the_printed_value() {
+    let (mut seen, mut damaged) = (0, 0);
+    for (page, example) in ALL.iter().zip(all()) {
+        let parsed = parse(&example.text).expect("the text follows its grammar");
+        let rows = parsed.table("claims").expect("it is printed").rows();
+        with_report(*page, |report| {
+            assert_eq!(rows.len(), report.claims().len(), "{}", example.stem);
+            for (row, claim) in rows.iter().zip(report.claims()) {
+                let number = |text: &str| text.parse::<f64>().expect("a number");
+                let needed = (number(&row[1]) - claim.value()).abs() + claim.bound();
+                let what = format!("{} {}: {needed:e}, {row:?}", example.stem, claim.key());
+                assert!(claim.key() == row[0] && needed <= number(&row[3]), "{what}");
+                damaged += usize::from(needed > number(&rounded_up(claim.bound())));
+                seen += 1;
+            }
+        });
+    }
+    assert!(!WHOLE || seen > 800, "{seen} claims");
+    assert!(2 * damaged > seen, "the twin misses {damaged} of {seen}");
 }
 
 /// A wrong answer that counts as right is never told its hint.

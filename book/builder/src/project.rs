@@ -271,7 +271,7 @@ pub struct Claim {
     pub value: String,
     /// Its unit, `-` if it has none.
     pub unit: String,
-    /// The bound on its error.
+    /// The bound on the error of what is printed.
     pub bound: String,
     /// The independent route.
     pub oracle: String,

@@ -1,7 +1,7 @@
 //! A claim: a number, its error bound, and the independent route that confirms it.
 
 use super::answer::{self, Answer, Verdict};
-use super::number::{below, rounded_up, supported_digits};
+use super::number::{below, rounded_up, supported_digits, taken_away};
 use crate::error::{Error, Result};
 use rotation_dynamics::math::EPS;
 
@@ -41,6 +41,8 @@ pub struct Slip {
 ///     Oracle::new("located event", 0.863_154_3))?
 ///     .slip(0.707_6, "that is measured from the floor");
 /// assert_eq!(claim.printed(), "0.863154");
+/// // 1e-6, and the tenth of it that is not printed.
+/// assert_eq!(claim.printed_bound(), "2e-6");
 /// // A value that its oracle contradicts cannot be made into a claim.
 /// assert!(Claim::new("angle", "angle of release", 0.9, "rad", 1e-6,
 ///     Oracle::new("located event", 0.863_154_3)).is_err());
@@ -189,12 +191,18 @@ impl Claim {
         supported_digits(self.value, self.bound)
     }
 
+    /// The bound on the error of the printed value: that of the value, and what printing took
+    /// away, rounded up to one digit.
+    pub fn printed_bound(&self) -> String {
+        rounded_up(self.bound + taken_away(self.value, &self.printed()))
+    }
+
     pub(super) fn cells(&self) -> [String; 6] {
         [
             self.key.clone(),
             self.printed(),
             self.unit.clone(),
-            rounded_up(self.bound),
+            self.printed_bound(),
             self.oracle.name.clone(),
             below(
                 self.difference(),

@@ -39,7 +39,8 @@
 //! head ([`Report::ask`]) calls for it: `in` or `out`, with the tolerance where that is neither a
 //! part nor in radians.
 //!
-//! A claim's value shows only the digits its bound supports ([`supported_digits`]).
+//! A claim's value shows only the digits its bound supports ([`supported_digits`]). The column `bound`
+//! is that of the value as it is printed: it includes what the rounding took away.
 //! `within` in `checks` is the relative tolerance of [`Claim::verdict`], which is
 //! also the rule of the page's answer box. With a column `group` the box offers the
 //! claims that have one, under it; `-` is for those that a reader does not compute.

@@ -135,6 +135,12 @@ pub fn rounded_up(x: f64) -> String {
     }
 }
 
+/// How far `text`, which is `value` printed, reads from it.
+pub(super) fn taken_away(value: f64, text: &str) -> f64 {
+    // What is printed reads back; a NaN would be seen in the sum.
+    (text.parse().unwrap_or(f64::NAN) - value).abs()
+}
+
 /// `< 10^k` for the smallest such `k`, without a space: a difference at the level
 /// of round-off must not be locked digit for digit. `floor` is the smallest
 /// difference worth telling apart (0 if every one is).
