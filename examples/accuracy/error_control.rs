@@ -1,87 +1,50 @@
 //! `solve` on the motions, and how honest it is on random ones.
 
-use super::ASKED;
 use super::honesty::{Spread, cases, spreads};
-use super::lines::{Measured, power};
-use super::rough::heavy;
-use kit::draw::{Axis, Curve, Ink, Panel, Side};
-use kit::{Figure, Prepared, Report, Result, Table, rounded_up, short};
-use rotation_dynamics::Error;
-use rotation_dynamics::effects::Effect;
-use rotation_dynamics::math::EPS;
-use std::sync::Arc;
+use super::*;
+use kit::Result;
+use rough::heavy;
 
 /// Random scenes; each is solved at eleven tolerances.
 const SCENES: u64 = 204;
 
 /// Adds what `solve` chose, and what it delivers on random scenes.
 pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
-    let columns = [
-        "motion",
-        "requested",
-        "chosen",
-        "delivered",
-        "estimate",
-        "run",
-        "all runs",
-    ];
-    let mut table = Table::new("solve", columns)?;
-    for measured in all {
-        let motion = &measured.motion;
-        for asked in ASKED {
-            let mut row = vec![motion.name.to_owned(), rounded_up(asked)];
-            match motion.problem.solved(asked) {
-                Ok(solved) => row.extend([
-                    solved.method.to_owned(),
-                    rounded_up(motion.problem.errors(&solved.state).attitude),
-                    rounded_up(solved.estimate),
-                    solved.run.torques().to_string(),
-                    solved.work.torques().to_string(),
-                ]),
-                Err(Error::NotDelivered { best, .. }) => {
-                    row.push(format!("refused: at best {}", rounded_up(best)));
-                    row.resize(7, "-".into());
-                }
-                Err(other) => return Err(other.into()),
-            }
-            table.push(row)?;
-        }
+    report.add(chosen(all)?)?;
+    if let Some(lopsided) = lines::of(all, "lopsided") {
+        report.add(two_runs(lopsided)?)?;
     }
-    report.add(table)?;
-    add_two_runs(report, all)?;
-
-    let columns = [
-        "requested",
-        "delivered",
-        "a quarter below",
-        "half below",
-        "three quarters",
-        "largest",
-        "refused",
-        "price",
-    ];
-    let mut table = Table::new("honesty", columns)?;
-    for spread in random()?.iter() {
-        let at = |part| power(Some(spread.quantile(part)));
-        table.push([
-            rounded_up(spread.tolerance),
-            spread.ratios.len().to_string(),
-            at(0.25),
-            at(0.5),
-            at(0.75),
-            at(1.0),
-            spread.refused.to_string(),
-            short(spread.price, 2),
-        ])?;
-    }
-    report.add(table)
+    report.add(honesty()?)
 }
 
-/// Adds what two runs of one motion say, number by number.
-fn add_two_runs(report: &mut Report, all: &[Measured]) -> Result<()> {
-    let Some(Measured { motion, .. }) = all.iter().find(|one| one.motion.key == "lopsided") else {
-        return Ok(());
-    };
+/// What `solve` chose on each motion, and what that delivered and cost.
+fn chosen(all: &[Measured]) -> Result<Table> {
+    let columns = "motion, requested, chosen, delivered, estimate, run, all runs";
+    let requests = all
+        .iter()
+        .flat_map(|one| ASKED.map(|asked| (&one.motion, asked)));
+    Table::of("solve", columns.split(", "), requests, |(motion, asked)| {
+        let told = match motion.problem.solved(asked) {
+            Ok(solved) => [
+                solved.method.to_owned(),
+                rounded_up(motion.problem.errors(&solved.state).attitude),
+                rounded_up(solved.estimate),
+                solved.run.torques().to_string(),
+                solved.work.torques().to_string(),
+            ],
+            Err(Error::NotDelivered { best, .. }) => {
+                let refused = format!("refused: at best {}", rounded_up(best));
+                [&refused, "-", "-", "-", "-"].map(str::to_owned)
+            }
+            Err(other) => return Err(other.into()),
+        };
+        let request = [motion.name.to_owned(), rounded_up(asked)];
+        Ok(request.into_iter().chain(told))
+    })
+}
+
+/// What two runs of one motion say, number by number.
+fn two_runs(Measured { motion, .. }: &Measured) -> Result<Table> {
     let (tolerance, end, (scene, start)) = (1e-6, motion.end, heavy()?);
     let solved = motion.problem.solved(tolerance)?;
     let body = scene.body();
@@ -95,35 +58,51 @@ fn add_two_runs(report: &mut Report, all: &[Measured]) -> Result<()> {
     let moved = solved.condition * solved.condition - late * late;
     let distance = change * moved.sqrt();
     let floor = 8.0 * EPS * (1.0 + solved.condition);
-    let mut table = Table::new("two_runs", ["quantity", "value"])?;
-    for (quantity, value) in [
+    let swept = solved.estimate - 2.0 * distance - floor;
+    let error = motion.problem.errors(&solved.state).attitude;
+    let first = solved.work.steps - solved.run.steps;
+    let rows = [
         ("error requested / rad", rounded_up(tolerance)),
         ("change of the inputs of the first run", short(change, 2)),
-        (
-            "steps of the first run",
-            (solved.work.steps - solved.run.steps).to_string(),
-        ),
+        ("steps of the first run", first.to_string()),
         ("steps of the second", solved.run.steps.to_string()),
         ("distance of the two / rad", short(distance, 3)),
         ("condition", short(solved.condition, 3)),
         ("floor / rad", short(floor, 2)),
-        (
-            "left by the sweeps / rad",
-            short(solved.estimate - 2.0 * distance - floor, 2),
-        ),
+        ("left by the sweeps / rad", short(swept, 2)),
         ("estimate / rad", short(solved.estimate, 3)),
-        (
-            "true error / rad",
-            rounded_up(motion.problem.errors(&solved.state).attitude),
-        ),
+        ("true error / rad", rounded_up(error)),
         (
             "work of both over that of the second",
             short(solved.price, 3),
         ),
-    ] {
-        table.push([quantity.to_owned(), value])?;
-    }
-    report.add(table)
+    ];
+    Table::of(
+        "two_runs",
+        ["quantity", "value"],
+        rows,
+        |(quantity, value)| Ok([quantity.to_owned(), value]),
+    )
+}
+
+/// What `solve` delivers on random scenes.
+fn honesty() -> Result<Table> {
+    let columns = "requested, delivered, a quarter below, half below, three quarters, largest, \
+                   refused, price";
+    let spreads = random()?;
+    Table::of("honesty", columns.split(", "), spreads.iter(), |spread| {
+        let at = |part| rounded_up(spread.quantile(part));
+        Ok([
+            rounded_up(spread.tolerance),
+            spread.ratios.len().to_string(),
+            at(0.25),
+            at(0.5),
+            at(0.75),
+            at(1.0),
+            spread.refused.to_string(),
+            short(spread.price, 2),
+        ])
+    })
 }
 
 /// The random scenes, judged once.

@@ -1,17 +1,10 @@
 //! Two motions without a closed form, and how their ends are known all the same: two
 //! methods that share nothing but the scene agree there.
 
-use super::motions::{Motion, THIRD, free_problem, generic_rates, tilted, unpushed};
-use kit::Report;
-use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::Problem;
-use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Conserved, Effect, GravityAtLever, Properties};
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::inertia::PrincipalMoments;
+use super::*;
+use motions::{Motion, THIRD, coasting, free_problem, generic_rates, tilted};
+use rotation_dynamics::effects::{Conserved, Properties};
 use rotation_dynamics::integrators::gauss_legendre::BodyAxes;
-use rotation_dynamics::integrators::{Dop853, GaussLegendre, Integrator, Scheme, Splitting};
-use rotation_dynamics::scene::Scene;
 
 /// Gravity, and no other effect.
 pub type Gravity = ((), GravityAtLever);
@@ -31,25 +24,23 @@ fn carried(scene: &Scene<Gravity>, state: &State, [from, to]: [f64; 2]) -> Resul
 }
 
 /// The heavy body of three different moments, and how it starts.
-pub fn heavy() -> kit::Result<(Scene<Gravity>, State)> {
-    let (body, start) = tilted(
-        PrincipalMoments::new(1.0, 1.5, 0.8)?,
-        BodyVector::new(0.3, 0.1, 2.0),
-    )?;
+pub fn heavy() -> Result<(Scene<Gravity>, State)> {
+    let moments = PrincipalMoments::new(1.0, 1.5, 0.8)?;
+    let (body, start) = tilted(moments, BodyVector::new(0.3, 0.1, 2.0))?;
     Ok((Scene::new(body).with(GravityAtLever::new(1.0, 0.4)?), start))
 }
 
 /// A heavy body with three different moments, for four seconds a period.
-pub fn lopsided(periods: f64) -> kit::Result<Motion> {
+pub fn lopsided(periods: f64) -> Result<Motion> {
     let (scene, start) = heavy()?;
     let end = 4.0 * periods;
-    let onward = move |state: &State, t, to| carried(&scene, state, [t, to]);
-    let problem = Problem::new(scene, start, end, onward(&start, 0.0, end)?);
-    let name = ("lopsided", "heavy, three moments");
-    Ok(Motion::stepped(name, problem, periods, onward))
+    let answer = carried(&scene, &start, [0.0, end])?;
+    let problem = Problem::new(scene, start, end, answer);
+    let carry = move |state: &State, span| carried(&scene, state, span);
+    let names = ("lopsided", "heavy, three moments");
+    Ok(Motion::carried(names, problem, periods, carry))
 }
 
-// ANCHOR: push
 /// A torque along Z that is switched on and off.
 #[derive(Clone, Copy)]
 pub struct Push {
@@ -74,49 +65,30 @@ impl Effect for Push {
     }
 
     fn torque(&self, t: f64, _body: &RigidBody, _state: &State) -> SpaceVector {
-        let now = if (self.on..self.off).contains(&t) {
-            self.torque
-        } else {
-            0.0
-        };
-        SpaceVector::new(0.0, 0.0, now)
+        let acts = (self.on..self.off).contains(&t);
+        SpaceVector::new(0.0, 0.0, if acts { self.torque } else { 0.0 })
     }
 
     fn break_points(&self) -> Vec<f64> {
         vec![self.on, self.off]
     }
-    // ANCHOR_END: push
 
     fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
         self.torque
     }
 }
 
-/// The same torque all the time, smooth.
-#[derive(Clone, Copy)]
-struct Steady(Push);
-
-impl Effect for Steady {
-    const PROPERTIES: Properties = Properties {
-        on_time: false,
-        smooth: true,
-        ..Push::PROPERTIES
-    };
-
-    fn name(&self) -> &'static str {
-        "steady push"
-    }
-
-    fn torque(&self, _t: f64, _body: &RigidBody, _state: &State) -> SpaceVector {
-        SpaceVector::new(0.0, 0.0, self.0.torque)
-    }
-
-    fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
-        self.0.torque
+impl Push {
+    /// The same torque at all times.
+    fn steady(self) -> Self {
+        let (on, off) = (f64::NEG_INFINITY, f64::INFINITY);
+        Self { on, off, ..self }
     }
 }
 
-fn finely(scene: &Scene<((), Steady)>, state: &State, [from, to]: [f64; 2]) -> Result<State> {
+type Pushed = Scene<((), Push)>;
+
+fn finely(scene: &Pushed, state: &State, [from, to]: [f64; 2]) -> Result<State> {
     Ok(fine([from, to])?.advance(scene, from, state, to)?.0)
 }
 
@@ -127,44 +99,44 @@ fn piecewise(
     push: Push,
     state: &State,
     [from, to]: [f64; 2],
-    pushed: impl Fn(&Scene<((), Steady)>, &State, [f64; 2]) -> Result<State>,
+    pushed: impl Fn(&Pushed, &State, [f64; 2]) -> Result<State>,
 ) -> Result<State> {
-    let coast = |state: State, dt: f64| -> Result<State> {
-        if dt <= 0.0 {
-            return Ok(state);
-        }
-        let attitude = unpushed(body, &state)?.attitude(dt);
-        State::new(attitude, state.angular_momentum)
+    let coast = |state: State, time: f64| match time > 0.0 {
+        true => coasting(body, &state, time),
+        false => Ok(state),
     };
-    let scene = Scene::new(*body).with(Steady(push));
     let mut state = coast(*state, to.min(push.on) - from)?;
     let (on, off) = (from.max(push.on), to.min(push.off));
     if on < off {
-        state = pushed(&scene, &state, [on, off])?;
+        state = pushed(&Scene::new(*body).with(push.steady()), &state, [on, off])?;
     }
     coast(state, to - from.max(push.off))
 }
 
-/// The body, its start, what pushes it, and the end.
-fn thrust(moments: PrincipalMoments, periods: f64) -> Result<(RigidBody, State, Push, f64)> {
-    let end = free_problem(moments, generic_rates(moments), periods)?.end;
-    let (body, start) = tilted(moments, generic_rates(moments))?;
+/// The free body with what pushes it, from 23 % to 61 % of the time.
+fn thrust(moments: PrincipalMoments, periods: f64) -> Result<(Problem<()>, Push)> {
+    let free = free_problem(moments, generic_rates(moments), periods)?;
     let push = Push {
         torque: 0.02,
-        on: 0.23 * end,
-        off: 0.61 * end,
+        on: 0.23 * free.end,
+        off: 0.61 * free.end,
     };
-    Ok((body, start, push, end))
+    Ok((free, push))
 }
 
-/// The free body, pushed from 23 % to 61 % of the time.
+/// The free body, pushed for a while.
 pub fn pushed(moments: PrincipalMoments, periods: f64) -> Result<Motion> {
-    let (body, start, push, t_end) = thrust(moments, periods)?;
-    let onward = move |state: &State, t, to| piecewise(&body, push, state, [t, to], finely);
-    let end = onward(&start, 0.0, t_end)?;
-    let problem = Problem::new(Scene::new(body).with(push), start, t_end, end);
-    let name = ("pushed", "pushed for a while");
-    Ok(Motion::stepped(name, problem, periods, onward))
+    let (
+        Problem {
+            scene, start, end, ..
+        },
+        push,
+    ) = thrust(moments, periods)?;
+    let body = *scene.body();
+    let carry = move |state: &State, span| piecewise(&body, push, state, span, finely);
+    let problem = Problem::new(scene.with(push), start, end, carry(&start, [0.0, end])?);
+    let names = ("pushed", "pushed for a while");
+    Ok(Motion::carried(names, problem, periods, carry))
 }
 
 /// Error of a step of DOP853 where the body is pushed.
@@ -186,23 +158,22 @@ pub fn add(
     let gauss = carried(&scene, &start, [0.0, end])?;
     let splitting = Splitting::new(Scheme::KAHAN_LI17, (20.0 * end) as u64)?;
     let (split, _) = splitting.advance(&scene, 0.0, &start, end)?;
-    let apart = gauss.attitude.angle_to(&split.attitude);
-    kit::limits! { report,
-        /// two methods that share nothing but the scene
-        "heavy, three moments: Gauss-Legendre and Kahan-Li, apart in rad":
-            apart => 0.0, within 1e-12;
-    }?;
-    let (body, start, push, end) = thrust(moments, periods + THIRD)?;
-    let span = [0.0, end];
-    let gauss = piecewise(&body, push, &start, span, finely)?;
-    let dop = piecewise(&body, push, &start, span, |scene, state, [from, to]| {
+    let heavy = gauss.attitude.angle_to(&split.attitude);
+
+    let (free, push) = thrust(moments, periods + THIRD)?;
+    let (body, span) = (free.scene.body(), [0.0, free.end]);
+    let gauss = piecewise(body, push, &free.start, span, finely)?;
+    let dop = piecewise(body, push, &free.start, span, |scene, state, [from, to]| {
         Ok(Dop853::new(STEP)?.advance(scene, from, state, to)?.0)
     })?;
-    let apart = gauss.attitude.angle_to(&dop.attitude);
+    let pushed = gauss.attitude.angle_to(&dop.attitude);
     let bound = STEPS_ASTRAY * periods * STEP * condition;
-    kit::limits! { report,
+    limits! { report,
+        /// two methods that share nothing but the scene
+        "heavy, three moments: Gauss-Legendre and Kahan-Li, apart in rad":
+            heavy => 0.0, within 1e-12;
         /// two methods on pieces that are smooth
         "pushed for a while: Gauss-Legendre and DOP853, started anew at each jump, apart in rad":
-            apart => 0.0, within bound;
+            pushed => 0.0, within bound;
     }
 }
