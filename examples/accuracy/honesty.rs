@@ -126,45 +126,31 @@ impl Governor {
     }
 }
 
-/// A free body and its end.
+/// A free body and its end; if it is `governed`, with a torque along L.
 fn free(
     kind: &'static str,
     moments: PrincipalMoments,
     rates: BodyVector,
+    governed: bool,
     dice: &mut Dice,
 ) -> Result<Case> {
-    let (scene, start, motion) = tumbling(moments, rates, dice)?;
-    let t_end = dice.scale(1.0, 30.0) * TAU / rates.norm();
-    let exact = motion.attitude(t_end);
-    Ok(Case::new(kind, scene, start, t_end, exact))
-}
-
-/// The same body with a torque along L.
-fn governed(moments: PrincipalMoments, rates: BodyVector, dice: &mut Dice) -> Result<Case> {
-    let (scene, start, motion) = tumbling(moments, rates, dice)?;
-    let t_end = dice.scale(1.0, 10.0) * TAU / rates.norm();
-    let (decay, swing) = (dice.between(-0.5, 1.0) / t_end, dice.between(0.0, 0.3));
-    let governor = Governor { decay, swing };
-    let exact = motion.attitude(governor.inner_time(t_end));
-    Ok(Case::new(
-        "own effect",
-        scene.with(governor),
-        start,
-        t_end,
-        exact,
-    ))
-}
-
-/// A free body at any attitude, and its motion.
-fn tumbling(
-    moments: PrincipalMoments,
-    rates: BodyVector,
-    dice: &mut Dice,
-) -> Result<(Scene<()>, State, FreeBody)> {
     let attitude = Attitude::from_euler(dice.attitude())?;
     let scene = Scene::new(RigidBody::new(moments));
     let start = scene.body().state(attitude, rates)?;
-    Ok((scene, start, FreeBody::new(moments, attitude, rates)?))
+    let motion = FreeBody::new(moments, attitude, rates)?;
+    let turns = dice.scale(1.0, if governed { 10.0 } else { 30.0 });
+    let t_end = turns * TAU / rates.norm();
+    if !governed {
+        let exact = motion.attitude(t_end);
+        return Ok(Case::new(kind, scene, start, t_end, exact));
+    }
+    let (decay, swing) = (dice.between(-0.5, 1.0) / t_end, dice.between(0.0, 0.3));
+    let governor = Governor { decay, swing };
+    let (scene, exact) = (
+        scene.with(governor),
+        motion.attitude(governor.inner_time(t_end)),
+    );
+    Ok(Case::new(kind, scene, start, t_end, exact))
 }
 
 /// A heavy top with these moments, Euler angles and rates, for some turns of its axis.
@@ -208,32 +194,29 @@ fn case(kind: u64, dice: &mut Dice) -> Result<Case> {
     let (kind, rates) = match kind {
         0 => {
             let (moments, rates) = (dice.moments()?, dice.vector() * dice.scale(0.1, 10.0));
-            return free("free body", moments, rates, dice);
+            return free("free body", moments, rates, false, dice);
         }
         1 => {
             // Near the axis of the middle moment, which is no stable one.
             let moments = PrincipalMoments::new(1.0, dice.between(1.2, 1.8), 2.2)?;
             let [x, _, z] = (dice.vector() * dice.scale(1e-6, 1e-2)).to_array();
-            return free(
-                "near the separatrix",
-                moments,
-                BodyVector::new(x, 1.0, z),
-                dice,
-            );
+            let rates = BodyVector::new(x, 1.0, z);
+            return free("near the separatrix", moments, rates, false, dice);
         }
         2 => {
             let thin = dice.scale(1e-3, 1e-1);
             let moments = PrincipalMoments::new(1.0, 1.0 + dice.between(0.0, 0.9) * thin, thin)?;
             let [x, y, z] = dice.vector().to_array();
-            return free("needle", moments, BodyVector::new(x, y, z / thin), dice);
+            let rates = BodyVector::new(x, y, z / thin);
+            return free("needle", moments, rates, false, dice);
         }
         3 => {
-            let moments = PrincipalMoments::symmetric(size, shape[1])?;
-            return free("symmetric free body", moments, dice.vector(), dice);
+            let (moments, rates) = (PrincipalMoments::symmetric(size, shape[1])?, dice.vector());
+            return free("symmetric free body", moments, rates, false, dice);
         }
         4 => {
             let (moments, rates) = (dice.moments()?, dice.vector() * dice.scale(0.3, 3.0));
-            return governed(moments, rates, dice);
+            return free("own effect", moments, rates, true, dice);
         }
         5 => ("top", spin(dice.between(-3.0, 3.0))),
         6 => ("fast top", spin(dice.scale(10.0, 100.0))),

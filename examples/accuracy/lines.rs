@@ -2,7 +2,7 @@
 
 use super::*;
 use kit::Result;
-use motions::Motion;
+use motions::{Motion, Names};
 use rotation_dynamics::accuracy::{Point, Run};
 
 /// A method on a motion.
@@ -55,11 +55,7 @@ fn settings(method: Method) -> Vec<f64> {
 
 impl Line {
     /// A method's runs, under its own key and name or under others.
-    fn new(
-        method: Method,
-        (key, name): (&'static str, &'static str),
-        sweep: Sweep,
-    ) -> Result<Self> {
+    fn new(method: Method, (key, name): Names, sweep: Sweep) -> Result<Self> {
         let attitude = sweep.curve(Measure::Attitude, Work::torques)?;
         Ok(Self {
             method,

@@ -40,8 +40,8 @@ impl<E: Effect + Clone + Send + Sync + 'static> Raced for Problem<E> {
     }
 }
 
-/// A motion's key, and its name in tables.
-type Names = (&'static str, &'static str);
+/// A key, and a name in tables.
+pub type Names = (&'static str, &'static str);
 type StateAt = Box<dyn Fn(f64) -> Result<State> + Send + Sync>;
 type Continued = Box<dyn Fn(&State, f64) -> Result<Attitude> + Send + Sync>;
 
