@@ -99,10 +99,8 @@ fn solved<E: Effect>(problem: &Problem<E>, tolerance: f64) -> Result<Solved> {
 
 /// Adds what RK4 pays for a digit.
 fn add_rk4(report: &mut Report, p: &Parameters) -> kit::Result<()> {
-    let moments = p.moments()?;
-    let rates = motions::generic_rates(moments);
-    let free = motions::free_problem(moments, rates, p.periods + motions::THIRD)?;
-    let Some(price) = rk4(&free)?.price_of_a_digit(1e-10, 1e-6) else {
+    let curve = rk4(&motions::tumbling(p)?)?;
+    let Some(price) = curve.price_of_a_digit(1e-10, 1e-6) else {
         return Ok(());
     };
     claims! { report,
@@ -126,7 +124,7 @@ fn report(p: &Parameters) -> kit::Result<Report> {
     error_control::add(&mut report, &all)?;
     limits::add(&mut report)?;
     let pushed = lines::of(&all, "pushed").map_or(f64::NAN, |pushed| pushed.path_condition.1);
-    rough::add(&mut report, (p.moments()?, p.periods), pushed)?;
+    rough::add(&mut report, p, pushed)?;
     let top = &all[1].motion.problem;
     for error in p.tolerance.map_or(ASKED.to_vec(), |one| vec![one]) {
         top.add_strip(&mut report, error)?;

@@ -20,9 +20,8 @@ pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
 /// What `solve` chose on each motion, and what that delivered and cost.
 fn chosen(all: &[Measured]) -> Result<Table> {
     let columns = "motion, requested, chosen, delivered, estimate, run, all runs";
-    let requests = all
-        .iter()
-        .flat_map(|one| ASKED.map(|asked| (&one.motion, asked)));
+    let motions = all.iter().map(|measured| &measured.motion);
+    let requests = motions.flat_map(|motion| ASKED.map(|asked| (motion, asked)));
     Table::of("solve", columns.split(", "), requests, |(motion, asked)| {
         let told = match motion.problem.solved(asked) {
             Ok(solved) => [
@@ -61,6 +60,7 @@ fn two_runs(Measured { motion, .. }: &Measured) -> Result<Table> {
     let swept = solved.estimate - 2.0 * distance - floor;
     let error = motion.problem.errors(&solved.state).attitude;
     let first = solved.work.steps - solved.run.steps;
+    let price = short(solved.price, 3);
     let rows = [
         ("error requested / rad", rounded_up(tolerance)),
         ("change of the inputs of the first run", short(change, 2)),
@@ -72,17 +72,10 @@ fn two_runs(Measured { motion, .. }: &Measured) -> Result<Table> {
         ("left by the sweeps / rad", short(swept, 2)),
         ("estimate / rad", short(solved.estimate, 3)),
         ("true error / rad", rounded_up(error)),
-        (
-            "work of both over that of the second",
-            short(solved.price, 3),
-        ),
+        ("work of both over that of the second", price),
     ];
-    Table::of(
-        "two_runs",
-        ["quantity", "value"],
-        rows,
-        |(quantity, value)| Ok([quantity.to_owned(), value]),
-    )
+    let cells = |(quantity, value): (&str, String)| Ok([quantity.to_owned(), value]);
+    Table::of("two_runs", ["quantity", "value"], rows, cells)
 }
 
 /// What `solve` delivers on random scenes.

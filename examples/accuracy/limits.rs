@@ -71,10 +71,8 @@ fn effects(report: &mut Report) -> kit::Result<()> {
     let down = SpaceVector::new(0.0, 0.0, -1.0);
     let pull = GravityGradient::fixed((gravity / radius).sqrt(), down)?;
     let candidates = (block.scene).neglected_effects(&block.start, block.end, 1e-3)?;
-    let (name, formula) = (
-        "gravity gradient of the Earth",
-        "3 g (I3 - I1) / (R_E I2 omega^2)",
-    );
+    let name = "gravity gradient of the Earth";
+    let formula = "3 g (I3 - I1) / (R_E I2 omega^2)";
     let gradient = candidates.line(name, formula, number, &pull, "rad")?;
     effect_card! { report,
         "rotation of the Earth, laboratory axes":

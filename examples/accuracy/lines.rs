@@ -104,9 +104,7 @@ pub const SIZE: f64 = 1e-11;
 
 /// All of them.
 pub fn all(p: &Parameters) -> Result<Vec<Measured>> {
-    (motions::all(p.moments()?, p.periods)?.into_iter())
-        .map(Measured::new)
-        .collect()
+    (motions::all(p)?.into_iter()).map(Measured::new).collect()
 }
 
 /// The one with this key.
@@ -123,12 +121,8 @@ impl Measured {
             let left_out = motion.key == "lopsided"
                 && matches!(method, Method::Aba82 | Method::Aba104 | Method::Aba1064);
             if motion.problem.applies(method) && !left_out {
-                let names = (method.key(), method.name());
-                lines.push(Line::new(
-                    method,
-                    names,
-                    motion.sweep(settings(method), run),
-                )?);
+                let (names, settings) = ((method.key(), method.name()), settings(method));
+                lines.push(Line::new(method, names, motion.sweep(settings, run))?);
             } else if method == Method::Strang && ["free", "flips"].contains(&motion.key) {
                 let sweep = motion.sweep(settings(Method::SemiImplicitEuler), run);
                 lines.push(Line::new(method, (FLOW, "exact flow"), sweep)?);
@@ -155,9 +149,8 @@ impl Measured {
 
     /// The least that a contestant has, of those that have any, and its name.
     pub fn best(&self, of: impl Fn(&Line) -> Option<f64>) -> Option<(f64, &'static str)> {
-        let all = self
-            .contestants()
-            .filter_map(|line| Some((of(line)?, line.name)));
+        let those = self.contestants();
+        let all = those.filter_map(|line| Some((of(line)?, line.name)));
         all.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 

@@ -71,7 +71,7 @@ const NEAR_MIDDLE: BodyVector = BodyVector::new(0.0, 1.0, 1e-4);
 pub const THIRD: f64 = 1.0 / 3.0;
 
 /// All of them, over so many periods (of the rates, or of the nods).
-pub fn all(moments: PrincipalMoments, periods: f64) -> Result<Vec<Motion>> {
+pub fn all(p: &Parameters) -> Result<Vec<Motion>> {
     // Figure 3 of the notes: a = 2, b = 1.2, c = 0.2, E~ = 0.55.
     let notes = (ReducedTop::new(2.0, 1.2, 0.2)?, 0.55, Start::ThetaMin);
     // A fast top released at rest: cusps, ten thousand nods in one round.
@@ -82,22 +82,19 @@ pub fn all(moments: PrincipalMoments, periods: f64) -> Result<Vec<Motion>> {
     let energy: f64 = 0.55;
     let passing = ReducedTop::new(2.0, cos + sin * energy.sqrt(), 0.2)?;
     let passing = (passing, energy, Start::ThetaMax);
-    let (tumbling, longer) = (generic_rates(moments), periods + THIRD);
+    // From 1e-4 off the intermediate axis: two flips a period. It ends in the middle of a
+    // flip, where the attitude is most sensitive.
+    let half = 0.5 * p.periods - 0.25;
+    let flips = free_problem(p.moments()?, NEAR_MIDDLE, half)?;
+    let longer = p.periods + THIRD;
     Ok(vec![
-        free(("free", "free body"), moments, tumbling, longer)?,
+        free(("free", "free body"), tumbling(p)?, longer),
         top(("top", "heavy top"), notes, longer)?,
-        top(("fast", "fast top"), cusps, 10.0 * periods + THIRD)?,
-        // From 1e-4 off the intermediate axis: two flips a period. It ends in the middle of a
-        // flip, where the attitude is most sensitive.
-        free(
-            ("flips", "flips"),
-            moments,
-            NEAR_MIDDLE,
-            0.5 * periods - 0.25,
-        )?,
+        top(("fast", "fast top"), cusps, 10.0 * p.periods + THIRD)?,
+        free(("flips", "flips"), flips, half),
         top(("pole", "past the pole"), passing, longer)?,
-        rough::lopsided(periods)?,
-        rough::pushed(moments, longer)?,
+        rough::lopsided(p.periods)?,
+        rough::pushed(p)?,
     ])
 }
 
@@ -121,6 +118,12 @@ pub fn generic_rates(moments: PrincipalMoments) -> BodyVector {
     BodyVector::new(0.8 / i1, 0.8 / i2, 0.9 / i3)
 }
 
+/// The free body of the page.
+pub fn tumbling(p: &Parameters) -> Result<Problem<()>> {
+    let moments = p.moments()?;
+    free_problem(moments, generic_rates(moments), p.periods + THIRD)
+}
+
 /// A free body for so many periods of its rates, or why it has none.
 pub fn free_problem(
     moments: PrincipalMoments,
@@ -139,16 +142,10 @@ pub fn free_problem(
     Ok(problem.in_closed_form(move |t| exact.attitude(t)))
 }
 
-fn free(
-    names: Names,
-    moments: PrincipalMoments,
-    rates: BodyVector,
-    periods: f64,
-) -> Result<Motion> {
-    let problem = free_problem(moments, rates, periods)?;
+fn free(names: Names, problem: Problem<()>, periods: f64) -> Motion {
     let body = *problem.scene.body();
     let carry = move |state: &State, [from, to]: [f64; 2]| coasting(&body, state, to - from);
-    Ok(Motion::carried(names, problem, periods, carry))
+    Motion::carried(names, problem, periods, carry)
 }
 
 /// In units of t': I1 = 1, I3 = a, m g l = c, L_z = sqrt(a).

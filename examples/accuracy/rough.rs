@@ -2,7 +2,7 @@
 //! methods that share nothing but the scene agree there.
 
 use super::*;
-use motions::{Motion, THIRD, coasting, free_problem, generic_rates, tilted};
+use motions::{Motion, THIRD, coasting, tilted, tumbling};
 use rotation_dynamics::effects::{Conserved, Properties};
 use rotation_dynamics::integrators::gauss_legendre::BodyAxes;
 
@@ -41,12 +41,13 @@ pub fn lopsided(periods: f64) -> Result<Motion> {
     Ok(Motion::carried(names, problem, periods, carry))
 }
 
-/// A torque along Z that is switched on and off.
+/// A torque of 0.02 along Z, from a time on and until another.
 #[derive(Clone, Copy)]
-pub struct Push {
-    torque: f64,
-    on: f64,
-    off: f64,
+pub struct Push([f64; 2]);
+
+impl Push {
+    const TORQUE: f64 = 0.02;
+    const ALWAYS: Self = Self([f64::NEG_INFINITY, f64::INFINITY]);
 }
 
 impl Effect for Push {
@@ -65,78 +66,58 @@ impl Effect for Push {
     }
 
     fn torque(&self, t: f64, _body: &RigidBody, _state: &State) -> SpaceVector {
-        let acts = (self.on..self.off).contains(&t);
-        SpaceVector::new(0.0, 0.0, if acts { self.torque } else { 0.0 })
+        let Self([on, off]) = *self;
+        let acts = (on..off).contains(&t);
+        SpaceVector::new(0.0, 0.0, if acts { Self::TORQUE } else { 0.0 })
     }
 
     fn break_points(&self) -> Vec<f64> {
-        vec![self.on, self.off]
+        self.0.to_vec()
     }
 
     fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
-        self.torque
+        Self::TORQUE
     }
 }
 
-impl Push {
-    /// The same torque at all times.
-    fn steady(self) -> Self {
-        let (on, off) = (f64::NEG_INFINITY, f64::INFINITY);
-        Self { on, off, ..self }
-    }
-}
-
-type Pushed = Scene<((), Push)>;
-
-fn finely(scene: &Pushed, state: &State, [from, to]: [f64; 2]) -> Result<State> {
-    Ok(fine([from, to])?.advance(scene, from, state, to)?.0)
-}
-
-/// The state at `to` of a body that is pushed: piece by piece between the jumps, in closed
-/// form where there is no torque.
-fn piecewise(
+/// The state at `to` of a body that is pushed: piece by piece between the jumps, by a method where
+/// there is a torque, and in closed form where there is none.
+fn piecewise<M: Integrator<Scene<((), Push)>, State>>(
     body: &RigidBody,
-    push: Push,
+    Push([on, off]): Push,
     state: &State,
     [from, to]: [f64; 2],
-    pushed: impl Fn(&Pushed, &State, [f64; 2]) -> Result<State>,
+    method: impl Fn([f64; 2]) -> Result<M>,
 ) -> Result<State> {
     let coast = |state: State, time: f64| match time > 0.0 {
         true => coasting(body, &state, time),
         false => Ok(state),
     };
-    let mut state = coast(*state, to.min(push.on) - from)?;
-    let (on, off) = (from.max(push.on), to.min(push.off));
-    if on < off {
-        state = pushed(&Scene::new(*body).with(push.steady()), &state, [on, off])?;
+    let mut state = coast(*state, to.min(on) - from)?;
+    let (start, end) = (from.max(on), to.min(off));
+    if start < end {
+        let scene = Scene::new(*body).with(Push::ALWAYS);
+        (state, _) = method([start, end])?.advance(&scene, start, &state, end)?;
     }
-    coast(state, to - from.max(push.off))
+    coast(state, to - from.max(off))
 }
 
-/// The free body with what pushes it, from 23 % to 61 % of the time.
-fn thrust(moments: PrincipalMoments, periods: f64) -> Result<(Problem<()>, Push)> {
-    let free = free_problem(moments, generic_rates(moments), periods)?;
-    let push = Push {
-        torque: 0.02,
-        on: 0.23 * free.end,
-        off: 0.61 * free.end,
-    };
+/// The free body of the page, and what pushes it: from 23 % to 61 % of the time.
+fn thrust(p: &Parameters) -> Result<(Problem<()>, Push)> {
+    let free = tumbling(p)?;
+    let push = Push([0.23 * free.end, 0.61 * free.end]);
     Ok((free, push))
 }
 
 /// The free body, pushed for a while.
-pub fn pushed(moments: PrincipalMoments, periods: f64) -> Result<Motion> {
-    let (
-        Problem {
-            scene, start, end, ..
-        },
-        push,
-    ) = thrust(moments, periods)?;
-    let body = *scene.body();
-    let carry = move |state: &State, span| piecewise(&body, push, state, span, finely);
-    let problem = Problem::new(scene.with(push), start, end, carry(&start, [0.0, end])?);
+pub fn pushed(p: &Parameters) -> Result<Motion> {
+    let (free, push) = thrust(p)?;
+    let (body, start, end) = (*free.scene.body(), free.start, free.end);
+    let carry = move |state: &State, span| piecewise(&body, push, state, span, fine);
+    let answer = carry(&start, [0.0, end])?;
+    let problem = Problem::new(free.scene.with(push), start, end, answer);
     let names = ("pushed", "pushed for a while");
-    Ok(Motion::carried(names, problem, periods, carry))
+    Ok(Motion::carried(names, problem, p.periods + THIRD, carry))
 }
 
 /// Error of a step of DOP853 where the body is pushed.
@@ -148,26 +129,20 @@ const STEP: f64 = 1e-14;
 const STEPS_ASTRAY: f64 = 1.6;
 
 /// The second routes to the two ends; `condition` is the path condition of the pushed body.
-pub fn add(
-    report: &mut Report,
-    (moments, periods): (PrincipalMoments, f64),
-    condition: f64,
-) -> kit::Result<()> {
+pub fn add(report: &mut Report, p: &Parameters, condition: f64) -> kit::Result<()> {
     let (scene, start) = heavy()?;
-    let end = 4.0 * periods;
+    let end = 4.0 * p.periods;
     let gauss = carried(&scene, &start, [0.0, end])?;
     let splitting = Splitting::new(Scheme::KAHAN_LI17, (20.0 * end) as u64)?;
     let (split, _) = splitting.advance(&scene, 0.0, &start, end)?;
     let heavy = gauss.attitude.angle_to(&split.attitude);
 
-    let (free, push) = thrust(moments, periods + THIRD)?;
+    let (free, push) = thrust(p)?;
     let (body, span) = (free.scene.body(), [0.0, free.end]);
-    let gauss = piecewise(body, push, &free.start, span, finely)?;
-    let dop = piecewise(body, push, &free.start, span, |scene, state, [from, to]| {
-        Ok(Dop853::new(STEP)?.advance(scene, from, state, to)?.0)
-    })?;
+    let gauss = piecewise(body, push, &free.start, span, fine)?;
+    let dop = piecewise(body, push, &free.start, span, |_| Dop853::new(STEP))?;
     let pushed = gauss.attitude.angle_to(&dop.attitude);
-    let bound = STEPS_ASTRAY * periods * STEP * condition;
+    let bound = STEPS_ASTRAY * p.periods * STEP * condition;
     limits! { report,
         /// two methods that share nothing but the scene
         "heavy, three moments: Gauss-Legendre and Kahan-Li, apart in rad":

@@ -178,13 +178,9 @@ fn sweeps(free: &Measured) -> Result<Table> {
 }
 
 /// Which digits of the heavy top are claimed, and how well they are known.
-const DIGITS: [(&str, f64); 6] = [
-    ("strang", 0.01),
-    ("rk4", 0.01),
-    ("mk4", 0.1),
-    ("srkn6", 0.1),
-    ("srkn14", 0.1),
-    ("dop853", 0.1),
+const DIGITS: [(&[&str], f64); 2] = [
+    (&["strang", "rk4"], 0.01),
+    (&["mk4", "srkn6", "srkn14", "dop853"], 0.1),
 ];
 
 /// Which work is claimed to be more, and than which: a motion, and two methods on it.
@@ -197,19 +193,23 @@ const RATIOS: [[&str; 3]; 3] = [
 /// Adds numbers that a second route confirms.
 pub fn add_claims(report: &mut Report, all: &[Measured]) -> Result<()> {
     let line = |motion, method| lines::of(all, motion)?.line(method);
-    let digits = DIGITS.map(|(method, bound)| digit(line("top", method)?, bound));
-    report.add(digits.into_iter().flatten().collect::<Vec<_>>())?;
+    for (methods, bound) in DIGITS {
+        let lines = methods.iter().filter_map(|method| line("top", method));
+        let digits = lines.filter_map(|line| digit(line, bound));
+        report.add(digits.collect::<Vec<_>>())?;
+    }
     if let Some(order) = line("top", "gauss").and_then(order_in_steps) {
         claims! { report,
             /// order of Gauss-Legendre in its steps, on the heavy top
             top_gauss_order: order, "-", "its order" => 16.0, within 0.9, judged 0.05;
         }?;
     }
-    let ratios = RATIOS
-        .map(|[motion, dear, cheap]| ratio(motion, line(motion, dear)?, line(motion, cheap)?));
-    report.add(ratios.into_iter().flatten().collect::<Vec<_>>())?;
-    all.iter()
-        .try_for_each(|measured| report.add(condition(measured)?))
+    for [motion, dear, cheap] in RATIOS {
+        if let (Some(dear), Some(cheap)) = (line(motion, dear), line(motion, cheap)) {
+            report.add(Vec::from_iter(ratio(motion, dear, cheap)))?;
+        }
+    }
+    (all.iter()).try_for_each(|measured| report.add(condition(measured)?))
 }
 
 /// What one more digit costs on the heavy top.
@@ -229,11 +229,8 @@ fn digit(line: &Line, bound: f64) -> Option<ClaimEntry> {
 /// The order of a method in its steps.
 fn order_in_steps(line: &Line) -> Option<f64> {
     let floor = line.attitude.floor()?.error;
-    let curve = line
-        .sweep
-        .curve(Measure::Attitude, |work| work.steps)
-        .ok()?;
-    Some(curve.price_of_a_digit(30.0 * floor, 1e-8)?.order)
+    let curve = (line.sweep).curve(Measure::Attitude, |work| work.steps);
+    Some(curve.ok()?.price_of_a_digit(30.0 * floor, 1e-8)?.order)
 }
 
 /// By how much one method works more than another for 1e-9 rad.
@@ -250,10 +247,8 @@ fn ratio(motion: &str, dear: &Line, cheap: &Line) -> Option<ClaimEntry> {
     };
     let fitted = |line| price(line)?.work_for(ERROR).ok();
     let key = format!("{motion}_{}_over_{}", dear.key, cheap.key);
-    let meaning = format!(
-        "work of {} over that of {} for 1e-9 rad",
-        dear.name, cheap.name
-    );
+    let [much, little] = [dear.name, cheap.name];
+    let meaning = format!("work of {much} over that of {little} for 1e-9 rad");
     let claim = claim(key, meaning, least(dear)? / least(cheap)?, "-")
         .agrees_with("the fitted lines", fitted(dear)? / fitted(cheap)?, 1.0)
         .judged_within(0.2);
@@ -261,19 +256,14 @@ fn ratio(motion: &str, dear: &Line, cheap: &Line) -> Option<ClaimEntry> {
 }
 
 /// What the path of a motion magnifies an error by.
-fn condition(
-    Measured {
-        motion,
-        path_condition: (t, path),
-        ..
-    }: &Measured,
-) -> Result<ClaimEntry> {
+fn condition(measured: &Measured) -> Result<ClaimEntry> {
+    let (motion, (t, path)) = (&measured.motion, measured.path_condition);
     let key = format!("{}_condition", motion.key);
     let meaning = format!("{}: what the path magnifies an error by", motion.name);
     // On the way through a flip even this disturbance bends the path a little.
     let part = if motion.key == "flips" { 0.05 } else { 0.005 };
-    let larger = motion.condition(*t, 8.0 * SIZE)?;
-    Ok(claim(key, meaning, *path, "-")
+    let larger = motion.condition(t, 8.0 * SIZE)?;
+    Ok(claim(key, meaning, path, "-")
         .agrees_with("a disturbance 8 times as large", larger, part * path)
         .judged_within(0.3))
 }
