@@ -209,8 +209,11 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     report.strip(&problem, &[p.tolerance, 1e-6, 1e-9])
 }
 
+/// A change of the page's parameters.
+type Change = fn(&mut Parameters);
+
 /// What the page's tries change.
-const TRIES: [(&str, fn(&mut Parameters)); 4] = [
+const TRIES: [(&str, Change); 4] = [
     ("as it is", |_| ()),
     ("--spin 628", |p| p.spin = 628.0),
     ("--seconds 1", |p| p.seconds = 1.0),

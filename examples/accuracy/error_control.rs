@@ -104,43 +104,47 @@ fn random() -> rotation_dynamics::Result<Arc<Vec<Spread>>> {
     JUDGED.get(&SCENES, |count| spreads(&cases(*count)?))
 }
 
-/// Delivered over requested: the median, the quartiles, the largest; and the same of the estimates.
-pub fn figures() -> Result<[Figure; 2]> {
-    let spreads = random()?;
-    let line = |value: &dyn Fn(&Spread) -> f64| -> Vec<(f64, f64)> {
-        (spreads.iter().map(|s| (s.tolerance, value(s).max(1e-6)))).collect()
-    };
-    let error = |part: f64| line(&|s| s.quantile(part));
-    let estimate = |part: f64| line(&|s| s.estimate(part));
-    let band = |[low, high]: [Vec<_>; 2]| low.into_iter().chain(high.into_iter().rev());
-    let panel = |name, seen, y, median| {
-        Panel::new(name, seen)
-            .size(340, 300)
-            .x(Axis::log("error requested / rad"))
-            .y(Axis::log(y).range(1e-5, 10.0))
-            .level(1.0, Ink::Wrong, "broken promise")
-            .area(band([error(0.25), error(0.75)]), Ink::Frame)
-            .curve(Curve::new(error(0.5), Ink::Ink).with_dots().label(median))
-    };
-    let honesty = panel(
-        "honesty",
-        "Error delivered over error requested against the request, from 1e-3 to 1e-13, for two hundred \
-         random scenes: the largest stays below one everywhere, the median lies below a thousandth and rises \
-         towards the smallest requests",
-        "delivered over requested",
-        "median",
-    )
-    .curve(Curve::new(error(1.0), Ink::Ink).dashed().label("largest"))
-    .note(1e-12, 2e-3, Ink::Frame, "quartiles", Side::Below);
-    let estimates = panel(
-        "estimates",
-        "Estimate and error over the error requested against the request, from 1e-3 to 1e-13, for two \
-         hundred random scenes: the median of the estimates lies at some tenths, that of the errors a \
-         hundred times and more below, but for the smallest requests",
-        "over the error requested",
-        "error",
-    )
-    .area(band([estimate(0.25), estimate(0.75)]), Ink::Frame)
-    .curve(Curve::new(estimate(0.5), Ink::Ink).dashed().with_dots().label("estimate"));
-    Ok([honesty.figure()?, estimates.figure()?])
+/// A quantile of a spread: of its errors, or of its estimates.
+type Quantile = fn(&Spread, f64) -> f64;
+
+/// The quantile that belongs to a part, against the request.
+fn line(spreads: &[Spread], of: Quantile, part: f64) -> Vec<(f64, f64)> {
+    let points = spreads.iter();
+    let points = points.map(|spread| (spread.tolerance, of(spread, part).max(1e-6)));
+    points.collect()
+}
+
+/// What lies between the quartiles.
+fn band(spreads: &[Spread], of: Quantile) -> Vec<(f64, f64)> {
+    let [low, mut high] = [0.25, 0.75].map(|part| line(spreads, of, part));
+    high.reverse();
+    [low, high].concat()
+}
+
+/// The errors over the request, with their median, and the promise.
+fn errors(spreads: &[Spread], y: &str, median: &str) -> Panel {
+    let errors = Curve::new(line(spreads, Spread::quantile, 0.5), Ink::Ink);
+    let requested = Axis::log("error requested / rad");
+    Panel::over_axes(requested, Axis::log(y).range(1e-5, 10.0))
+        .size(340, 300)
+        .level(1.0, Ink::Wrong, "broken promise")
+        .area(band(spreads, Spread::quantile), Ink::Frame)
+        .curve(errors.with_dots().label(median))
+}
+
+figures! { _: &Parameters, spreads = random()?;
+    /// Error delivered over error requested against the request, from 1e-3 to 1e-13, for two hundred
+    /// random scenes: the largest stays below one everywhere, the median lies below a thousandth and
+    /// rises towards the smallest requests
+    honesty: errors(&spreads, "delivered over requested", "median")
+        .curve(Curve::new(line(&spreads, Spread::quantile, 1.0), Ink::Ink).dashed().label("largest"))
+        .note(1e-12, 2e-3, Ink::Frame, "quartiles", Side::Below);
+
+    /// Estimate and error over the error requested against the request, from 1e-3 to 1e-13, for two
+    /// hundred random scenes: the median of the estimates lies at some tenths, that of the errors a
+    /// hundred times and more below, but for the smallest requests
+    estimates: errors(&spreads, "over the error requested", "error")
+        .area(band(&spreads, Spread::estimate), Ink::Frame)
+        .curve(Curve::new(line(&spreads, Spread::estimate, 0.5), Ink::Ink)
+            .dashed().with_dots().label("estimate"));
 }

@@ -10,8 +10,8 @@ use tables::price;
 pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
     let measured = super::prepared(p)?;
     let mut figures = measured.iter().map(work).collect::<Result<Vec<_>>>()?;
-    figures.push(digit(&measured)?);
-    figures.extend(super::error_control::figures()?);
+    figures.extend(self::figures(p)?);
+    figures.extend(error_control::figures(p)?);
     Ok(figures)
 }
 
@@ -90,22 +90,25 @@ const LABELS: [(u32, &str); 5] = [
     (16, "Gauss 16"),
 ];
 
+figures! { p: &Parameters;
+    /// Factor in work for one more digit against the order of the method: the curve ten to the
+    /// power of one over the order falls steeply up to order four and is flat from order eight;
+    /// most measured factors lie near it, those of Gauss-Legendre below it
+    digit: digit(&super::prepared(p)?);
+}
+
 /// The price of one more digit against the order.
-fn digit(all: &[Measured]) -> Result<Figure> {
+fn digit(all: &[Measured]) -> Panel {
     let by_order = (10..=170)
         .map(|k| 0.1 * f64::from(k))
         .map(|p| (p, pow(10.0, 1.0 / p)));
     let law = Curve::new(by_order.filter(|(_, y)| *y <= 4.0), Ink::Ink);
     let ticks = LABELS.map(|(order, _)| (f64::from(order), order.to_string()));
-    let mut panel = Panel::new(
-        "digit",
-        "Factor in work for one more digit against the order of the method: the curve ten to the power of \
-         one over the order falls steeply up to order four and is flat from order eight; most measured \
-         factors lie near it, those of Gauss-Legendre below it",
+    let mut panel = Panel::over_axes(
+        Axis::log("order $p$").range(1.6, 48.0).ticks(ticks),
+        Axis::linear("work for one more digit, factor").range(1.0, 4.0),
     )
     .size(340, 300)
-    .x(Axis::log("order $p$").range(1.6, 48.0).ticks(ticks))
-    .y(Axis::linear("work for one more digit, factor").range(1.0, 4.0))
     .curve(law.label_at("$10^{1/p}$", 2.7, 2.35, Side::AboveRight));
     let mut labels = LABELS.to_vec();
     for line in all.iter().flat_map(|measured| &measured.lines) {
@@ -120,5 +123,5 @@ fn digit(all: &[Measured]) -> Result<Figure> {
         let ink = Look::named(line.name).ink();
         panel = panel.dot(f64::from(order), price.factor, ink, label, side);
     }
-    panel.figure()
+    panel
 }

@@ -8,7 +8,7 @@ use rotation_dynamics::math::{EPS, log10};
 /// A motion, with what it leaves out, the largest first.
 pub struct Case {
     pub key: &'static str,
-    /// Its name, and its model.
+    /// With its model.
     name: &'static str,
     pub left_out: Vec<LeftOut>,
     /// Evaluations and error of runs, coarse to fine.
@@ -123,6 +123,7 @@ fn book() -> Result<Case> {
 /// The Earth of the notes: A and C over M R^2, which is the unit of its moments here.
 const A: f64 = 0.329_591;
 const C: f64 = 0.330_675;
+/// How fast it turns among the stars, rad/s; day and year, s.
 const SPIN: f64 = TAU / 86_164.090_5;
 const DAY: f64 = 86_400.0;
 const YEAR: f64 = 365.25 * DAY;
@@ -142,11 +143,8 @@ fn attractors() -> [(f64, f64); 2] {
 fn earth() -> Result<(Scene<()>, State)> {
     let body = RigidBody::new(PrincipalMoments::symmetric(A, C)?);
     let tilted = Attitude::about_space_axis(ASIDE, OBLIQUITY)?;
-    let start = body.state(
-        tilted,
-        BodyVector::new(SPIN * 10.0 / EARTH_RADIUS, 0.0, SPIN),
-    )?;
-    Ok((Scene::new(body), start))
+    let rates = BodyVector::new(SPIN * 10.0 / EARTH_RADIUS, 0.0, SPIN);
+    Ok((Scene::new(body), body.state(tilted, rates)?))
 }
 
 fn year() -> Result<Case> {
@@ -248,14 +246,14 @@ pub fn table(cases: &[Case]) -> Result<Table> {
             None => "-".to_owned(),
         };
         let least = case.left_out[0].error;
-        let price = case.price(least);
+        let price = case.price(least).map(|price| short(price, 2));
         Ok([
             case.name.to_owned(),
             told(0),
             told(1),
             told(2),
             short((-log10(least)).max(0.0), 2),
-            price.map_or("-".to_owned(), |price| short(price, 2)),
+            price.unwrap_or("-".to_owned()),
             short(-log10(case.finest().max(EPS)), 2),
         ])
     })

@@ -83,10 +83,8 @@ figures! { p: &Parameters;
 /// The axis with its weight alone and in air, so many times.
 fn in_air(p: &Parameters, error: f64, count: u32) -> Result<Vec<(f64, [SpaceVector; 2])>> {
     let both = question(p)?.both(gyroscope(p).air()?, error, times(0.0, p.seconds, count))?;
-    let axes = both
-        .into_iter()
-        .map(|(t, both)| (t, both.map(|one| one.axis())));
-    Ok(axes.collect())
+    let axes = |both: [Attitude; 2]| both.map(|attitude| attitude.axis());
+    Ok(both.into_iter().map(|(t, both)| (t, axes(both))).collect())
 }
 
 /// The axis with its weight alone and in air, for `--csv`.
