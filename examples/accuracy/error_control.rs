@@ -133,16 +133,17 @@ fn errors(spreads: &[Spread], y: &str, median: &str) -> Panel {
 }
 
 figures! { _: &Parameters, spreads = random()?;
-    /// Error delivered over error requested against the request, from 1e-3 to 1e-13, for two hundred
-    /// random scenes: the largest stays below one everywhere, the median lies below a thousandth and
-    /// rises towards the smallest requests
+    /// Error delivered over error requested against the request, from 1e-3 to 1e-13, for two
+    /// hundred random scenes: the largest stays below one everywhere, the median lies below a
+    /// thousandth and rises towards the smallest requests
     honesty: errors(&spreads, "delivered over requested", "median")
-        .curve(Curve::new(line(&spreads, Spread::quantile, 1.0), Ink::Ink).dashed().label("largest"))
+        .curve(Curve::new(line(&spreads, Spread::quantile, 1.0), Ink::Ink)
+            .dashed().label("largest"))
         .note(1e-12, 2e-3, Ink::Frame, "quartiles", Side::Below);
 
-    /// Estimate and error over the error requested against the request, from 1e-3 to 1e-13, for two
-    /// hundred random scenes: the median of the estimates lies at some tenths, that of the errors a
-    /// hundred times and more below, but for the smallest requests
+    /// Estimate and error over the error requested against the request, from 1e-3 to 1e-13, for
+    /// two hundred random scenes: the median of the estimates lies at some tenths, that of the
+    /// errors a hundred times and more below, but for the smallest requests
     estimates: errors(&spreads, "over the error requested", "error")
         .area(band(&spreads, Spread::estimate), Ink::Frame)
         .curve(Curve::new(line(&spreads, Spread::estimate, 0.5), Ink::Ink)

@@ -100,7 +100,8 @@ pub fn table(p: &Parameters) -> kit::Result<Table> {
         bearing: 2e-2,
         ..rotor
     };
-    let (stopped, slowly) = slow.scene()?;
+    let (dry, slowly) = slow.scene()?;
+    let dry = dry.with(slow.dry()?);
     let creaks = InternalDissipation::new(0.02)?;
     let thruster = Profile::steps(&[(2.0, 1.0), (5.0, -1.0), (8.0, 0.0)])?;
     let thruster = PrescribedTorque::on_body(BodyVector::new(0.02, 0.0, 0.0), thruster)?;
@@ -112,7 +113,7 @@ pub fn table(p: &Parameters) -> kit::Result<Table> {
         ["keeps the energy", "a heavy brick"] => &free.with(weight), &tossed, 20.0;
         ["resists, weakly", "the gyroscope in oil"] => &top.with(oil), &start, 10.0;
         ["resists, weakly", "the gyroscope in air"] => &top.with(rotor.air()?), &start, 10.0;
-        ["resists, to the stop", "the gyroscope, dry and slow"] => &stopped.with(slow.dry()?), &slowly, 5.0;
+        ["resists, to the stop", "the gyroscope, dry and slow"] => &dry, &slowly, 5.0;
         ["loses energy inside", "a brick that creaks"] => &free.with(creaks), &tossed, 20.0;
         ["goes with the time", "a brick on an orbit"] => &free.with(orbit), &tossed, 20.0;
         ["jumps", "a brick with a thruster"] => &free.with(thruster), &tossed, 20.0;
