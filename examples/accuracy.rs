@@ -23,17 +23,23 @@ mod rough;
 #[path = "accuracy/tables.rs"]
 mod tables;
 
-use kit::{Prepared, Report, claim};
+use kit::prelude::*;
+use kit::{Prepared, rounded_up, short};
 use lines::Measured;
-use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::{Measure, Problem, Solved, Variables, WorkPrecision};
-use rotation_dynamics::effects::Effect;
+use rotation_dynamics::accuracy::{Measure, Problem, Solved, Sweep, Variables, WorkPrecision};
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::{Effect, GravityAtLever};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Method, Work};
-use rotation_dynamics::math::exp2;
+use rotation_dynamics::integrators::{
+    Dop853, GaussLegendre, Integrator, Method, Scheme, Splitting, Work,
+};
+use rotation_dynamics::math::{EPS, exp2};
+use rotation_dynamics::scene::Scene;
+use rotation_dynamics::{Error, Result};
 use std::sync::Arc;
 
-kit::parameters! {
+parameters! {
     /// The free body that is raced, and how long.
     pub struct Parameters {
         /// first principal moment of the free body
@@ -93,31 +99,23 @@ fn solved<E: Effect>(problem: &Problem<E>, tolerance: f64) -> Result<Solved> {
 
 /// Adds what RK4 pays for a digit.
 fn add_rk4(report: &mut Report, p: &Parameters) -> kit::Result<()> {
-    let moments = p.moments()?;
-    let rates = motions::generic_rates(moments);
-    let free = motions::free_problem(moments, rates, p.periods + motions::THIRD)?;
-    let Some(price) = rk4(&free)?.price_of_a_digit(1e-10, 1e-6) else {
+    let curve = rk4(&motions::tumbling(p)?)?;
+    let Some(price) = curve.price_of_a_digit(1e-10, 1e-6) else {
         return Ok(());
     };
-    let meaning = "order of RK4 on the free body, from the slope of error against work";
-    report.add(
-        claim("rk4_order", meaning, price.order, "-")
-            .within(0.1)
-            .against("its order", 4.0)
-            .judged_within(0.05)
-            .answer("the free body"),
-    )
+    claims! { report,
+        /// order of RK4 on the free body, from the slope of error against work
+        rk4_order: price.order, "-", "its order" => 4.0, within 0.1, judged 0.05, in "the free body";
+    }
 }
 
 fn report(p: &Parameters) -> kit::Result<Report> {
     let all = prepared(p)?;
-    let mut report = Report::new(
-        "What accuracy costs",
-        format!(
-            "{} methods on seven motions whose end is known; errors of the attitude in rad",
-            Method::ALL.len()
-        ),
-    )?;
+    let told = format!(
+        "{} methods on seven motions whose end is known; errors of the attitude in rad",
+        Method::ALL.len()
+    );
+    let mut report = Report::new("What accuracy costs", told)?;
     if p.are_default() {
         add_rk4(&mut report, p)?;
         tables::add_claims(&mut report, &all)?;
@@ -125,17 +123,16 @@ fn report(p: &Parameters) -> kit::Result<Report> {
     tables::add(&mut report, &all)?;
     error_control::add(&mut report, &all)?;
     limits::add(&mut report)?;
-    let pushed = all.iter().find(|measured| measured.motion.key == "pushed");
-    let condition = pushed.map_or(f64::NAN, |measured| measured.path_condition.1);
-    rough::add(&mut report, (p.moments()?, p.periods), condition)?;
-    let asked = p.tolerance.map_or(ASKED.to_vec(), |one| vec![one]);
-    for error in asked {
-        all[1].motion.problem.add_strip(&mut report, &[error])?;
+    let pushed = lines::of(&all, "pushed").map_or(f64::NAN, |pushed| pushed.path_condition.1);
+    rough::add(&mut report, p, pushed)?;
+    let top = &all[1].motion.problem;
+    for error in p.tolerance.map_or(ASKED.to_vec(), |one| vec![one]) {
+        top.add_strip(&mut report, error)?;
     }
     Ok(report)
 }
 
-kit::example! {
+example! {
     accuracy: "What accuracy costs: work against error, method by method";
     report, figures::all, lines::trajectory
 }

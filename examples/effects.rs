@@ -14,17 +14,20 @@ pub mod methods;
 #[path = "effects/weigh.rs"]
 pub mod weigh;
 
-use desk::{ROOM, Spinner, Turning, gradient, gyroscope, on_the_earth};
+use desk::*;
+use digits::Case;
 use kit::prelude::*;
-use kit::{Prepared, short};
-use rotation_dynamics::accuracy::Problem;
-use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::body::State;
-use rotation_dynamics::effects::{Effect, GravityAtLever};
+use kit::{EffectLine, Prepared, rounded_up, short};
+use rotation_dynamics::accuracy::{Limits, NeglectedEffects, Problem};
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::{Effect, GravityAtLever, GravityGradient};
+use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, ode, size_or};
+use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::Scene;
 use std::sync::Arc;
-use weigh::Question;
+use weigh::{LeftOut, Question, angle};
 
 parameters! {
     /// A half-kilogram gyroscope on a desk.
@@ -49,18 +52,12 @@ pub fn question(p: &Parameters) -> Result<Question<Weight>> {
         .because("a slower one nods too widely for a linear response, a faster one takes too long");
     fast.check("size of the spin", p.spin.abs())?;
     let (scene, start) = gyroscope(p).scene()?;
-    let (end, of_axis) = (p.seconds, true);
-    Ok(Question {
-        scene,
-        start,
-        end,
-        of_axis,
-    })
+    Ok(Question::new(scene, start, p.seconds).of_axis())
 }
 
 /// The six motions, with the usual gyroscope: computed once, whatever the flags.
-pub fn cases() -> Result<Arc<Vec<digits::Case>>> {
-    static CASES: Prepared<(), Vec<digits::Case>> = Prepared::new();
+pub fn cases() -> Result<Arc<Vec<Case>>> {
+    static CASES: Prepared<(), Vec<Case>> = Prepared::new();
     CASES.get(&(), |()| digits::all(&Parameters::default()))
 }
 
@@ -86,11 +83,11 @@ fn by_angles(p: &Parameters, torque: impl Fn(f64) -> f64) -> Result<f64> {
     let (with, without) = (axis(1.0)?, axis(0.0)?);
     let mut largest = 0.0_f64;
     for t in times(0.0, p.seconds, places) {
-        let [a, b] = [with.at(t)?, without.at(t)?].map(|[theta, _, phi, ..]| {
+        let axes = [with.at(t)?, without.at(t)?].map(|[theta, _, phi, ..]| {
             let ((s, c), (sp, cp)) = (sincos(theta), sincos(phi));
             SpaceVector::new(s * sp, -s * cp, c)
         });
-        largest = largest.max(atan2(a.cross(&b).norm(), a.dot(&b)));
+        largest = largest.max(angle(axes));
     }
     Ok(largest)
 }
@@ -106,13 +103,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     // The response is stepped to a hundredth, and over more than 1e4 rad of spin that adds up.
     let stepped = 0.02 * (p.spin.abs() * p.seconds / 1e4).max(1.0);
     let within = |x: f64| stepped * x + 2.0 * x * x + 3e-8;
-    let air = asked.simulated(rotor.air()?, 1e-8)?;
+    let (drag, bearing) = (rotor.air()?, rotor.bearing);
+    let air = asked.simulated(drag, 1e-8)?;
     let dry = weighed(&asked, rotor.dry()?)?;
     let pivot = weighed(&asked, rotor.pivot())?;
     let lift = weighed(&asked, rotor.buoyancy())?;
     let room = weighed(&asked, on_the_earth())?;
     let above = weighed(&asked, gradient()?)?;
-    let (drag, bearing) = (rotor.air()?, rotor.bearing);
     let by_air = by_angles(p, |spin| drag.axial_torque(spin))?;
     let by_dry = by_angles(p, |spin| -bearing * spin.signum())?;
     claims! { report,
@@ -148,15 +145,9 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         ..gyroscope(p)
     };
     // A free rotor in a turning room: its axis is left behind by the angle of the room.
-    let free = Question {
-        scene: Scene::new(*q.scene.body()),
-        start: upright(p)?,
-        end: q.end,
-        of_axis: true,
-    };
-    let turning = Turning {
-        rate: SpaceVector::new(1e-4, 0.0, 0.0),
-    };
+    let upright = (q.scene.body()).state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, p.spin))?;
+    let free = Question::new(Scene::new(*q.scene.body()), upright, q.end).of_axis();
+    let turning = Turning { rate: ASIDE * 1e-4 };
     let behind = free.predicted(&turning)?.predicted;
     limits! { report,
         /// nothing holds the pivot back
@@ -168,63 +159,43 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-/// The rotor with its axis upright, free.
-fn upright(p: &Parameters) -> rotation_dynamics::Result<State> {
-    let (scene, _) = gyroscope(p).scene()?;
-    let spin = BodyVector::new(0.0, 0.0, p.spin);
-    scene.body().state(Attitude::IDENTITY, spin)
+/// What acts beside the weight, and the number that measures it.
+const CARD: [[&str; 2]; 6] = [
+    ["air on the rotor", "torque t / L_z"],
+    ["bearing of the axle", "torque t / L_z"],
+    ["friction of the pivot", "torque / m g l"],
+    ["weight of the air displaced", "rho_air / rho_steel"],
+    ["the Earth turns", "Omega_E / (dphi/dt)"],
+    ["gravity is weaker above", "l / R_E"],
+];
+
+/// A line of the card.
+fn line<C: Effect + Clone>(
+    left_out: &NeglectedEffects<'_, Weight>,
+    [name, formula]: [&str; 2],
+    number: f64,
+    effect: &C,
+) -> Result<EffectLine> {
+    left_out.line(name, formula, number, effect, "rad, of the axis")
 }
 
 /// The card: what acts on the desk beside the weight.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (rotor, q) = (gyroscope(p), question(p)?);
-    let left_out = q
-        .scene
-        .neglected_effects(&q.start, q.end, p.tolerance)?
-        .of_axis();
-    let (l, t, rate) = (rotor.momentum(), q.end, rotor.weight() / rotor.momentum());
-    let of = "rad, of the axis";
-    let ratio = rotor.weight() * rotor.moments[0] / (l * l);
-    let air = -rotor.air()?.axial_torque(p.spin) * t / l;
+    let (asked, drag) = (q.asked(p.tolerance)?, rotor.air()?);
+    let (l, t, weight) = (rotor.momentum(), q.end, rotor.weight());
+    let rate = weight / l;
+    let slowed = -drag.axial_torque(p.spin) * t / l;
+    let [air, bearing, pivot, buoyancy, earth, above] = CARD;
     report.add(vec![
-        left_out.line("air on the rotor", "torque t / L_z", air, &rotor.air()?, of)?,
-        left_out.line(
-            "bearing of the axle",
-            "torque t / L_z",
-            rotor.bearing * t / l,
-            &rotor.dry()?,
-            of,
-        )?,
-        left_out.line(
-            "friction of the pivot",
-            "torque / m g l",
-            rotor.pivot / rotor.weight(),
-            &rotor.pivot(),
-            of,
-        )?,
-        left_out.line(
-            "weight of the air displaced",
-            "rho_air / rho_steel",
-            rotor.lifted(),
-            &rotor.buoyancy(),
-            of,
-        )?,
-        left_out.line(
-            "the Earth turns",
-            "Omega_E / (dphi/dt)",
-            ROOM / rate,
-            &on_the_earth(),
-            of,
-        )?,
-        left_out.line(
-            "gravity is weaker above",
-            "l / R_E",
-            rotor.lever / 6.371e6,
-            &gradient()?,
-            of,
-        )?,
+        line(&asked, air, slowed, &drag)?,
+        line(&asked, bearing, rotor.bearing * t / l, &rotor.dry()?)?,
+        line(&asked, pivot, rotor.pivot / weight, &rotor.pivot())?,
+        line(&asked, buoyancy, rotor.lifted(), &rotor.buoyancy())?,
+        line(&asked, earth, EARTH / rate, &on_the_earth())?,
+        line(&asked, above, rotor.lever / EARTH_RADIUS, &gradient()?)?,
         effect("weight")
-            .number("m g l I1 / L_z^2", ratio)
+            .number("m g l I1 / L_z^2", weight * rotor.moments[0] / (l * l))
             .costs(rate * t, "rad of precession")
             .included(),
     ])
@@ -238,25 +209,23 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     report.strip(&problem, &[p.tolerance, 1e-6, 1e-9])
 }
 
+/// A change of the page's parameters.
+type Change = fn(&mut Parameters);
+
+/// What the page's tries change.
+const TRIES: [(&str, Change); 4] = [
+    ("as it is", |_| ()),
+    ("--spin 628", |p| p.spin = 628.0),
+    ("--seconds 1", |p| p.seconds = 1.0),
+    ("--pivot 0", |p| p.pivot = 0.0),
+];
+
 /// What the page's tries give, whatever the flags.
 fn tries() -> Result<Table> {
-    let columns = [
-        "run",
-        "air",
-        "bearing",
-        "pivot",
-        "buoyancy",
-        "the Earth turns",
-    ];
-    let mut table = Table::new("tries", columns)?;
-    let ours = Parameters::default();
-    let runs = [
-        ("as it is", ours.clone()),
-        ("--spin 628", ours.but(|ours| ours.spin = 628.0)),
-        ("--seconds 1", ours.but(|ours| ours.seconds = 1.0)),
-        ("--pivot 0", Parameters { pivot: 0.0, ..ours }),
-    ];
-    for (run, p) in runs {
+    let columns = "run, air, bearing, pivot, buoyancy, the Earth turns";
+    Table::of("tries", columns.split(", "), TRIES, |(run, change)| {
+        let mut p = Parameters::default();
+        change(&mut p);
         let (rotor, q) = (gyroscope(&p), question(&p)?);
         let all = [
             q.left_out("air", rotor.air()?)?,
@@ -266,21 +235,19 @@ fn tries() -> Result<Table> {
             q.left_out("the Earth turns", on_the_earth())?,
         ];
         let told = all.map(|one| format!("{} rad", short(one.error, 2)));
-        table.push([vec![run.to_owned()], told.to_vec()].concat())?;
-    }
-    Ok(table)
+        Ok([run.to_owned()].into_iter().chain(told))
+    })
 }
 
 /// The tables of the page that do not depend on the flags.
 fn tables(_: &Parameters, report: &mut Report) -> Result<()> {
     static TABLES: Prepared<(), Vec<Table>> = Prepared::new();
-    let tables = TABLES.get(&(), |()| {
-        let methods = methods::all(&Parameters::default())?;
-        let digits = digits::table(&cases()?)?;
-        Ok::<_, kit::Error>(vec![
+    let tables = TABLES.get(&(), |()| -> Result<_> {
+        let methods = methods::table(&Parameters::default())?;
+        Ok(vec![
             tries()?,
-            methods::table(&methods)?,
-            digits,
+            methods,
+            digits::table(&cases()?)?,
             kept::table()?,
         ])
     })?;

@@ -1,12 +1,8 @@
 //! A heavy top in the angles of the notes, which meet the pole.
 
-use rotation_dynamics::Result;
-use rotation_dynamics::attitude::{Attitude, EulerAngles};
-use rotation_dynamics::body::{RigidBody, State};
+use super::*;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop};
-use rotation_dynamics::frame::BodyVector;
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, size_or};
-use rotation_dynamics::math::sincos;
+use rotation_dynamics::integrators::{Ode, size_or};
 
 /// Equations (4) to (6) of the notes, 16.2: theta, its rate, phi and zeta. The state has
 /// no pole, the angles do.

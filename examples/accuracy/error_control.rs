@@ -1,87 +1,49 @@
 //! `solve` on the motions, and how honest it is on random ones.
 
-use super::ASKED;
 use super::honesty::{Spread, cases, spreads};
-use super::lines::{Measured, power};
-use super::rough::heavy;
-use kit::draw::{Axis, Curve, Ink, Panel, Side};
-use kit::{Figure, Prepared, Report, Result, Table, rounded_up, short};
-use rotation_dynamics::Error;
-use rotation_dynamics::effects::Effect;
-use rotation_dynamics::math::EPS;
-use std::sync::Arc;
+use super::*;
+use kit::Result;
+use rough::heavy;
 
 /// Random scenes; each is solved at eleven tolerances.
 const SCENES: u64 = 204;
 
 /// Adds what `solve` chose, and what it delivers on random scenes.
 pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
-    let columns = [
-        "motion",
-        "requested",
-        "chosen",
-        "delivered",
-        "estimate",
-        "run",
-        "all runs",
-    ];
-    let mut table = Table::new("solve", columns)?;
-    for measured in all {
-        let motion = &measured.motion;
-        for asked in ASKED {
-            let mut row = vec![motion.name.to_owned(), rounded_up(asked)];
-            match motion.problem.solved(asked) {
-                Ok(solved) => row.extend([
-                    solved.method.to_owned(),
-                    rounded_up(motion.problem.errors(&solved.state).attitude),
-                    rounded_up(solved.estimate),
-                    solved.run.torques().to_string(),
-                    solved.work.torques().to_string(),
-                ]),
-                Err(Error::NotDelivered { best, .. }) => {
-                    row.push(format!("refused: at best {}", rounded_up(best)));
-                    row.resize(7, "-".into());
-                }
-                Err(other) => return Err(other.into()),
-            }
-            table.push(row)?;
-        }
+    report.add(chosen(all)?)?;
+    if let Some(lopsided) = lines::of(all, "lopsided") {
+        report.add(two_runs(lopsided)?)?;
     }
-    report.add(table)?;
-    add_two_runs(report, all)?;
-
-    let columns = [
-        "requested",
-        "delivered",
-        "a quarter below",
-        "half below",
-        "three quarters",
-        "largest",
-        "refused",
-        "price",
-    ];
-    let mut table = Table::new("honesty", columns)?;
-    for spread in random()?.iter() {
-        let at = |part| power(Some(spread.quantile(part)));
-        table.push([
-            rounded_up(spread.tolerance),
-            spread.ratios.len().to_string(),
-            at(0.25),
-            at(0.5),
-            at(0.75),
-            at(1.0),
-            spread.refused.to_string(),
-            short(spread.price, 2),
-        ])?;
-    }
-    report.add(table)
+    report.add(honesty()?)
 }
 
-/// Adds what two runs of one motion say, number by number.
-fn add_two_runs(report: &mut Report, all: &[Measured]) -> Result<()> {
-    let Some(Measured { motion, .. }) = all.iter().find(|one| one.motion.key == "lopsided") else {
-        return Ok(());
-    };
+/// What `solve` chose on each motion, and what that delivered and cost.
+fn chosen(all: &[Measured]) -> Result<Table> {
+    let columns = "motion, requested, chosen, delivered, estimate, run, all runs";
+    let motions = all.iter().map(|measured| &measured.motion);
+    let requests = motions.flat_map(|motion| ASKED.map(|asked| (motion, asked)));
+    Table::of("solve", columns.split(", "), requests, |(motion, asked)| {
+        let told = match motion.problem.solved(asked) {
+            Ok(solved) => [
+                solved.method.to_owned(),
+                rounded_up(motion.problem.errors(&solved.state).attitude),
+                rounded_up(solved.estimate),
+                solved.run.torques().to_string(),
+                solved.work.torques().to_string(),
+            ],
+            Err(Error::NotDelivered { best, .. }) => {
+                let refused = format!("refused: at best {}", rounded_up(best));
+                [&refused, "-", "-", "-", "-"].map(str::to_owned)
+            }
+            Err(other) => return Err(other.into()),
+        };
+        let request = [motion.name.to_owned(), rounded_up(asked)];
+        Ok(request.into_iter().chain(told))
+    })
+}
+
+/// What two runs of one motion say, number by number.
+fn two_runs(Measured { motion, .. }: &Measured) -> Result<Table> {
     let (tolerance, end, (scene, start)) = (1e-6, motion.end, heavy()?);
     let solved = motion.problem.solved(tolerance)?;
     let body = scene.body();
@@ -95,35 +57,45 @@ fn add_two_runs(report: &mut Report, all: &[Measured]) -> Result<()> {
     let moved = solved.condition * solved.condition - late * late;
     let distance = change * moved.sqrt();
     let floor = 8.0 * EPS * (1.0 + solved.condition);
-    let mut table = Table::new("two_runs", ["quantity", "value"])?;
-    for (quantity, value) in [
+    let swept = solved.estimate - 2.0 * distance - floor;
+    let error = motion.problem.errors(&solved.state).attitude;
+    let first = solved.work.steps - solved.run.steps;
+    let price = short(solved.price, 3);
+    let rows = [
         ("error requested / rad", rounded_up(tolerance)),
         ("change of the inputs of the first run", short(change, 2)),
-        (
-            "steps of the first run",
-            (solved.work.steps - solved.run.steps).to_string(),
-        ),
+        ("steps of the first run", first.to_string()),
         ("steps of the second", solved.run.steps.to_string()),
         ("distance of the two / rad", short(distance, 3)),
         ("condition", short(solved.condition, 3)),
         ("floor / rad", short(floor, 2)),
-        (
-            "left by the sweeps / rad",
-            short(solved.estimate - 2.0 * distance - floor, 2),
-        ),
+        ("left by the sweeps / rad", short(swept, 2)),
         ("estimate / rad", short(solved.estimate, 3)),
-        (
-            "true error / rad",
-            rounded_up(motion.problem.errors(&solved.state).attitude),
-        ),
-        (
-            "work of both over that of the second",
-            short(solved.price, 3),
-        ),
-    ] {
-        table.push([quantity.to_owned(), value])?;
-    }
-    report.add(table)
+        ("true error / rad", rounded_up(error)),
+        ("work of both over that of the second", price),
+    ];
+    let cells = |(quantity, value): (&str, String)| Ok([quantity.to_owned(), value]);
+    Table::of("two_runs", ["quantity", "value"], rows, cells)
+}
+
+/// What `solve` delivers on random scenes.
+fn honesty() -> Result<Table> {
+    let columns = "requested, delivered, a quarter below, half below, three quarters, largest, \
+                   refused, price";
+    let spreads = random()?;
+    Table::of("honesty", columns.split(", "), spreads.iter(), |spread| {
+        let at = |part| rounded_up(spread.quantile(part));
+        Ok([
+            rounded_up(spread.tolerance),
+            spread.ratios.len().to_string(),
+            at(0.25),
+            at(0.5),
+            at(0.75),
+            at(1.0),
+            spread.refused.to_string(),
+            short(spread.price, 2),
+        ])
+    })
 }
 
 /// The random scenes, judged once.
@@ -132,43 +104,48 @@ fn random() -> rotation_dynamics::Result<Arc<Vec<Spread>>> {
     JUDGED.get(&SCENES, |count| spreads(&cases(*count)?))
 }
 
-/// Delivered over requested: the median, the quartiles, the largest; and the same of the estimates.
-pub fn figures() -> Result<[Figure; 2]> {
-    let spreads = random()?;
-    let line = |value: &dyn Fn(&Spread) -> f64| -> Vec<(f64, f64)> {
-        (spreads.iter().map(|s| (s.tolerance, value(s).max(1e-6)))).collect()
-    };
-    let error = |part: f64| line(&|s| s.quantile(part));
-    let estimate = |part: f64| line(&|s| s.estimate(part));
-    let band = |[low, high]: [Vec<_>; 2]| low.into_iter().chain(high.into_iter().rev());
-    let panel = |name, seen, y, median| {
-        Panel::new(name, seen)
-            .size(340, 300)
-            .x(Axis::log("error requested / rad"))
-            .y(Axis::log(y).range(1e-5, 10.0))
-            .level(1.0, Ink::Wrong, "broken promise")
-            .area(band([error(0.25), error(0.75)]), Ink::Frame)
-            .curve(Curve::new(error(0.5), Ink::Ink).with_dots().label(median))
-    };
-    let honesty = panel(
-        "honesty",
-        "Error delivered over error requested against the request, from 1e-3 to 1e-13, for two hundred \
-         random scenes: the largest stays below one everywhere, the median lies below a thousandth and rises \
-         towards the smallest requests",
-        "delivered over requested",
-        "median",
-    )
-    .curve(Curve::new(error(1.0), Ink::Ink).dashed().label("largest"))
-    .note(1e-12, 2e-3, Ink::Frame, "quartiles", Side::Below);
-    let estimates = panel(
-        "estimates",
-        "Estimate and error over the error requested against the request, from 1e-3 to 1e-13, for two \
-         hundred random scenes: the median of the estimates lies at some tenths, that of the errors a \
-         hundred times and more below, but for the smallest requests",
-        "over the error requested",
-        "error",
-    )
-    .area(band([estimate(0.25), estimate(0.75)]), Ink::Frame)
-    .curve(Curve::new(estimate(0.5), Ink::Ink).dashed().with_dots().label("estimate"));
-    Ok([honesty.figure()?, estimates.figure()?])
+/// A quantile of a spread: of its errors, or of its estimates.
+type Quantile = fn(&Spread, f64) -> f64;
+
+/// The quantile that belongs to a part, against the request.
+fn line(spreads: &[Spread], of: Quantile, part: f64) -> Vec<(f64, f64)> {
+    let points = spreads.iter();
+    let points = points.map(|spread| (spread.tolerance, of(spread, part).max(1e-6)));
+    points.collect()
+}
+
+/// What lies between the quartiles.
+fn band(spreads: &[Spread], of: Quantile) -> Vec<(f64, f64)> {
+    let [low, mut high] = [0.25, 0.75].map(|part| line(spreads, of, part));
+    high.reverse();
+    [low, high].concat()
+}
+
+/// The errors over the request, with their median, and the promise.
+fn errors(spreads: &[Spread], y: &str, median: &str) -> Panel {
+    let errors = Curve::new(line(spreads, Spread::quantile, 0.5), Ink::Ink);
+    let requested = Axis::log("error requested / rad");
+    Panel::over_axes(requested, Axis::log(y).range(1e-5, 10.0))
+        .size(340, 300)
+        .level(1.0, Ink::Wrong, "broken promise")
+        .area(band(spreads, Spread::quantile), Ink::Frame)
+        .curve(errors.with_dots().label(median))
+}
+
+figures! { _: &Parameters, spreads = random()?;
+    /// Error delivered over error requested against the request, from 1e-3 to 1e-13, for two
+    /// hundred random scenes: the largest stays below one everywhere, the median lies below a
+    /// thousandth and rises towards the smallest requests
+    honesty: errors(&spreads, "delivered over requested", "median")
+        .curve(Curve::new(line(&spreads, Spread::quantile, 1.0), Ink::Ink)
+            .dashed().label("largest"))
+        .note(1e-12, 2e-3, Ink::Frame, "quartiles", Side::Below);
+
+    /// Estimate and error over the error requested against the request, from 1e-3 to 1e-13, for
+    /// two hundred random scenes: the median of the estimates lies at some tenths, that of the
+    /// errors a hundred times and more below, but for the smallest requests
+    estimates: errors(&spreads, "over the error requested", "error")
+        .area(band(&spreads, Spread::estimate), Ink::Frame)
+        .curve(Curve::new(line(&spreads, Spread::estimate, 0.5), Ink::Ink)
+            .dashed().with_dots().label("estimate"));
 }

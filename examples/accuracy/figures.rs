@@ -1,55 +1,42 @@
 //! The figures of the page.
 
-use super::Parameters;
-use super::lines::{FLOW, Line, Measured, evaluations};
-use super::tables::price;
-use kit::draw::{Axis, Curve, Ink, Method as Look, Panel, Side};
-use kit::{Figure, Result, rounded_up};
-use rotation_dynamics::math::{EPS, pow};
+use super::*;
+use kit::Result;
+use kit::draw::Method as Look;
+use lines::{FLOW, Line};
+use tables::price;
 
 /// All of them.
 pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
     let measured = super::prepared(p)?;
-    let mut figures = Vec::new();
-    for one in measured.iter() {
-        figures.push(work(one)?);
-    }
-    figures.push(digit(&measured)?);
-    figures.extend(super::error_control::figures()?);
+    let mut figures = measured.iter().map(work).collect::<Result<Vec<_>>>()?;
+    figures.extend(self::figures(p)?);
+    figures.extend(error_control::figures(p)?);
     Ok(figures)
 }
 
-/// Which methods are drawn: those that the text of the page speaks of.
-fn shown(motion: &str, key: &str) -> bool {
+/// Which methods are not drawn: those that the text of the page does not speak of.
+fn hidden(motion: &str) -> &'static [&'static str] {
     match motion {
-        "flips" => !["euler", "semi", "mk4"].contains(&key),
-        "fast" => !["angles", "srkn6", "kl17", "aba82", "aba1064"].contains(&key),
-        "pole" => !["mk4", "srkn6", "kl17", "aba82", "aba104", "aba1064"].contains(&key),
-        "lopsided" => !["aba82", "aba104", "aba1064", "mk4", "srkn6"].contains(&key),
-        _ => !["aba82", "aba104", "aba1064"].contains(&key),
+        "flips" => &["euler", "semi", "mk4"],
+        "fast" => &["angles", "srkn6", "kl17", "aba82", "aba1064"],
+        "pole" => &["mk4", "srkn6", "kl17", "aba82", "aba104", "aba1064"],
+        "lopsided" => &["aba82", "aba104", "aba1064", "mk4", "srkn6"],
+        _ => &["aba82", "aba104", "aba1064"],
     }
 }
 
 /// The runs from coarse to fine: a line that turns back has found shorter steps cheaper.
 fn drawn(line: &Line) -> Vec<(f64, f64)> {
     let runs = line.sweep.runs().iter();
-    runs.map(|run| {
-        (
-            evaluations(&run.work) as f64,
-            run.errors.attitude.max(1e-16),
-        )
-    })
-    .filter(|(_, error)| *error <= 1.0)
-    .collect()
+    runs.map(|run| (run.work.torques() as f64, run.errors.attitude.max(1e-16)))
+        .filter(|(_, error)| *error <= 1.0)
+        .collect()
 }
 
 /// What is to be seen in the picture of a motion: who reaches 1e-9 first, and the floor.
 fn seen(measured: &Measured, floor: f64) -> String {
-    let least = measured.contestants().filter_map(|line| {
-        let least = line.attitude.least_work(1e-9)?;
-        Some((least.work, line.name))
-    });
-    let first = match least.min_by(|a, b| a.0.total_cmp(&b.0)) {
+    let first = match measured.first(1e-9) {
         Some((work, name)) => {
             format!("{name} is the first to reach 1e-9, with {work:.0} evaluations")
         }
@@ -65,15 +52,16 @@ fn seen(measured: &Measured, floor: f64) -> String {
 
 /// Error of the attitude against evaluations.
 fn work(measured: &Measured) -> Result<Figure> {
-    let motion = &measured.motion;
+    let key = measured.motion.key;
     // What round-off alone may do.
     let floor = EPS * measured.path_condition.1;
-    let mut panel = Panel::new(&format!("work_{}", motion.key), &seen(measured, floor))
+    let mut panel = Panel::new(&format!("work_{key}"), &seen(measured, floor))
         .size(340, 340)
         .x(Axis::log("evaluations").range(30.0, 3e5))
         .y(Axis::log("error of the attitude / rad").range(1e-15, 1.0))
         .level(floor, Ink::Frame, "");
-    for line in measured.lines.iter().filter(|l| shown(motion.key, l.key)) {
+    let shown = |line: &&Line| !hidden(key).contains(&line.key);
+    for line in measured.lines.iter().filter(shown) {
         let points = drawn(line);
         let Some(&(x, y)) = points.last() else {
             continue;
@@ -93,42 +81,47 @@ fn work(measured: &Measured) -> Result<Figure> {
     panel.figure()
 }
 
+/// What is written at the first dot of an order.
+const LABELS: [(u32, &str); 5] = [
+    (2, "Strang, ABA(8,2)"),
+    (4, "RK4 and four others"),
+    (6, "SRKN 14a"),
+    (8, "DOP853, Kahan-Li"),
+    (16, "Gauss 16"),
+];
+
+figures! { p: &Parameters;
+    /// Factor in work for one more digit against the order of the method: the curve ten to the
+    /// power of one over the order falls steeply up to order four and is flat from order eight;
+    /// most measured factors lie near it, those of Gauss-Legendre below it
+    digit: digit(&super::prepared(p)?);
+}
+
 /// The price of one more digit against the order.
-fn digit(all: &[Measured]) -> Result<Figure> {
+fn digit(all: &[Measured]) -> Panel {
     let by_order = (10..=170)
         .map(|k| 0.1 * f64::from(k))
         .map(|p| (p, pow(10.0, 1.0 / p)));
-    let mut panel = Panel::new(
-        "digit",
-        "Factor in work for one more digit against the order of the method: the curve ten to the power of \
-         one over the order falls steeply up to order four and is flat from order eight; most measured \
-         factors lie near it, those of Gauss-Legendre below it",
+    let law = Curve::new(by_order.filter(|(_, y)| *y <= 4.0), Ink::Ink);
+    let ticks = LABELS.map(|(order, _)| (f64::from(order), order.to_string()));
+    let mut panel = Panel::over_axes(
+        Axis::log("order $p$").range(1.6, 48.0).ticks(ticks),
+        Axis::linear("work for one more digit, factor").range(1.0, 4.0),
     )
     .size(340, 300)
-    .x(Axis::log("order $p$").range(1.6, 48.0).ticks([2, 4, 6, 8, 16].map(|p| (f64::from(p), p.to_string()))))
-    .y(Axis::linear("work for one more digit, factor").range(1.0, 4.0))
-    .curve(Curve::new(by_order.filter(|(_, y)| *y <= 4.0), Ink::Ink).label_at("$10^{1/p}$", 2.7, 2.35, Side::AboveRight));
-    let mut labels: Vec<(u32, &str)> = vec![
-        (2, "Strang, ABA(8,2)"),
-        (4, "RK4 and four others"),
-        (6, "SRKN 14a"),
-        (8, "DOP853, Kahan-Li"),
-        (16, "Gauss 16"),
-    ];
-    for measured in all {
-        for line in &measured.lines {
-            let Some(price) = price(line) else { continue };
-            let order = line.method.order();
-            let label = labels.iter().position(|(p, _)| *p == order);
-            let label = label.map_or("", |i| labels.remove(i).1);
-            let side = if order == 16 {
-                Side::Above
-            } else {
-                Side::AboveRight
-            };
-            let ink = Look::named(line.name).ink();
-            panel = panel.dot(f64::from(order), price.factor, ink, label, side);
-        }
+    .curve(law.label_at("$10^{1/p}$", 2.7, 2.35, Side::AboveRight));
+    let mut labels = LABELS.to_vec();
+    for line in all.iter().flat_map(|measured| &measured.lines) {
+        let Some(price) = price(line) else { continue };
+        let order = line.method.order();
+        let label = labels.iter().position(|(of, _)| *of == order);
+        let label = label.map_or("", |at| labels.remove(at).1);
+        let side = match order {
+            16 => Side::Above,
+            _ => Side::AboveRight,
+        };
+        let ink = Look::named(line.name).ink();
+        panel = panel.dot(f64::from(order), price.factor, ink, label, side);
     }
-    panel.figure()
+    panel
 }

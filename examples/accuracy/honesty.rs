@@ -31,6 +31,23 @@ pub struct Case {
     pub exact: Attitude,
 }
 
+impl Case {
+    fn new<E: Effect + 'static>(
+        kind: &'static str,
+        scene: Scene<E>,
+        start: State,
+        t_end: f64,
+        exact: Attitude,
+    ) -> Self {
+        let solve = move |tolerance| scene.solve_by_stepping(&start, t_end, tolerance);
+        Self {
+            kind,
+            solve: Box::new(solve),
+            exact,
+        }
+    }
+}
+
 /// Numbers that look random and are the same everywhere (splitmix64, G. L. Steele,
 /// D. Lea, C. H. Flood, OOPSLA 2014).
 pub struct Dice(pub u64);
@@ -74,7 +91,6 @@ impl Dice {
     }
 }
 
-// ANCHOR: own_effect
 /// An effect of one's own: a torque along L whose strength depends on the time, so that
 /// L = f(t) L(0). It is damped or driven, and still exact: the body moves as a free one
 /// does in the time that f integrates to.
@@ -101,7 +117,6 @@ impl Effect for Governor {
         state.angular_momentum * (slope / f)
     }
 }
-// ANCHOR_END: own_effect
 
 impl Governor {
     /// The time in which the free body moves.
@@ -111,49 +126,37 @@ impl Governor {
     }
 }
 
-/// A free body and its end.
+/// A free body and its end; if it is `governed`, with a torque along L.
 fn free(
     kind: &'static str,
     moments: PrincipalMoments,
     rates: BodyVector,
+    governed: bool,
     dice: &mut Dice,
 ) -> Result<Case> {
     let attitude = Attitude::from_euler(dice.attitude())?;
-    let t_end = dice.scale(1.0, 30.0) * TAU / rates.norm();
     let scene = Scene::new(RigidBody::new(moments));
     let start = scene.body().state(attitude, rates)?;
-    let exact = FreeBody::new(moments, attitude, rates)?.attitude(t_end);
-    Ok(Case {
-        kind,
-        solve: Box::new(move |tolerance| scene.solve_by_stepping(&start, t_end, tolerance)),
-        exact,
-    })
+    let motion = FreeBody::new(moments, attitude, rates)?;
+    let turns = dice.scale(1.0, if governed { 10.0 } else { 30.0 });
+    let t_end = turns * TAU / rates.norm();
+    if !governed {
+        let exact = motion.attitude(t_end);
+        return Ok(Case::new(kind, scene, start, t_end, exact));
+    }
+    let (decay, swing) = (dice.between(-0.5, 1.0) / t_end, dice.between(0.0, 0.3));
+    let governor = Governor { decay, swing };
+    let (scene, exact) = (
+        scene.with(governor),
+        motion.attitude(governor.inner_time(t_end)),
+    );
+    Ok(Case::new(kind, scene, start, t_end, exact))
 }
 
-/// The same body with a torque along L.
-fn governed(moments: PrincipalMoments, rates: BodyVector, dice: &mut Dice) -> Result<Case> {
-    let attitude = Attitude::from_euler(dice.attitude())?;
-    let t_end = dice.scale(1.0, 10.0) * TAU / rates.norm();
-    let governor = Governor {
-        decay: dice.between(-0.5, 1.0) / t_end,
-        swing: dice.between(0.0, 0.3),
-    };
-    let scene = Scene::new(RigidBody::new(moments)).with(governor);
-    let start = scene.body().state(attitude, rates)?;
-    let free = FreeBody::new(moments, attitude, rates)?;
-    let exact = free.attitude(governor.inner_time(t_end));
-    Ok(Case {
-        kind: "own effect",
-        solve: Box::new(move |tolerance| scene.solve_by_stepping(&start, t_end, tolerance)),
-        exact,
-    })
-}
-
-/// A heavy top with these Euler angles and rates, for some turns of its axis.
+/// A heavy top with these moments, Euler angles and rates, for some turns of its axis.
 fn top(
     kind: &'static str,
-    [i1, i3]: [f64; 2],
-    lever: f64,
+    ([i1, i3], lever): ([f64; 2], f64),
     angles: EulerAngles,
     rates: BodyVector,
     dice: &mut Dice,
@@ -168,11 +171,7 @@ fn top(
     let start = scene.body().state(Attitude::from_euler(angles)?, rates)?;
     let body = SymmetricTop::new(i1, i3, weight, lever)?;
     let exact = HeavyTop::from_body(body, angles, rates)?.attitude(t_end);
-    Ok(Case {
-        kind,
-        solve: Box::new(move |tolerance| scene.solve_by_stepping(&start, t_end, tolerance)),
-        exact,
-    })
+    Ok(Case::new(kind, scene, start, t_end, exact))
 }
 
 /// Kinds of scenes in turn, `count` in all.
@@ -188,83 +187,63 @@ fn case(kind: u64, dice: &mut Dice) -> Result<Case> {
     dice.part();
     let size = dice.scale(0.1, 10.0);
     let mut shape = [1.0, dice.between(0.1, 1.9)].map(|i| i * size);
-    let lever = dice.between(0.3, 1.0) * size;
+    let mut lever = dice.between(0.3, 1.0) * size;
     let mut angles = dice.attitude();
     let small = dice.vector() * 0.3;
     let spin = |z: f64| BodyVector::new(small.x(), small.y(), z);
-    match kind {
+    let (kind, rates) = match kind {
         0 => {
-            let moments = dice.moments()?;
-            let rates = dice.vector() * dice.scale(0.1, 10.0);
-            free("free body", moments, rates, dice)
+            let (moments, rates) = (dice.moments()?, dice.vector() * dice.scale(0.1, 10.0));
+            return free("free body", moments, rates, false, dice);
         }
         1 => {
             // Near the axis of the middle moment, which is no stable one.
             let moments = PrincipalMoments::new(1.0, dice.between(1.2, 1.8), 2.2)?;
             let [x, _, z] = (dice.vector() * dice.scale(1e-6, 1e-2)).to_array();
-            free(
-                "near the separatrix",
-                moments,
-                BodyVector::new(x, 1.0, z),
-                dice,
-            )
+            let rates = BodyVector::new(x, 1.0, z);
+            return free("near the separatrix", moments, rates, false, dice);
         }
         2 => {
             let thin = dice.scale(1e-3, 1e-1);
             let moments = PrincipalMoments::new(1.0, 1.0 + dice.between(0.0, 0.9) * thin, thin)?;
             let [x, y, z] = dice.vector().to_array();
-            free("needle", moments, BodyVector::new(x, y, z / thin), dice)
+            let rates = BodyVector::new(x, y, z / thin);
+            return free("needle", moments, rates, false, dice);
         }
         3 => {
-            let moments = PrincipalMoments::symmetric(size, shape[1])?;
-            let rates = dice.vector();
-            free("symmetric free body", moments, rates, dice)
+            let (moments, rates) = (PrincipalMoments::symmetric(size, shape[1])?, dice.vector());
+            return free("symmetric free body", moments, rates, false, dice);
         }
         4 => {
-            let moments = dice.moments()?;
-            let rates = dice.vector() * dice.scale(0.3, 3.0);
-            governed(moments, rates, dice)
+            let (moments, rates) = (dice.moments()?, dice.vector() * dice.scale(0.3, 3.0));
+            return free("own effect", moments, rates, true, dice);
         }
-        5 => {
-            let rates = spin(dice.between(-3.0, 3.0));
-            top("top", shape, lever, angles, rates, dice)
-        }
-        6 => {
-            let rates = spin(dice.scale(10.0, 100.0));
-            top("fast top", shape, lever, angles, rates, dice)
-        }
-        7 => {
-            let rates = spin(dice.between(-0.1, 0.1));
-            top("slow top", shape, lever, angles, rates, dice)
-        }
+        5 => ("top", spin(dice.between(-3.0, 3.0))),
+        6 => ("fast top", spin(dice.scale(10.0, 100.0))),
+        7 => ("slow top", spin(dice.between(-0.1, 0.1))),
         8 => {
             // A kick from near the vertical: the axis comes near it again and again.
             angles.theta = dice.scale(1e-8, 1e-2);
-            let rates = spin(dice.between(1.0, 5.0));
-            top("near the pole", shape, lever, angles, rates, dice)
+            ("near the pole", spin(dice.between(1.0, 5.0)))
         }
         9 => {
             angles.theta = 0.0;
             let critical = 2.0 * (shape[0] * lever).sqrt() / shape[1];
-            let rates = BodyVector::new(
-                dice.scale(1e-4, 0.1),
-                0.0,
-                critical * dice.between(0.5, 2.0),
-            );
-            top("upright, kicked", shape, lever, angles, rates, dice)
+            let (kick, spin) = (dice.scale(1e-4, 0.1), critical * dice.between(0.5, 2.0));
+            ("upright, kicked", BodyVector::new(kick, 0.0, spin))
         }
         10 => {
-            angles.theta = dice.scale(1e-6, 1.0);
-            let rates = spin(dice.between(-1.0, 1.0));
-            top("hanging", shape, -lever, angles, rates, dice)
+            (angles.theta, lever) = (dice.scale(1e-6, 1.0), -lever);
+            ("hanging", spin(dice.between(-1.0, 1.0)))
         }
         _ => {
             // A needle spinning fast about its axis.
             shape[1] = shape[0] * dice.scale(1e-3, 1e-1);
-            let rates = spin(dice.between(5.0, 20.0) * shape[0] / shape[1]);
-            top("spinning needle", shape, lever, angles, rates, dice)
+            let fast = dice.between(5.0, 20.0) * shape[0] / shape[1];
+            ("spinning needle", spin(fast))
         }
-    }
+    };
+    top(kind, (shape, lever), angles, rates, dice)
 }
 
 /// What became of one request.

@@ -1,12 +1,9 @@
 //! Every method on every motion, coarser and finer.
 
-use super::Parameters;
-use super::motions::{self, Motion};
-use kit::{Result, Trajectory, rounded_up};
-use rotation_dynamics::Error;
-use rotation_dynamics::accuracy::{Errors, Measure, Point, Run, Sweep, WorkPrecision};
-use rotation_dynamics::integrators::{Method, Work};
-use rotation_dynamics::math::{exp2, pow};
+use super::*;
+use kit::Result;
+use motions::{Motion, Names};
+use rotation_dynamics::accuracy::{Point, Run};
 
 /// A method on a motion.
 pub struct Line {
@@ -14,7 +11,8 @@ pub struct Line {
     pub key: &'static str,
     pub name: &'static str,
     pub sweep: Sweep,
-    /// Error of the attitude against evaluations.
+    /// Error of the attitude against evaluations: of the derivative or the kick, each with one
+    /// torque.
     pub attitude: WorkPrecision,
 }
 
@@ -39,7 +37,7 @@ fn in_a_step(method: Method) -> f64 {
 }
 
 /// The settings of a sweep, from coarse to fine.
-pub fn settings(method: Method) -> Vec<f64> {
+fn settings(method: Method) -> Vec<f64> {
     if method == Method::Dop853 {
         return (3..=45).map(|k| pow(10.0, -f64::from(k) / 3.0)).collect();
     }
@@ -55,32 +53,23 @@ pub fn settings(method: Method) -> Vec<f64> {
     settings
 }
 
-/// What is counted: evaluations of the derivative or the kick, each with one torque.
-pub fn evaluations(work: &Work) -> u64 {
-    work.torques()
-}
-
 impl Line {
-    fn new(method: Method, sweep: Sweep) -> Result<Self> {
+    /// A method's runs, under its own key and name or under others.
+    fn new(method: Method, (key, name): Names, sweep: Sweep) -> Result<Self> {
+        let attitude = sweep.curve(Measure::Attitude, Work::torques)?;
         Ok(Self {
             method,
-            key: method.key(),
-            name: method.name(),
-            attitude: sweep.curve(Measure::Attitude, evaluations)?,
+            key,
+            name,
             sweep,
+            attitude,
         })
-    }
-
-    /// What no method of the list is: the exact flow, DOP853 on the Euler angles.
-    fn called(mut self, key: &'static str, name: &'static str) -> Self {
-        (self.key, self.name) = (key, name);
-        self
     }
 
     /// The floor, if the method has come to it: the last doubling of the work gained less
     /// than half the digits that the order promises.
     pub fn reached(&self, measure: Measure) -> Result<Option<Point>> {
-        let curve = self.sweep.curve(measure, evaluations)?;
+        let curve = self.sweep.curve(measure, Work::torques)?;
         let half = 0.5 * curve.points().last().map_or(0.0, |p| p.work);
         let least = |dear: bool| {
             let points = curve.points().iter().filter(|p| (p.work > half) == dear);
@@ -96,7 +85,7 @@ impl Line {
     pub fn least(&self, asked: f64) -> Option<&Run> {
         let least = self.attitude.least_work(asked)?;
         (self.sweep.runs().iter()).find(|run| {
-            evaluations(&run.work) as f64 == least.work && run.errors.attitude == least.error
+            run.work.torques() as f64 == least.work && run.errors.attitude == least.error
         })
     }
 }
@@ -115,32 +104,34 @@ pub const SIZE: f64 = 1e-11;
 
 /// All of them.
 pub fn all(p: &Parameters) -> Result<Vec<Measured>> {
-    (motions::all(p.moments()?, p.periods)?.into_iter())
-        .map(Measured::new)
-        .collect()
+    (motions::all(p)?.into_iter()).map(Measured::new).collect()
+}
+
+/// The one with this key.
+pub fn of<'m>(all: &'m [Measured], key: &str) -> Option<&'m Measured> {
+    all.iter().find(|measured| measured.motion.key == key)
 }
 
 impl Measured {
     fn new(motion: Motion) -> Result<Self> {
         let mut lines = Vec::new();
         for method in Method::ALL {
-            let sweep = || motion.problem.sweep(method, &settings(method));
+            let run = |setting| motion.problem.run(method, setting);
             // Free rotation of three different moments is dear: weak kicks are raced elsewhere.
             let left_out = motion.key == "lopsided"
                 && matches!(method, Method::Aba82 | Method::Aba104 | Method::Aba1064);
             if motion.problem.applies(method) && !left_out {
-                lines.push(Line::new(method, sweep())?);
+                let (names, settings) = ((method.key(), method.name()), settings(method));
+                lines.push(Line::new(method, names, motion.sweep(settings, run))?);
             } else if method == Method::Strang && ["free", "flips"].contains(&motion.key) {
-                let flow = |steps: f64| motion.problem.run(method, steps);
-                let coarse = settings(Method::SemiImplicitEuler);
-                let sweep = over(&motion, &coarse, flow);
-                lines.push(Line::new(method, sweep)?.called(FLOW, "exact flow"));
+                let sweep = motion.sweep(settings(Method::SemiImplicitEuler), run);
+                lines.push(Line::new(method, (FLOW, "exact flow"), sweep)?);
             }
             if let (Method::Aba1064, Some(angles)) = (method, &motion.angles) {
-                let in_angles = |tolerance: f64| angles.run(tolerance, motion.end);
-                let sweep = over(&motion, &settings(Method::Dop853), in_angles);
-                let line = Line::new(Method::Dop853, sweep)?;
-                lines.push(line.called("angles", "DOP853 on angles"));
+                let in_angles = |tolerance| angles.run(tolerance, motion.end);
+                let sweep = motion.sweep(settings(Method::Dop853), in_angles);
+                let names = ("angles", "DOP853 on angles");
+                lines.push(Line::new(Method::Dop853, names, sweep)?);
             }
         }
         Ok(Self {
@@ -156,53 +147,39 @@ impl Measured {
         self.lines.iter().filter(|line| line.key != FLOW)
     }
 
+    /// The least that a contestant has, of those that have any, and its name.
+    pub fn best(&self, of: impl Fn(&Line) -> Option<f64>) -> Option<(f64, &'static str)> {
+        let those = self.contestants();
+        let all = those.filter_map(|line| Some((of(line)?, line.name)));
+        all.min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// The contestant that delivers this error with the fewest evaluations, and how many.
+    pub fn first(&self, error: f64) -> Option<(f64, &'static str)> {
+        self.best(|line| Some(line.attitude.least_work(error)?.work))
+    }
+
     /// The line of a method, by its key.
     pub fn line(&self, key: &str) -> Option<&Line> {
         self.lines.iter().find(|line| line.key == key)
     }
 }
 
-fn over(
-    motion: &Motion,
-    settings: &[f64],
-    run: impl Fn(f64) -> rotation_dynamics::Result<(rotation_dynamics::body::State, Work)>,
-) -> Sweep {
-    Sweep::over(settings.iter().copied(), |setting| {
-        let (reached, work) = run(setting)?;
-        Ok::<(Errors, Work), Error>((motion.problem.errors(&reached), work))
-    })
-}
-
 /// Every run as a line of numbers.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let mut rows = Trajectory::new([
-        "problem",
-        "method",
-        "evaluations",
-        "attitude [rad]",
-        "rates",
-        "momentum",
-        "energy",
-        "invariants",
-    ])?;
-    for (i, measured) in super::prepared(p)?.iter().enumerate() {
+    let columns =
+        "problem, method, evaluations, attitude [rad], rates, momentum, energy, invariants";
+    let mut rows = Trajectory::new(columns.split(", "))?;
+    for (motion, measured) in (1..).zip(super::prepared(p)?.iter()) {
         for line in &measured.lines {
-            let method = Method::ALL.iter().position(|m| *m == line.method);
+            // Its place in the list of methods.
+            let method = 1 + line.method as u8;
             for run in line.sweep.runs() {
-                let numbers = [
-                    (i + 1) as f64,
-                    method.map_or(0.0, |m| (m + 1) as f64),
-                    evaluations(&run.work) as f64,
-                ];
-                let errors = Measure::ALL.map(|m| run.errors.get(m));
-                rows.push([numbers.as_slice(), &errors].concat())?;
+                let numbers = [f64::from(motion), method.into(), run.work.torques() as f64];
+                let errors = Measure::ALL.map(|measure| run.errors.get(measure));
+                rows.push([&numbers[..], &errors].concat())?;
             }
         }
     }
     Ok(rows)
-}
-
-/// One digit and a power of ten, whatever the number; `-` for none.
-pub fn power(x: Option<f64>) -> String {
-    x.map_or("-".into(), rounded_up)
 }

@@ -1,17 +1,10 @@
 //! Two motions without a closed form, and how their ends are known all the same: two
 //! methods that share nothing but the scene agree there.
 
-use super::motions::{Motion, THIRD, free_problem, generic_rates, tilted, unpushed};
-use kit::Report;
-use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::Problem;
-use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Conserved, Effect, GravityAtLever, Properties};
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::inertia::PrincipalMoments;
+use super::*;
+use motions::{Motion, THIRD, coasting, tilted, tumbling};
+use rotation_dynamics::effects::{Conserved, Properties};
 use rotation_dynamics::integrators::gauss_legendre::BodyAxes;
-use rotation_dynamics::integrators::{Dop853, GaussLegendre, Integrator, Scheme, Splitting};
-use rotation_dynamics::scene::Scene;
 
 /// Gravity, and no other effect.
 pub type Gravity = ((), GravityAtLever);
@@ -31,31 +24,30 @@ fn carried(scene: &Scene<Gravity>, state: &State, [from, to]: [f64; 2]) -> Resul
 }
 
 /// The heavy body of three different moments, and how it starts.
-pub fn heavy() -> kit::Result<(Scene<Gravity>, State)> {
-    let (body, start) = tilted(
-        PrincipalMoments::new(1.0, 1.5, 0.8)?,
-        BodyVector::new(0.3, 0.1, 2.0),
-    )?;
+pub fn heavy() -> Result<(Scene<Gravity>, State)> {
+    let moments = PrincipalMoments::new(1.0, 1.5, 0.8)?;
+    let (body, start) = tilted(moments, BodyVector::new(0.3, 0.1, 2.0))?;
     Ok((Scene::new(body).with(GravityAtLever::new(1.0, 0.4)?), start))
 }
 
 /// A heavy body with three different moments, for four seconds a period.
-pub fn lopsided(periods: f64) -> kit::Result<Motion> {
+pub fn lopsided(periods: f64) -> Result<Motion> {
     let (scene, start) = heavy()?;
     let end = 4.0 * periods;
-    let onward = move |state: &State, t, to| carried(&scene, state, [t, to]);
-    let problem = Problem::new(scene, start, end, onward(&start, 0.0, end)?);
-    let name = ("lopsided", "heavy, three moments");
-    Ok(Motion::stepped(name, problem, periods, onward))
+    let answer = carried(&scene, &start, [0.0, end])?;
+    let problem = Problem::new(scene, start, end, answer);
+    let carry = move |state: &State, span| carried(&scene, state, span);
+    let names = ("lopsided", "heavy, three moments");
+    Ok(Motion::carried(names, problem, periods, carry))
 }
 
-// ANCHOR: push
-/// A torque along Z that is switched on and off.
+/// A torque of 0.02 along Z, from a time on and until another.
 #[derive(Clone, Copy)]
-pub struct Push {
-    torque: f64,
-    on: f64,
-    off: f64,
+pub struct Push([f64; 2]);
+
+impl Push {
+    const TORQUE: f64 = 0.02;
+    const ALWAYS: Self = Self([f64::NEG_INFINITY, f64::INFINITY]);
 }
 
 impl Effect for Push {
@@ -74,97 +66,58 @@ impl Effect for Push {
     }
 
     fn torque(&self, t: f64, _body: &RigidBody, _state: &State) -> SpaceVector {
-        let now = if (self.on..self.off).contains(&t) {
-            self.torque
-        } else {
-            0.0
-        };
-        SpaceVector::new(0.0, 0.0, now)
+        let Self([on, off]) = *self;
+        let acts = (on..off).contains(&t);
+        SpaceVector::new(0.0, 0.0, if acts { Self::TORQUE } else { 0.0 })
     }
 
     fn break_points(&self) -> Vec<f64> {
-        vec![self.on, self.off]
-    }
-    // ANCHOR_END: push
-
-    fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
-        self.torque
-    }
-}
-
-/// The same torque all the time, smooth.
-#[derive(Clone, Copy)]
-struct Steady(Push);
-
-impl Effect for Steady {
-    const PROPERTIES: Properties = Properties {
-        on_time: false,
-        smooth: true,
-        ..Push::PROPERTIES
-    };
-
-    fn name(&self) -> &'static str {
-        "steady push"
-    }
-
-    fn torque(&self, _t: f64, _body: &RigidBody, _state: &State) -> SpaceVector {
-        SpaceVector::new(0.0, 0.0, self.0.torque)
+        self.0.to_vec()
     }
 
     fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
-        self.0.torque
+        Self::TORQUE
     }
 }
 
-fn finely(scene: &Scene<((), Steady)>, state: &State, [from, to]: [f64; 2]) -> Result<State> {
-    Ok(fine([from, to])?.advance(scene, from, state, to)?.0)
-}
-
-/// The state at `to` of a body that is pushed: piece by piece between the jumps, in closed
-/// form where there is no torque.
-fn piecewise(
+/// The state at `to` of a body that is pushed: piece by piece between the jumps, by a method where
+/// there is a torque, and in closed form where there is none.
+fn piecewise<M: Integrator<Scene<((), Push)>, State>>(
     body: &RigidBody,
-    push: Push,
+    Push([on, off]): Push,
     state: &State,
     [from, to]: [f64; 2],
-    pushed: impl Fn(&Scene<((), Steady)>, &State, [f64; 2]) -> Result<State>,
+    method: impl Fn([f64; 2]) -> Result<M>,
 ) -> Result<State> {
-    let coast = |state: State, dt: f64| -> Result<State> {
-        if dt <= 0.0 {
-            return Ok(state);
-        }
-        let attitude = unpushed(body, &state)?.attitude(dt);
-        State::new(attitude, state.angular_momentum)
+    let coast = |state: State, time: f64| match time > 0.0 {
+        true => coasting(body, &state, time),
+        false => Ok(state),
     };
-    let scene = Scene::new(*body).with(Steady(push));
-    let mut state = coast(*state, to.min(push.on) - from)?;
-    let (on, off) = (from.max(push.on), to.min(push.off));
-    if on < off {
-        state = pushed(&scene, &state, [on, off])?;
+    let mut state = coast(*state, to.min(on) - from)?;
+    let (start, end) = (from.max(on), to.min(off));
+    if start < end {
+        let scene = Scene::new(*body).with(Push::ALWAYS);
+        (state, _) = method([start, end])?.advance(&scene, start, &state, end)?;
     }
-    coast(state, to - from.max(push.off))
+    coast(state, to - from.max(off))
 }
 
-/// The body, its start, what pushes it, and the end.
-fn thrust(moments: PrincipalMoments, periods: f64) -> Result<(RigidBody, State, Push, f64)> {
-    let end = free_problem(moments, generic_rates(moments), periods)?.end;
-    let (body, start) = tilted(moments, generic_rates(moments))?;
-    let push = Push {
-        torque: 0.02,
-        on: 0.23 * end,
-        off: 0.61 * end,
-    };
-    Ok((body, start, push, end))
+/// The free body of the page, and what pushes it: from 23 % to 61 % of the time.
+fn thrust(p: &Parameters) -> Result<(Problem<()>, Push)> {
+    let free = tumbling(p)?;
+    let push = Push([0.23 * free.end, 0.61 * free.end]);
+    Ok((free, push))
 }
 
-/// The free body, pushed from 23 % to 61 % of the time.
-pub fn pushed(moments: PrincipalMoments, periods: f64) -> Result<Motion> {
-    let (body, start, push, t_end) = thrust(moments, periods)?;
-    let onward = move |state: &State, t, to| piecewise(&body, push, state, [t, to], finely);
-    let end = onward(&start, 0.0, t_end)?;
-    let problem = Problem::new(Scene::new(body).with(push), start, t_end, end);
-    let name = ("pushed", "pushed for a while");
-    Ok(Motion::stepped(name, problem, periods, onward))
+/// The free body, pushed for a while.
+pub fn pushed(p: &Parameters) -> Result<Motion> {
+    let (free, push) = thrust(p)?;
+    let (body, start, end) = (*free.scene.body(), free.start, free.end);
+    let carry = move |state: &State, span| piecewise(&body, push, state, span, fine);
+    let answer = carry(&start, [0.0, end])?;
+    let problem = Problem::new(free.scene.with(push), start, end, answer);
+    let names = ("pushed", "pushed for a while");
+    Ok(Motion::carried(names, problem, p.periods + THIRD, carry))
 }
 
 /// Error of a step of DOP853 where the body is pushed.
@@ -176,33 +129,26 @@ const STEP: f64 = 1e-14;
 const STEPS_ASTRAY: f64 = 1.6;
 
 /// The second routes to the two ends; `condition` is the path condition of the pushed body.
-pub fn add(
-    report: &mut Report,
-    (moments, periods): (PrincipalMoments, f64),
-    condition: f64,
-) -> kit::Result<()> {
+pub fn add(report: &mut Report, p: &Parameters, condition: f64) -> kit::Result<()> {
     let (scene, start) = heavy()?;
-    let end = 4.0 * periods;
+    let end = 4.0 * p.periods;
     let gauss = carried(&scene, &start, [0.0, end])?;
     let splitting = Splitting::new(Scheme::KAHAN_LI17, (20.0 * end) as u64)?;
     let (split, _) = splitting.advance(&scene, 0.0, &start, end)?;
-    let apart = gauss.attitude.angle_to(&split.attitude);
-    kit::limits! { report,
+    let heavy = gauss.attitude.angle_to(&split.attitude);
+
+    let (free, push) = thrust(p)?;
+    let (body, span) = (free.scene.body(), [0.0, free.end]);
+    let gauss = piecewise(body, push, &free.start, span, fine)?;
+    let dop = piecewise(body, push, &free.start, span, |_| Dop853::new(STEP))?;
+    let pushed = gauss.attitude.angle_to(&dop.attitude);
+    let bound = STEPS_ASTRAY * p.periods * STEP * condition;
+    limits! { report,
         /// two methods that share nothing but the scene
         "heavy, three moments: Gauss-Legendre and Kahan-Li, apart in rad":
-            apart => 0.0, within 1e-12;
-    }?;
-    let (body, start, push, end) = thrust(moments, periods + THIRD)?;
-    let span = [0.0, end];
-    let gauss = piecewise(&body, push, &start, span, finely)?;
-    let dop = piecewise(&body, push, &start, span, |scene, state, [from, to]| {
-        Ok(Dop853::new(STEP)?.advance(scene, from, state, to)?.0)
-    })?;
-    let apart = gauss.attitude.angle_to(&dop.attitude);
-    let bound = STEPS_ASTRAY * periods * STEP * condition;
-    kit::limits! { report,
+            heavy => 0.0, within 1e-12;
         /// two methods on pieces that are smooth
         "pushed for a while: Gauss-Legendre and DOP853, started anew at each jump, apart in rad":
-            apart => 0.0, within bound;
+            pushed => 0.0, within bound;
     }
 }

@@ -1,12 +1,11 @@
 //! What the sweeps say: conditions, floors, prices, and the cheapest method.
 
-use super::ASKED;
-use super::lines::{FLOW, Line, Measured, SIZE, power};
+use super::*;
 use kit::draw::Method as Look;
-use kit::{Report, Result, Table, claim, rounded_up, short};
-use rotation_dynamics::accuracy::{DigitPrice, Measure};
-use rotation_dynamics::integrators::Method;
-use rotation_dynamics::math::{EPS, exp2, log, log10, pow};
+use kit::{ClaimEntry, Result};
+use lines::{FLOW, Line, SIZE};
+use rotation_dynamics::accuracy::DigitPrice;
+use rotation_dynamics::math::log10;
 
 /// What a digit costs by this line: fitted where the steps are short and round-off is far.
 pub fn price(line: &Line) -> Option<DigitPrice> {
@@ -16,51 +15,46 @@ pub fn price(line: &Line) -> Option<DigitPrice> {
 
 /// Adds the tables.
 pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
-    report.add(methods()?)?;
-    report.add(choices(all)?)?;
-    report.add(conditions(all)?)?;
-    report.add(floors(all, "floors", Measure::Attitude)?)?;
-    report.add(floors(all, "floors_of_invariants", Measure::Invariants)?)?;
-    report.add(measures(&all[1])?)?;
-    report.add(prices(all)?)?;
-    report.add(sweeps(&all[0])?)
+    report.add(vec![
+        methods()?,
+        choices(all)?,
+        conditions(all)?,
+        floors(all, "floors", Measure::Attitude)?,
+        floors(all, "floors_of_invariants", Measure::Invariants)?,
+        measures(&all[1])?,
+        prices(all)?,
+        sweeps(&all[0])?,
+    ])
 }
 
 /// The card of methods.
 fn methods() -> Result<Table> {
     let columns = ["method", "order", "idea", "keeps", "source"];
-    let mut table = Table::new("methods", columns)?;
-    for method in Method::ALL {
+    Table::of("methods", columns, Method::ALL, |method| {
         let about = method.about();
-        table.push([
-            about.name.to_owned(),
-            about.order.to_string(),
-            about.idea.to_owned(),
-            about.conserved.to_owned(),
-            about.source.to_owned(),
-        ])?;
-    }
-    Ok(table)
+        let order = about.order.to_string();
+        Ok([
+            about.name,
+            &order,
+            about.idea,
+            about.conserved,
+            about.source,
+        ]
+        .map(str::to_owned))
+    })
 }
 
 /// For each motion and error the method with the fewest evaluations, and how many.
 fn choices(all: &[Measured]) -> Result<Table> {
     let asked = ASKED.map(|e| format!("{} rad", rounded_up(e)));
-    let columns = core::iter::once("motion".to_owned()).chain(asked);
-    let mut table = Table::new("choices", columns)?;
-    for measured in all {
-        let mut row = vec![measured.motion.name.to_owned()];
-        for error in ASKED {
-            let delivering = measured.contestants().filter_map(|line| {
-                let least = line.attitude.least_work(error)?;
-                Some((least.work, line.name))
-            });
-            let best = delivering.min_by(|a, b| a.0.total_cmp(&b.0));
-            row.push(best.map_or("-".into(), |(work, name)| format!("{name}: {work:.0}")));
-        }
-        table.push(row)?;
-    }
-    Ok(table)
+    let columns = [vec!["motion".to_owned()], asked.to_vec()].concat();
+    Table::of("choices", columns, all, |measured| {
+        let cells = ASKED.map(|error| match measured.first(error) {
+            Some((work, name)) => format!("{name}: {work:.0}"),
+            None => "-".to_owned(),
+        });
+        Ok([vec![measured.motion.name.to_owned()], cells.to_vec()].concat())
+    })
 }
 
 /// Two digits, as a power of ten from ten thousand on.
@@ -75,23 +69,17 @@ fn rounded(condition: f64) -> String {
 /// What the motion itself does to errors, and the smallest error that any method reached.
 fn conditions(all: &[Measured]) -> Result<Table> {
     let columns = ["motion", "start", "path", "eps x path", "reached", "by"];
-    let mut table = Table::new("conditions", columns)?;
-    for measured in all {
-        let floors = measured.contestants().filter_map(|line| {
-            let floor = line.attitude.floor()?;
-            Some((floor.error, line.name))
-        });
-        let best = floors.min_by(|a, b| a.0.total_cmp(&b.0));
-        table.push([
+    Table::of("conditions", columns, all, |measured| {
+        let best = measured.best(|line| Some(line.attitude.floor()?.error));
+        Ok([
             measured.motion.name.to_owned(),
             rounded(measured.start_condition),
             rounded(measured.path_condition.1),
             short(EPS * measured.path_condition.1, 2),
-            best.map_or("-".into(), |b| short(b.0, 2)),
-            best.map_or("-".into(), |b| Look::named(b.1).label().to_owned()),
-        ])?;
-    }
-    Ok(table)
+            best.map_or("-".into(), |(error, _)| short(error, 2)),
+            best.map_or("-".into(), |(_, name)| Look::named(name).label().into()),
+        ])
+    })
 }
 
 /// The lines of all motions: one of each key, with its name, as they come.
@@ -107,212 +95,175 @@ fn every(all: &[Measured]) -> Vec<&Line> {
     lines
 }
 
-/// The smallest error of each method on each motion, in one measure; a dash where the
-/// dearest runs are still gaining.
-fn floors(all: &[Measured], name: &str, measure: Measure) -> Result<Table> {
-    let names = all.iter().map(|m| m.motion.name.to_owned());
-    let mut table = Table::new(name, core::iter::once("method".to_owned()).chain(names))?;
+/// A row for each method of which `cell` says something on some motion, and a column for each
+/// motion, after those that say of a method what it is on any.
+fn by_method<const N: usize>(
+    all: &[Measured],
+    name: &str,
+    heads: [&str; N],
+    head: impl Fn(&Line) -> Result<[String; N]>,
+    cell: impl Fn(&Line) -> Result<Option<String>>,
+) -> Result<Table> {
+    let motions = all.iter().map(|measured| measured.motion.name);
+    let mut table = Table::new(name, heads.into_iter().chain(motions))?;
     for each in every(all) {
-        let mut row = vec![each.name.to_owned()];
-        for measured in all {
-            let floor = match measured.line(each.key) {
-                Some(line) => line.reached(measure)?,
-                None => None,
-            };
-            row.push(power(floor.map(|p| p.error)));
-        }
-        if row[1..].iter().any(|cell| cell != "-") {
-            table.push(row)?;
+        let of_motion = |measured: &Measured| measured.line(each.key).map_or(Ok(None), &cell);
+        let cells = all.iter().map(of_motion).collect::<Result<Vec<_>>>()?;
+        if cells.iter().any(Option::is_some) {
+            let cells = cells.into_iter().map(|cell| cell.unwrap_or("-".into()));
+            table.push(head(each)?.into_iter().chain(cells))?;
         }
     }
     Ok(table)
+}
+
+/// The smallest error of each method on each motion, in one measure; a dash where the
+/// dearest runs are still gaining.
+fn floors(all: &[Measured], name: &str, measure: Measure) -> Result<Table> {
+    let head = |line: &Line| Ok([line.name.to_owned()]);
+    by_method(all, name, ["method"], head, |line| {
+        Ok(line.reached(measure)?.map(|floor| rounded_up(floor.error)))
+    })
+}
+
+/// The factor in evaluations for one more digit, on each motion.
+fn prices(all: &[Measured]) -> Result<Table> {
+    let head = |line: &Line| {
+        let predicted = DigitPrice::predicted(line.method.order())?;
+        Ok([line.name.to_owned(), short(predicted, 3)])
+    };
+    by_method(all, "prices", ["method", "by the order"], head, |line| {
+        let price = price(line).filter(|_| line.key != FLOW);
+        Ok(price.map(|price| short(price.factor, 3)))
+    })
 }
 
 /// The same runs in three measures, for methods of about the same work.
 fn measures(top: &Measured) -> Result<Table> {
     let columns = ["method", "evaluations", "attitude", "rates", "what is kept"];
-    let mut table = Table::new("measures", columns)?;
-    for key in ["semi", "rk4", "srkn6", "srkn14", "dop853", "gauss"] {
-        let Some(line) = top.line(key) else { continue };
-        let near = |work: f64| (work - 4096.0).abs();
+    let near = |key| {
+        let line = top.line(key)?;
         let runs = line.sweep.runs().iter();
-        let run = runs.min_by(|a, b| {
-            let work = |run: &rotation_dynamics::accuracy::Run| near(run.work.torques() as f64);
-            work(a).total_cmp(&work(b))
-        });
-        let Some(run) = run else { continue };
-        table.push([
-            line.name.to_owned(),
-            run.work.torques().to_string(),
-            rounded_up(run.errors.attitude),
-            rounded_up(run.errors.rates),
-            rounded_up(run.errors.invariants),
-        ])?;
-    }
-    Ok(table)
-}
-
-/// The factor in evaluations for one more digit, on each motion.
-fn prices(all: &[Measured]) -> Result<Table> {
-    let names = all.iter().map(|m| m.motion.name.to_owned());
-    let columns = ["method".to_owned(), "by the order".to_owned()].into_iter();
-    let mut table = Table::new("prices", columns.chain(names))?;
-    for each in every(all).into_iter().filter(|line| line.key != FLOW) {
-        let mut row = vec![
-            each.name.to_owned(),
-            short(DigitPrice::predicted(each.method.order())?, 3),
-        ];
-        for measured in all {
-            let price = measured.line(each.key).and_then(price);
-            row.push(price.map_or("-".into(), |p| short(p.factor, 3)));
-        }
-        if row[2..].iter().any(|cell| cell != "-") {
-            table.push(row)?;
-        }
-    }
-    Ok(table)
+        let run = runs.min_by_key(|run| run.work.torques().abs_diff(4096))?;
+        Some((line.name, run))
+    };
+    let keys = ["semi", "rk4", "srkn6", "srkn14", "dop853", "gauss"];
+    let found = keys.into_iter().filter_map(near);
+    Table::of("measures", columns, found, |(name, run)| {
+        let errors = [run.errors.attitude, run.errors.rates, run.errors.invariants];
+        let [attitude, rates, kept] = errors.map(rounded_up);
+        let evaluations = run.work.torques().to_string();
+        Ok([name.to_owned(), evaluations, attitude, rates, kept])
+    })
 }
 
 /// Why Gauss-Legendre's line is upright: shorter steps need fewer sweeps.
 fn sweeps(free: &Measured) -> Result<Table> {
-    let columns = [
-        "steps a period",
-        "sweeps a step",
-        "evaluations a period",
-        "error / rad",
-    ];
-    let mut table = Table::new("sweeps", columns)?;
+    let columns = "steps a period, sweeps a step, evaluations a period, error / rad";
     let periods = free.motion.periods;
-    for a_period in [4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0] {
-        let steps = [(a_period * periods).round()];
-        let sweep = free.motion.problem.sweep(Method::GaussLegendre16, &steps);
-        // Steps too long to converge are refused.
-        let Some(run) = sweep.runs().first() else {
-            continue;
-        };
-        let evaluations = run.work.derivatives as f64;
-        table.push([
-            short(run.work.steps as f64 / periods, 3),
-            short(evaluations / 8.0 / run.work.steps as f64, 3),
+    let a_period = [4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0];
+    let steps = a_period.map(|steps: f64| (steps * periods).round());
+    // Steps too long to converge are refused.
+    let gauss = |steps| free.motion.problem.run(Method::GaussLegendre16, steps);
+    let sweep = free.motion.sweep(steps, gauss);
+    Table::of("sweeps", columns.split(", "), sweep.runs(), |run| {
+        let (steps, evaluations) = (run.work.steps as f64, run.work.derivatives as f64);
+        Ok([
+            short(steps / periods, 3),
+            short(evaluations / 8.0 / steps, 3),
             short(evaluations / periods, 3),
             rounded_up(run.errors.attitude),
-        ])?;
-    }
-    Ok(table)
+        ])
+    })
 }
 
-/// The order of Gauss-Legendre in its steps, on the heavy top.
-fn order_in_steps(line: &Line) -> Result<Option<DigitPrice>> {
-    let Some(floor) = line.attitude.floor() else {
-        return Ok(None);
-    };
-    let curve = line.sweep.curve(Measure::Attitude, |work| work.steps)?;
-    Ok(curve.price_of_a_digit(30.0 * floor.error, 1e-8))
-}
+/// Which digits of the heavy top are claimed, and how well they are known.
+const DIGITS: [(&[&str], f64); 2] = [
+    (&["strang", "rk4"], 0.01),
+    (&["mk4", "srkn6", "srkn14", "dop853"], 0.1),
+];
 
-/// Numbers that a second route confirms.
+/// Which work is claimed to be more, and than which: a motion, and two methods on it.
+const RATIOS: [[&str; 3]; 3] = [
+    ["top", "rk4", "dop853"],
+    ["top", "rk4", "srkn14"],
+    ["pole", "angles", "dop853"],
+];
+
+/// Adds numbers that a second route confirms.
 pub fn add_claims(report: &mut Report, all: &[Measured]) -> Result<()> {
-    let line = |motion: &str, method: &str| {
-        let measured = all.iter().find(|m| m.motion.key == motion)?;
-        measured.line(method)
+    let line = |motion, method| lines::of(all, motion)?.line(method);
+    for (methods, bound) in DIGITS {
+        let lines = methods.iter().filter_map(|method| line("top", method));
+        let digits = lines.filter_map(|line| digit(line, bound));
+        report.add(digits.collect::<Vec<_>>())?;
+    }
+    if let Some(order) = line("top", "gauss").and_then(order_in_steps) {
+        claims! { report,
+            /// order of Gauss-Legendre in its steps, on the heavy top
+            top_gauss_order: order, "-", "its order" => 16.0, within 0.9, judged 0.05;
+        }?;
+    }
+    for [motion, dear, cheap] in RATIOS {
+        if let (Some(dear), Some(cheap)) = (line(motion, dear), line(motion, cheap)) {
+            report.add(Vec::from_iter(ratio(motion, dear, cheap)))?;
+        }
+    }
+    (all.iter()).try_for_each(|measured| report.add(condition(measured)?))
+}
+
+/// What one more digit costs on the heavy top.
+fn digit(line: &Line, bound: f64) -> Option<ClaimEntry> {
+    let (key, order) = (format!("top_{}_digit", line.key), line.method.order());
+    let meaning = format!("{}: factor in work for one more digit", line.name);
+    let predicted = DigitPrice::predicted(order).ok()?;
+    let halved = exp2(f64::from(order));
+    let claim = claim(key, meaning, price(line)?.factor, "-")
+        .agrees_with(&format!("10^(1/{order})"), predicted, bound)
+        .judged_within(0.05)
+        .answer("the heavy top: work for one more digit")
+        .slip(halved, "that is what half the step takes off the error");
+    Some(claim)
+}
+
+/// The order of a method in its steps.
+fn order_in_steps(line: &Line) -> Option<f64> {
+    let floor = line.attitude.floor()?.error;
+    let curve = (line.sweep).curve(Measure::Attitude, |work| work.steps);
+    Some(curve.ok()?.price_of_a_digit(30.0 * floor, 1e-8)?.order)
+}
+
+/// By how much one method works more than another for 1e-9 rad.
+fn ratio(motion: &str, dear: &Line, cheap: &Line) -> Option<ClaimEntry> {
+    const ERROR: f64 = 1e-9;
+    // Between two runs, as if the error went by a power of the work.
+    let least = |line: &Line| {
+        let reached = line.attitude.least_work(ERROR)?;
+        let runs = line.attitude.points();
+        let at = runs.iter().position(|run| *run == reached)?;
+        let before = runs.get(at.checked_sub(1)?)?;
+        let part = log(before.error / ERROR) / log(before.error / reached.error);
+        Some(before.work * pow(reached.work / before.work, part))
     };
-    for (method, bound) in [
-        ("strang", 0.01),
-        ("rk4", 0.01),
-        ("mk4", 0.1),
-        ("srkn6", 0.1),
-        ("srkn14", 0.1),
-        ("dop853", 0.1),
-    ] {
-        let Some(line) = line("top", method) else {
-            continue;
-        };
-        let Some(price) = price(line) else { continue };
-        let order = line.method.order();
-        report.add(
-            claim(
-                format!("top_{method}_digit"),
-                format!("{}: factor in work for one more digit", line.name),
-                price.factor,
-                "-",
-            )
-            .within(bound)
-            .against(&format!("10^(1/{order})"), DigitPrice::predicted(order)?)
-            .judged_within(0.05)
-            .answer("the heavy top: work for one more digit")
-            .slip(
-                exp2(f64::from(order)),
-                "that is what half the step takes off the error",
-            ),
-        )?;
-    }
-    if let Some(gauss) = line("top", "gauss")
-        && let Some(price) = order_in_steps(gauss)?
-    {
-        let meaning = "order of Gauss-Legendre in its steps, on the heavy top";
-        report.add(
-            claim("top_gauss_order", meaning, price.order, "-")
-                .within(0.9)
-                .against("its order", 16.0)
-                .judged_within(0.05),
-        )?;
-    }
-    for (motion, dear, cheap) in [
-        ("top", "rk4", "dop853"),
-        ("top", "rk4", "srkn14"),
-        ("pole", "angles", "dop853"),
-    ] {
-        let (Some(dear), Some(cheap)) = (line(motion, dear), line(motion, cheap)) else {
-            continue;
-        };
-        // Between two runs, as if the error went by a power of the work.
-        let least = |line: &Line| {
-            let reached = line.attitude.least_work(1e-9)?;
-            let runs = line.attitude.points();
-            let at = runs.iter().position(|run| *run == reached)?;
-            let before = runs.get(at.checked_sub(1)?)?;
-            let part = log(before.error / 1e-9) / log(before.error / reached.error);
-            Some(before.work * pow(reached.work / before.work, part))
-        };
-        let (Some(a), Some(b), Some(c), Some(d)) =
-            (least(dear), least(cheap), price(dear), price(cheap))
-        else {
-            continue;
-        };
-        report.add(
-            claim(
-                format!("{motion}_{}_over_{}", dear.key, cheap.key),
-                format!(
-                    "work of {} over that of {} for 1e-9 rad",
-                    dear.name, cheap.name
-                ),
-                a / b,
-                "-",
-            )
-            .within(1.0)
-            .against("the fitted lines", c.work_for(1e-9)? / d.work_for(1e-9)?)
-            .judged_within(0.2),
-        )?;
-    }
-    for measured in all {
-        let motion = &measured.motion;
-        let (t, path) = measured.path_condition;
-        // On the way through a flip even this disturbance bends the path a little.
-        let part = if motion.key == "flips" { 0.05 } else { 0.005 };
-        report.add(
-            claim(
-                format!("{}_condition", motion.key),
-                format!("{}: what the path magnifies an error by", motion.name),
-                path,
-                "-",
-            )
-            .within(part * path)
-            .against(
-                "a disturbance 8 times as large",
-                motion.condition(t, 8.0 * SIZE)?,
-            )
-            .judged_within(0.3),
-        )?;
-    }
-    Ok(())
+    let fitted = |line| price(line)?.work_for(ERROR).ok();
+    let key = format!("{motion}_{}_over_{}", dear.key, cheap.key);
+    let [much, little] = [dear.name, cheap.name];
+    let meaning = format!("work of {much} over that of {little} for 1e-9 rad");
+    let claim = claim(key, meaning, least(dear)? / least(cheap)?, "-")
+        .agrees_with("the fitted lines", fitted(dear)? / fitted(cheap)?, 1.0)
+        .judged_within(0.2);
+    Some(claim)
+}
+
+/// What the path of a motion magnifies an error by.
+fn condition(measured: &Measured) -> Result<ClaimEntry> {
+    let (motion, (t, path)) = (&measured.motion, measured.path_condition);
+    let key = format!("{}_condition", motion.key);
+    let meaning = format!("{}: what the path magnifies an error by", motion.name);
+    // On the way through a flip even this disturbance bends the path a little.
+    let part = if motion.key == "flips" { 0.05 } else { 0.005 };
+    let larger = motion.condition(t, 8.0 * SIZE)?;
+    Ok(claim(key, meaning, path, "-")
+        .agrees_with("a disturbance 8 times as large", larger, part * path)
+        .judged_within(0.3))
 }

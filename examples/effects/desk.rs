@@ -1,25 +1,14 @@
 //! What acts on a gyroscope on a desk beside its weight.
 
-use super::Parameters;
-use core::f64::consts::FRAC_PI_3;
+use super::*;
+use core::f64::consts::{FRAC_PI_3, PI};
 use rotation_dynamics::Result;
-use rotation_dynamics::attitude::{Attitude, EulerAngles};
-use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{
-    CoulombBearing, DiscDrag, Effect, GravityAtLever, GravityGradient, Properties, Torque,
-};
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::math::sincos;
-use rotation_dynamics::scene::Scene;
-
-/// A scene whose only effect is the weight.
-pub type Top = Scene<((), GravityAtLever)>;
+use rotation_dynamics::effects::{CoulombBearing, DiscDrag, Properties, Torque};
 
 /// Angular velocity of the Earth against the stars, rad/s, and its mean radius, m.
-const EARTH: f64 = 7.292_115e-5;
-const EARTH_RADIUS: f64 = 6.371e6;
-pub const GRAVITY: f64 = 9.80665;
+pub const EARTH: f64 = 7.292_115e-5;
+pub const EARTH_RADIUS: f64 = 6.371e6;
+const GRAVITY: f64 = 9.80665;
 /// Density of steel, kg/m^3.
 const STEEL: f64 = 7850.0;
 
@@ -69,16 +58,15 @@ pub fn toy_top() -> Spinner {
         radius: 0.0283,
         tilt: 0.4,
         spin: 150.0,
-        bearing: 3.0 * core::f64::consts::PI / 16.0 * 0.2 * mass * GRAVITY * 1.95e-5,
+        bearing: 3.0 * PI / 16.0 * 0.2 * mass * GRAVITY * 1.95e-5,
         pivot: 0.0,
         density: 700.0,
     }
 }
 
-// ANCHOR: scene
 impl Spinner {
     /// The scene with its weight alone, released with its axis at rest.
-    pub fn scene(&self) -> Result<(Top, State)> {
+    pub fn scene(&self) -> Result<(Scene<Weight>, State)> {
         let [across, along] = self.moments;
         let body = RigidBody::new(PrincipalMoments::symmetric(across, along)?);
         let weight = GravityAtLever::new(self.mass * GRAVITY, self.lever)?;
@@ -87,10 +75,7 @@ impl Spinner {
         let start = body.state(tilted, BodyVector::new(0.0, 0.0, self.spin))?;
         Ok((Scene::new(body).with(weight), start))
     }
-}
-// ANCHOR_END: scene
 
-impl Spinner {
     /// Still air, on both faces of its disc.
     pub fn air(&self) -> Result<DiscDrag> {
         let (density, viscosity) = (DiscDrag::AIR_DENSITY, DiscDrag::AIR_VISCOSITY);
@@ -143,6 +128,7 @@ impl Spinner {
 }
 
 pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
+pub const ASIDE: SpaceVector = SpaceVector::new(1.0, 0.0, 0.0);
 
 /// The field of the Earth, which is stronger below than above.
 pub fn gradient() -> Result<GravityGradient<true>> {
@@ -185,6 +171,3 @@ pub fn on_the_earth() -> Turning {
         rate: SpaceVector::new(0.0, EARTH * c, EARTH * s),
     }
 }
-
-/// How fast the room turns, rad/s.
-pub const ROOM: f64 = EARTH;

@@ -1,26 +1,18 @@
 //! The drawings of the page on effects.
 
-use super::digits::Case;
-use super::weigh::Question;
 use super::*;
-use rotation_dynamics::accuracy::Limits;
-use rotation_dynamics::motion::Motion;
+use core::f64::consts::TAU;
 
 /// How far the axis is from where it would be without this effect, against the time.
 fn aside(q: &Question<Weight>, effect: impl Effect, name: &str, ink: Ink) -> Result<Curve> {
-    let limits = Limits::default();
-    let scene = q.scene.with(effect);
-    let with = scene.solve_along(&q.start, q.end, 1e-8, &limits)?;
-    let without = q.scene.solve_along(&q.start, q.end, 1e-8, &limits)?;
     // Equal distances on a logarithmic axis.
     let times = (0..=160).map(|n| q.end * pow(10.0, -2.0 + f64::from(n) / 80.0));
-    let (mut largest, mut points) = (1e-9_f64, Vec::new());
-    for t in times {
-        let t = t.min(q.end);
-        let (a, b) = (with.try_state(t)?, without.try_state(t)?);
-        largest = largest.max(q.apart(&a.attitude, &b.attitude));
-        points.push((t, largest));
-    }
+    let both = q.both(effect, 1e-8, times.map(|t| t.min(q.end)))?;
+    let mut largest = 1e-9_f64;
+    let points = both.into_iter().map(|(t, attitudes)| {
+        largest = largest.max(q.apart(attitudes));
+        (t, largest)
+    });
     Ok(Curve::new(points, ink).label_end(name))
 }
 
@@ -44,8 +36,8 @@ fn digits(key: &str) -> Result<Panel> {
 }
 
 /// Those left out whose labels do not lie on each other.
-fn named(case: &Case) -> Vec<&super::weigh::LeftOut> {
-    let mut all: Vec<&super::weigh::LeftOut> = Vec::new();
+fn named(case: &Case) -> Vec<&LeftOut> {
+    let mut all: Vec<&LeftOut> = Vec::new();
     for one in &case.left_out {
         if all.last().is_none_or(|last| one.error < 0.06 * last.error) {
             all.push(one);
@@ -88,49 +80,40 @@ figures! { p: &Parameters;
     digits_satellite: digits("satellite")?;
 }
 
+/// The axis with its weight alone and in air, so many times.
+fn in_air(p: &Parameters, error: f64, count: u32) -> Result<Vec<(f64, [SpaceVector; 2])>> {
+    let both = question(p)?.both(gyroscope(p).air()?, error, times(0.0, p.seconds, count))?;
+    let axes = |both: [Attitude; 2]| both.map(|attitude| attitude.axis());
+    Ok(both.into_iter().map(|(t, both)| (t, axes(both))).collect())
+}
+
 /// The axis with its weight alone and in air, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let (rotor, q, limits) = (gyroscope(p), question(p)?, Limits::default());
-    let scene = q.scene.with(rotor.air()?);
-    let with = scene.solve_along(&q.start, q.end, 1e-8, &limits)?;
-    let without = q.scene.solve_along(&q.start, q.end, 1e-8, &limits)?;
     let columns = ["t [s]", "X", "Y", "Z", "X in air", "Y in air", "Z in air"];
-    Trajectory::sampled(columns, times(0.0, q.end, 1000), |t| {
-        let [a, b, c] = without.try_state(t)?.attitude.axis().to_array();
-        let [d, e, f] = with.try_state(t)?.attitude.axis().to_array();
-        Ok([t, a, b, c, d, e, f])
-    })
+    let mut rows = Trajectory::new(columns)?;
+    for (t, axes) in in_air(p, 1e-8, 1000)? {
+        let [[a, b, c], [d, e, f]] = axes.map(SpaceVector::to_array);
+        rows.push([t, a, b, c, d, e, f])?;
+    }
+    Ok(rows)
 }
 
 /// The axle seen from above, with the weight alone and in air.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let (rotor, q) = (gyroscope(p), question(p)?);
-    let (end, limits) = (q.end, Limits::default());
-    let scene = q.scene.with(rotor.air()?);
+    let end = p.seconds;
     // Sampled once; a frame is a straight line between two samples.
-    let fine = 2000;
-    let moment = |n: u32| end * f64::from(n) / f64::from(fine);
-    let mut axes = Vec::new();
-    {
-        let with = scene.solve_along(&q.start, end, 1e-6, &limits)?;
-        let without = q.scene.solve_along(&q.start, end, 1e-6, &limits)?;
-        for n in 0..=fine {
-            let [a, b] = [without.try_state(moment(n))?, with.try_state(moment(n))?];
-            axes.push([a.attitude.axis(), b.attitude.axis()]);
-        }
-    }
+    let axes = in_air(p, 1e-6, 2000)?;
     let at = move |t: f64| {
-        let x = (t / end * f64::from(fine)).clamp(0.0, f64::from(fine));
+        let x = (t / end * 2000.0).clamp(0.0, 2000.0);
         let n = (x as usize).min(axes.len() - 2);
-        let part = x - n as f64;
-        [0, 1].map(|i| axes[n][i] * (1.0 - part) + axes[n + 1][i] * part)
+        let (part, from, to) = (x - n as f64, axes[n].1, axes[n + 1].1);
+        [0, 1].map(|i| from[i] * (1.0 - part) + to[i] * part)
     };
-    let angle = |[a, b]: [SpaceVector; 2]| atan2(a.cross(&b).norm(), a.dot(&b));
     let curve = Curve::of(times(0.0, end, 1000), |t| angle(at(t)), Ink::Body);
     let graph = Panel::over_axes("$t$ / s", "apart / rad").curve(curve);
     MovingPicture::above(graph, 0.0..=end, [0.3 * end, 0.6 * end, end], move |t| {
         let [a, b] = at(t);
-        let ring = times(0.0, core::f64::consts::TAU, 90).map(|x| (0.87 * cos(x), 0.87 * sin(x)));
+        let ring = times(0.0, TAU, 90).map(|x| (0.87 * cos(x), 0.87 * sin(x)));
         let sketch = Sketch::within((-1.25, 1.25), (-1.1, 1.1))
             .guide(ring)
             .arrow((0.0, 0.0), (a.x(), a.y()), Ink::Body, "vacuum", Side::Right)

@@ -1,18 +1,13 @@
 //! What follows from the effects of a scene: its conserved quantities, and the balance of power
 //! for the energy that is not.
 
-use kit::{Result, Table, rounded_up, short};
-use rotation_dynamics::attitude::{Attitude, EulerAngles};
-use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{
-    CoulombBearing, Effect, GravityAtLever, GravityGradient, InternalDissipation, ViscousFriction,
-};
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::inertia::PrincipalMoments;
+use super::*;
+use rotation_dynamics::Result;
+use rotation_dynamics::effects::{CoulombBearing, InternalDissipation, ViscousFriction};
 use rotation_dynamics::integrators::scene::{components, state};
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
+use rotation_dynamics::integrators::{Integrator, Ode};
 use rotation_dynamics::math::EPS;
-use rotation_dynamics::scene::{Invariant, Scene};
+use rotation_dynamics::scene::Invariant;
 
 // ANCHOR: balance
 /// A scene beside the work that its effects do: W' = power.
@@ -68,32 +63,32 @@ pub fn run<E: Effect>(scene: &Scene<E>, start: &State) -> Result<Drift> {
     let [w, x, y, z, a, b, c, done] = at;
     let last = state(&[w, x, y, z, a, b, c])?;
     let energy = scene.body().kinetic_energy(start);
-    let momentum = start.angular_momentum.norm();
-    let drift = (scene.invariants())
-        .map(|quantity| {
-            let (before, after) = match quantity {
-                Invariant::Energy => (scene.energy_at(0.0, start), scene.energy_at(end, &last)),
-                other => (scene.value(other, start), scene.value(other, &last)),
-            };
-            let size = if quantity == Invariant::Energy {
-                energy
-            } else {
-                momentum
-            };
-            (after - before).abs() / size
-        })
-        .fold(0.0, f64::max);
-    let gained = (scene.energy_at(end, &last) - scene.energy_at(0.0, start)) / energy;
+    let gained = scene.energy_at(end, &last) - scene.energy_at(0.0, start);
+    let changed = |quantity| match quantity {
+        Invariant::Energy => gained.abs() / energy,
+        momentum => {
+            let change = scene.value(momentum, &last) - scene.value(momentum, start);
+            change.abs() / start.angular_momentum.norm()
+        }
+    };
+    let drift = scene.invariants().map(changed).fold(0.0, f64::max);
     Ok(Drift {
         names: scene.invariants().map(symbol).collect(),
         drift: drift / (EPS * work.steps as f64),
-        balance: (gained - done / energy).abs(),
-        gained,
+        balance: (gained / energy - done / energy).abs(),
+        gained: gained / energy,
     })
 }
 
+/// A line a scene: what acts, and the scene.
+macro_rules! runs {
+    ($start:expr; $( $name:literal: $scene:expr; )+) => {
+        [ $( ($name, run($scene, $start)?) ),+ ]
+    };
+}
+
 /// Scenes of one effect and of two.
-pub fn table() -> Result<Table> {
+pub fn table() -> kit::Result<Table> {
     let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 0.6)?);
     let (phi, theta, zeta) = (0.4, 0.9, -0.3);
     let tilted = Attitude::from_euler(EulerAngles { phi, theta, zeta })?;
@@ -103,61 +98,32 @@ pub fn table() -> Result<Table> {
     let bearing = CoulombBearing::new(0.02, &body, &start, 0.0)?;
     let oil = ViscousFriction::new(0.02, 0.01)?;
     let creaks = InternalDissipation::new(0.01)?;
-    let up = SpaceVector::new(0.0, 0.0, 1.0);
-    let aside = SpaceVector::new(1.0, 0.0, 0.0);
-    let held = GravityGradient::fixed(0.1, up)?;
-    let moving = GravityGradient::on_orbit(0.1, up, aside)?;
-    let rows = [
-        ("nothing", run(&free, &start)?),
-        ("weight", run(&free.with(weight), &start)?),
-        ("dry bearing", run(&free.with(bearing), &start)?),
-        ("oil", run(&free.with(oil), &start)?),
-        ("losses inside", run(&free.with(creaks), &start)?),
-        (
-            "gradient, from a fixed side",
-            run(&free.with(held), &start)?,
-        ),
-        ("gradient, on an orbit", run(&free.with(moving), &start)?),
-        (
-            "weight and dry bearing",
-            run(&free.with(weight).with(bearing), &start)?,
-        ),
-        ("weight and oil", run(&free.with(weight).with(oil), &start)?),
-        (
-            "weight and gradient from a fixed side",
-            run(&free.with(weight).with(held), &start)?,
-        ),
-        (
-            "losses inside and gradient on an orbit",
-            run(&free.with(creaks).with(moving), &start)?,
-        ),
-    ];
-    let columns = [
-        "what acts",
-        "kept",
-        "drift / eps a step",
-        "energy gained",
-        "less work done",
-    ];
-    let mut table = Table::new("kept", columns)?;
-    for (name, kept) in rows {
-        let (names, drift) = if kept.names.is_empty() {
-            ("nothing".to_owned(), "-".to_owned())
-        } else {
-            (kept.names.join(", "), short(kept.drift, 2))
+    let held = GravityGradient::fixed(0.1, UP)?;
+    let moving = GravityGradient::on_orbit(0.1, UP, ASIDE)?;
+    let rows = runs! { &start;
+        "nothing": &free;
+        "weight": &free.with(weight);
+        "dry bearing": &free.with(bearing);
+        "oil": &free.with(oil);
+        "losses inside": &free.with(creaks);
+        "gradient, from a fixed side": &free.with(held);
+        "gradient, on an orbit": &free.with(moving);
+        "weight and dry bearing": &free.with(weight).with(bearing);
+        "weight and oil": &free.with(weight).with(oil);
+        "weight and gradient from a fixed side": &free.with(weight).with(held);
+        "losses inside and gradient on an orbit": &free.with(creaks).with(moving);
+    };
+    let columns = "what acts, kept, drift / eps a step, energy gained, less work done";
+    Table::of("kept", columns.split(", "), rows, |(name, kept)| {
+        let (names, drift) = match kept.names[..] {
+            [] => ("nothing".to_owned(), "-".to_owned()),
+            _ => (kept.names.join(", "), short(kept.drift, 2)),
         };
-        let gained = if kept.gained.abs() < 1e-12 {
-            "none".to_owned()
-        } else {
-            format!("{} of E", short(kept.gained, 3))
+        let gained = match kept.gained.abs() < 1e-12 {
+            true => "none".to_owned(),
+            false => format!("{} of E", short(kept.gained, 3)),
         };
-        table.push([
-            name.to_owned(),
-            names,
-            drift,
-            gained,
-            rounded_up(kept.balance),
-        ])?;
-    }
-    Ok(table)
+        let balance = rounded_up(kept.balance);
+        Ok([name.to_owned(), names, drift, gained, balance])
+    })
 }

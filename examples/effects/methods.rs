@@ -1,63 +1,38 @@
 //! What is there picks the method: a scene of each kind, what `solve` chose, and what others
 //! would have paid.
 
-use super::Parameters;
-use super::desk::{Spinner, UP, gyroscope};
-use kit::{Result, Table};
-use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{
-    DiscDrag, Effect, GravityAtLever, GravityGradient, InternalDissipation, PrescribedTorque,
-    Profile, ViscousFriction,
-};
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, Integrator, Resisted, Scheme, Splitting, Work};
-use rotation_dynamics::math::pow;
-use rotation_dynamics::scene::Scene;
+use super::*;
+use rotation_dynamics::Result;
+use rotation_dynamics::effects::{InternalDissipation, PrescribedTorque, Profile, ViscousFriction};
+use rotation_dynamics::integrators::{Integrator, Resisted, Scheme, Splitting, Work};
 
 /// The error for which prices are compared, rad.
-pub const PRICED: f64 = 1e-6;
+const PRICED: f64 = 1e-6;
 
-/// Evaluations for an error of [`PRICED`].
-pub struct Paid {
-    pub kind: &'static str,
-    pub scene: &'static str,
-    pub chosen: &'static str,
-    pub run: Work,
-    pub dop853: Option<u64>,
-    pub split: Option<u64>,
-}
-
-impl Paid {
-    fn of<E: Effect>(
-        [kind, name]: [&'static str; 2],
-        scene: &Scene<E>,
-        start: &State,
-        end: f64,
-    ) -> Result<Self> {
-        let solved = scene.solve(start, end, PRICED)?;
-        let exact = scene.solve(start, end, 1e-8)?.state.attitude;
-        let dop853 = least(&exact, |level| {
-            let method = Dop853::new(1e-3 * pow(10.0, -0.25 * level))?;
-            Ok(method.advance(scene, 0.0, start, end)?)
-        });
-        let split = if E::PROPERTIES.torque_free || Resisted::new(scene, 0.0).is_err() {
-            None
-        } else {
-            least(&exact, |level| {
-                split(scene, start, end, 10.0 * pow(1.15, level))
-            })
-        };
-        Ok(Self {
-            kind,
-            scene: name,
-            chosen: solved.method,
-            run: solved.run,
-            dop853,
-            split,
-        })
-    }
+/// What acts, the scene, what `solve` chose, and the evaluations for an error of [`PRICED`]: its
+/// own, and those of DOP853 and of a splitting where they come so near.
+fn paid<E: Effect>(
+    [kind, name]: [&str; 2],
+    scene: &Scene<E>,
+    start: &State,
+    end: f64,
+) -> Result<[String; 6]> {
+    let solved = scene.solve(start, end, PRICED)?;
+    let exact = scene.solve(start, end, 1e-8)?.state.attitude;
+    let dop853 = least(&exact, |level| {
+        let method = Dop853::new(1e-3 * pow(10.0, -0.25 * level))?;
+        method.advance(scene, 0.0, start, end)
+    });
+    let splits = !E::PROPERTIES.torque_free && Resisted::new(scene, 0.0).is_ok();
+    let steps = |level| split(scene, start, end, 10.0 * pow(1.15, level));
+    let split = splits.then(|| least(&exact, steps)).flatten();
+    let run = Some(solved.run.torques()).filter(|torques| *torques > 0);
+    let [run, dop853, split] = [run, dop853, split].map(|evaluations| match evaluations {
+        Some(evaluations) => evaluations.to_string(),
+        None => "-".to_owned(),
+    });
+    let [kind, name, chosen] = [kind, name, solved.method].map(str::to_owned);
+    Ok([kind, name, chosen, run, dop853, split])
 }
 
 // ANCHOR: split
@@ -103,12 +78,20 @@ fn least(exact: &Attitude, run: impl Fn(f64) -> Result<(State, Work)>) -> Option
     None
 }
 
-/// A scene of each kind.
-pub fn all(p: &Parameters) -> Result<Vec<Paid>> {
+/// A line a scene: what acts, its name, the scene, its start and its end.
+macro_rules! paid {
+    ($( $names:expr => $scene:expr, $start:expr, $end:expr; )+) => {
+        [ $( paid($names, $scene, $start, $end)? ),+ ]
+    };
+}
+
+/// A scene of each kind, with what is paid for it.
+pub fn table(p: &Parameters) -> kit::Result<Table> {
     let rotor = gyroscope(p);
     let (top, start) = rotor.scene()?;
     let brick = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8)?);
     let tossed = brick.state(Attitude::IDENTITY, BodyVector::new(0.3, 0.1, 2.0))?;
+    let free = Scene::new(brick);
     let weight = GravityAtLever::new(1.0, 0.4)?;
     // The same axle in oil, and the vertical pivot too.
     let oil = ViscousFriction::new(2e-5, 2e-6)?;
@@ -117,89 +100,23 @@ pub fn all(p: &Parameters) -> Result<Vec<Paid>> {
         bearing: 2e-2,
         ..rotor
     };
-    let (stopped, slowly) = slow.scene()?;
+    let (dry, slowly) = slow.scene()?;
+    let dry = dry.with(slow.dry()?);
+    let creaks = InternalDissipation::new(0.02)?;
     let thruster = Profile::steps(&[(2.0, 1.0), (5.0, -1.0), (8.0, 0.0)])?;
     let thruster = PrescribedTorque::on_body(BodyVector::new(0.02, 0.0, 0.0), thruster)?;
-    let orbit = GravityGradient::on_orbit(0.05, UP, SpaceVector::new(1.0, 0.0, 0.0))?;
-    let drag = DiscDrag::new(
-        0.06,
-        DiscDrag::AIR_DENSITY,
-        DiscDrag::AIR_VISCOSITY,
-        rotor.spin,
-    )?;
-    Ok(vec![
-        Paid::of(["nothing", "a brick"], &Scene::new(brick), &tossed, 20.0)?,
-        Paid::of(["keeps the energy", "the gyroscope"], &top, &start, 10.0)?,
-        Paid::of(
-            ["keeps the energy", "a heavy brick"],
-            &Scene::new(brick).with(weight),
-            &tossed,
-            20.0,
-        )?,
-        Paid::of(
-            ["resists, weakly", "the gyroscope in oil"],
-            &top.with(oil),
-            &start,
-            10.0,
-        )?,
-        Paid::of(
-            ["resists, weakly", "the gyroscope in air"],
-            &top.with(drag),
-            &start,
-            10.0,
-        )?,
-        Paid::of(
-            ["resists, to the stop", "the gyroscope, dry and slow"],
-            &stopped.with(slow.dry()?),
-            &slowly,
-            5.0,
-        )?,
-        Paid::of(
-            ["loses energy inside", "a brick that creaks"],
-            &Scene::new(brick).with(InternalDissipation::new(0.02)?),
-            &tossed,
-            20.0,
-        )?,
-        Paid::of(
-            ["goes with the time", "a brick on an orbit"],
-            &Scene::new(brick).with(orbit),
-            &tossed,
-            20.0,
-        )?,
-        Paid::of(
-            ["jumps", "a brick with a thruster"],
-            &Scene::new(brick).with(thruster),
-            &tossed,
-            20.0,
-        )?,
-    ])
-}
-
-/// As a table.
-pub fn table(all: &[Paid]) -> Result<Table> {
-    let columns = [
-        "what acts",
-        "scene",
-        "solve chose",
-        "evaluations",
-        "DOP853",
-        "SRKN 14a",
-    ];
-    let mut table = Table::new("methods", columns)?;
-    for paid in all {
-        let told = |work: Option<u64>| work.map_or("-".to_owned(), |n| n.to_string());
-        let run = match paid.run.torques() {
-            0 => "-".to_owned(),
-            n => n.to_string(),
-        };
-        table.push([
-            paid.kind.to_owned(),
-            paid.scene.to_owned(),
-            paid.chosen.to_owned(),
-            run,
-            told(paid.dop853),
-            told(paid.split),
-        ])?;
-    }
-    Ok(table)
+    let orbit = GravityGradient::on_orbit(0.05, UP, ASIDE)?;
+    let columns = "what acts, scene, solve chose, evaluations, DOP853, SRKN 14a";
+    let rows = paid! {
+        ["nothing", "a brick"] => &free, &tossed, 20.0;
+        ["keeps the energy", "the gyroscope"] => &top, &start, 10.0;
+        ["keeps the energy", "a heavy brick"] => &free.with(weight), &tossed, 20.0;
+        ["resists, weakly", "the gyroscope in oil"] => &top.with(oil), &start, 10.0;
+        ["resists, weakly", "the gyroscope in air"] => &top.with(rotor.air()?), &start, 10.0;
+        ["resists, to the stop", "the gyroscope, dry and slow"] => &dry, &slowly, 5.0;
+        ["loses energy inside", "a brick that creaks"] => &free.with(creaks), &tossed, 20.0;
+        ["goes with the time", "a brick on an orbit"] => &free.with(orbit), &tossed, 20.0;
+        ["jumps", "a brick with a thruster"] => &free.with(thruster), &tossed, 20.0;
+    };
+    Table::of("methods", columns.split(", "), rows, Ok)
 }

@@ -1,17 +1,9 @@
 //! One effect after the other: what leaving it out costs, predicted and simulated.
 
+use super::*;
 use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::{Limits, PredictedError};
-use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::body::State;
-use rotation_dynamics::effects::Effect;
-use rotation_dynamics::integrators::{Dop853, Integrator};
-use rotation_dynamics::math::{atan2, log10, pow};
-use rotation_dynamics::motion::Motion;
-use rotation_dynamics::scene::Scene;
-
-/// Places at which two motions are compared.
-const PLACES: u32 = 400;
+use rotation_dynamics::accuracy::PredictedError;
+use rotation_dynamics::integrators::Integrator;
 
 /// An effect that a scene leaves out.
 #[derive(Debug, Clone)]
@@ -26,11 +18,11 @@ impl LeftOut {
     pub fn new(name: &'static str, error: f64, how: &'static str) -> Self {
         Self { name, error, how }
     }
+}
 
-    /// Decimal digits of a radian that are worth having without this effect.
-    pub fn digits(&self) -> f64 {
-        -log10(self.error)
-    }
+/// The angle between two axes, rad.
+pub fn angle([a, b]: [SpaceVector; 2]) -> f64 {
+    atan2(a.cross(&b).norm(), a.dot(&b))
 }
 
 /// A motion, and what of it is asked for.
@@ -43,42 +35,69 @@ pub struct Question<E> {
 }
 
 impl<E: Effect + Clone> Question<E> {
+    /// The whole attitude of a scene from a start at t = 0 to an end.
+    pub fn new(scene: Scene<E>, start: State, end: f64) -> Self {
+        Self {
+            scene,
+            start,
+            end,
+            of_axis: false,
+        }
+    }
+
+    /// Only where the axis e3 points, not how far the body has spun about it.
+    pub fn of_axis(mut self) -> Self {
+        self.of_axis = true;
+        self
+    }
+
     /// The angle between two attitudes as far as it is asked for, rad.
-    pub fn apart(&self, a: &Attitude, b: &Attitude) -> f64 {
-        if self.of_axis {
-            let (a, b) = (a.axis(), b.axis());
-            atan2(a.cross(&b).norm(), a.dot(&b))
-        } else {
-            a.angle_to(b)
+    pub fn apart(&self, [a, b]: [Attitude; 2]) -> f64 {
+        match self.of_axis {
+            true => angle([a.axis(), b.axis()]),
+            false => a.angle_to(&b),
         }
     }
 
     // ANCHOR: weigh
-    /// What leaving out `effect` costs, by the linear response of the motion to it.
-    pub fn predicted(&self, effect: &impl Effect) -> Result<PredictedError> {
-        let asked = self.scene.neglected_effects(&self.start, self.end, 1e-3)?;
-        let asked = if self.of_axis { asked.of_axis() } else { asked };
-        asked.predict(effect, 0.0)
+    /// Which effects it calls for, if it is wanted to this tolerance.
+    pub fn asked(&self, tolerance: f64) -> Result<NeglectedEffects<'_, E>> {
+        let asked = (self.scene).neglected_effects(&self.start, self.end, tolerance)?;
+        Ok(if self.of_axis { asked.of_axis() } else { asked })
     }
 
-    /// The same by two simulations, with it and without.
-    pub fn simulated(&self, effect: impl Effect, tolerance: f64) -> Result<f64> {
-        let limits = Limits::default();
-        let with = self.scene.clone().with(effect);
-        let with = with.solve_along(&self.start, self.end, tolerance, &limits)?;
-        let without = (self.scene).solve_along(&self.start, self.end, tolerance, &limits)?;
-        let mut largest = 0.0_f64;
-        for n in 1..=PLACES {
-            let t = self.end * (f64::from(n) / f64::from(PLACES));
-            let (a, b) = (with.try_state(t)?, without.try_state(t)?);
-            largest = largest.max(self.apart(&a.attitude, &b.attitude));
-        }
-        Ok(largest)
+    /// What leaving out `effect` costs, by the linear response of the motion to it.
+    pub fn predicted(&self, effect: &impl Effect) -> Result<PredictedError> {
+        self.asked(1e-3)?.predict(effect, 0.0)
+    }
+
+    /// The attitudes without an effect and with it, at these times.
+    pub fn both(
+        &self,
+        effect: impl Effect,
+        tolerance: f64,
+        times: impl Iterator<Item = f64>,
+    ) -> kit::Result<Vec<(f64, [Attitude; 2])>> {
+        let along = Limits::default();
+        let scene = self.scene.clone().with(effect);
+        let with = scene.solve_along(&self.start, self.end, tolerance, &along)?;
+        let without = (self.scene).solve_along(&self.start, self.end, tolerance, &along)?;
+        sampled(times, |t| {
+            let [a, b] = [without.try_state(t)?, with.try_state(t)?];
+            Ok((t, [a.attitude, b.attitude]))
+        })
+    }
+
+    /// What leaving it out costs by these two simulations.
+    pub fn simulated(&self, effect: impl Effect, tolerance: f64) -> kit::Result<f64> {
+        let both = self.both(effect, tolerance, times(0.0, self.end, 400))?;
+        let apart = both.into_iter().map(|(_, attitudes)| self.apart(attitudes));
+        Ok(apart.fold(0.0, f64::max))
     }
     // ANCHOR_END: weigh
 
     /// Predicted where that can be believed, else simulated.
-    pub fn left_out(&self, name: &'static str, effect: impl Effect) -> Result<LeftOut> {
+    pub fn left_out(&self, name: &'static str, effect: impl Effect) -> kit::Result<LeftOut> {
         let predicted = self.predicted(&effect)?;
         if predicted.linear {
             return Ok(LeftOut::new(name, predicted.predicted, "predicted"));
@@ -94,7 +113,7 @@ impl<E: Effect + Clone> Question<E> {
         for n in 0..12 {
             let method = Dop853::new(1e-2 * pow(10.0, -f64::from(n)))?;
             let (end, work) = method.advance(&self.scene, 0.0, &self.start, self.end)?;
-            let off = self.apart(&end.attitude, exact).max(1e-15);
+            let off = self.apart([end.attitude, *exact]).max(1e-15);
             runs.push((work.torques() as f64, off));
         }
         Ok(runs)
