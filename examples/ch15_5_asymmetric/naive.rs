@@ -180,7 +180,7 @@ pub fn claims(report: &mut Report) -> Result<()> {
         naive_crosses: coarse, "s", "library's foil" => crossing_of_the_foil(60.0, coarse)?, within 1.5 / 60.0;
         /// the same, 240 steps a second
         naive_crosses_later: fine, "s", "double-double, other variables" => crossing_by_side(240.0), within 1.0 / 240.0;
-        /// the same where doubles form L^2 - 2 E I2, and rounding decides
+        /// the same where doubles form the difference from two squares, and rounding decides
         naive_rounded: rounded, "s", "library's foil" => crossing_of_the_foil(240.0, rounded)?, within 4.0 / 240.0;
     }
 }

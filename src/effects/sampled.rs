@@ -41,7 +41,8 @@ use crate::math::EPS;
 /// // Every sample takes the part 0.4 dt/I of the rate.
 /// let left = 2.0 * (1.0_f64 - 0.4 * 0.1 / 0.5).powi(50);
 /// assert!((body.angular_velocity(&end).z() - left).abs() < 1e-9);
-/// // A wheel that gives no more than 0.3 N m is cut inside the law: at this rate, in every sample.
+/// // A wheel gives no more than 0.3 N m, so the law limits the torque; at these rates it does so in
+/// // every sample.
 /// let weak = Torque::on_body("weak brake", |_t, body, state| {
 ///     let rate = body.angular_velocity(state).z();
 ///     BodyVector::new(0.0, 0.0, (-0.4 * rate).clamp(-0.3, 0.3))

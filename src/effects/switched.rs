@@ -21,8 +21,9 @@ type Signal<'f> = dyn Fn(f64, &RigidBody, &State) -> f64 + Send + Sync + 'f;
 /// [`smooth`](Torque::smooth) if they are. If both drive the signal back to zero, the motion slides
 /// along it, no law says by which torque, and [`Error::Sliding`](crate::Error::Sliding) names it.
 ///
-/// A thruster with a dead zone is two of these, one for each side; one that also brakes often makes its
-/// motion slide without hysteresis. Hysteresis is a [`Law`] of one's own, or the law is [sampled](Torque::sampled).
+/// A thruster with a dead zone is two of these, one for each side; if its signal also contains the
+/// rate, so that it brakes, the motion often slides unless there is hysteresis. Hysteresis is a
+/// [`Law`] of one's own, or the law is [sampled](Torque::sampled).
 ///
 /// ```
 /// use rotation_dynamics::attitude::Attitude;
@@ -42,8 +43,8 @@ type Signal<'f> = dyn Fn(f64, &RigidBody, &State) -> f64 + Send + Sync + 'f;
 /// let end = Scene::new(body).with(motor).solve(&start, 9.0, 1e-9)?.state;
 /// assert!((body.angular_velocity(&end).z() - 2.0).abs() < 1e-12);
 ///
-/// // Three levels are two of these: thrusters that push back beyond 0.1 to either side of the middle,
-/// // and rest in between. There the body drifts; it comes back as fast as it came.
+/// // Three levels are two of these: thrusters that push back where the body is turned by more than
+/// // 0.2 rad to either side (the quaternion's z is beyond 0.1), and rest in between. There the body drifts; it comes back as fast as it came.
 /// let push = |size| Torque::on_body("push", move |_, _, _| BodyVector::new(0.0, 0.0, size)).smooth();
 /// let aside = |state: &State| state.attitude.quaternion()[3];
 /// let over = move |_t: f64, _: &RigidBody, state: &State| 0.1 - aside(state);
