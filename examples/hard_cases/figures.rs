@@ -49,7 +49,7 @@ fn ends(motion: &Motion, naive: impl Fn(&Motion) -> Option<Attitude>) -> Result<
     Ok([naive(motion), Some(closed)].map(|end| motion.off(end)))
 }
 
-/// The naive error of a case, and that of its last answer.
+/// The naive error of a case, and that of its last answer; one that is refused leaves a gap.
 fn across(Answered(_, (_, naive), answers): Answered) -> Result<[f64; 2]> {
     let last = answers.last().and_then(|(answer, _)| answer.as_ref().ok());
     Ok([naive, last.copied().unwrap_or(f64::NAN)])

@@ -44,7 +44,8 @@ type Signal<'f> = dyn Fn(f64, &RigidBody, &State) -> f64 + Send + Sync + 'f;
 /// assert!((body.angular_velocity(&end).z() - 2.0).abs() < 1e-12);
 ///
 /// // Three levels are two of these: thrusters that push back where the body is turned by more than
-/// // 0.2 rad to either side (the quaternion's z is beyond 0.1), and rest in between. There the body drifts; it comes back as fast as it came.
+/// // 0.2 rad to either side (the quaternion's z is beyond 0.1), and rest in between. There the body
+/// // drifts; it comes back as fast as it came.
 /// let push = |size| Torque::on_body("push", move |_, _, _| BodyVector::new(0.0, 0.0, size)).smooth();
 /// let aside = |state: &State| state.attitude.quaternion()[3];
 /// let over = move |_t: f64, _: &RigidBody, state: &State| 0.1 - aside(state);

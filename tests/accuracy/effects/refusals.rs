@@ -26,7 +26,15 @@ fn bad_coefficients_are_named() {
     let bearing = |tau, t| CoulombBearing::new(tau, &body, &start, t).err();
     let drag =
         |radius, density, viscosity, spin| DiscDrag::new(radius, density, viscosity, spin).err();
-    let cases: [(Option<Error>, &str); 26] = [
+    let cases: [(Option<Error>, &str); 28] = [
+        (
+            lines(&[(-1e308, 1.0), (1e308, 2.0)]),
+            "times of a profile[0]: difference from the next = inf",
+        ),
+        (
+            lines(&[(0.0, 0.0), (1.0, -1e308), (2.0, 1e308)]),
+            "values of a profile[1]: difference from the next = inf",
+        ),
         (
             Gravity::new(-1.0, BodyVector::zero()).err(),
             "weight = -1 is not allowed: it must be greater than 0",
@@ -115,7 +123,7 @@ fn bad_coefficients_are_named() {
         assert!(told.contains(words), "{told} should contain {words}");
         ran += 1;
     }
-    assert_eq!(ran, 26);
+    assert_eq!(ran, 28);
     assert!(Profile::pulse(INF, 1.0).is_err());
 }
 
