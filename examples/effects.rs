@@ -63,8 +63,8 @@ pub fn cases() -> Result<Arc<Vec<Case>>> {
 
 /// How far the axis is from where it would be, at most, if this torque acts along it: by the
 /// equations of the notes, 16.2 (2) and (3), in theta and phi, with L_z and L_Z as it makes them.
-fn by_angles(p: &Parameters, torque: impl Fn(f64) -> f64) -> Result<f64> {
-    let (rotor, places) = (gyroscope(p), 400);
+fn by_angles(p: &Parameters, looks: &[f64], torque: impl Fn(f64) -> f64) -> Result<f64> {
+    let rotor = gyroscope(p);
     let ([i1, i3], weight) = (rotor.moments, rotor.weight());
     let axis = |strength: f64| {
         let torque = &torque;
@@ -82,7 +82,7 @@ fn by_angles(p: &Parameters, torque: impl Fn(f64) -> f64) -> Result<f64> {
     };
     let (with, without) = (axis(1.0)?, axis(0.0)?);
     let mut largest = 0.0_f64;
-    for t in times(0.0, p.seconds, places) {
+    for &t in looks {
         let axes = [with.at(t)?, without.at(t)?].map(|[theta, _, phi, ..]| {
             let ((s, c), (sp, cp)) = (sincos(theta), sincos(phi));
             SpaceVector::new(s * sp, -s * cp, c)
@@ -110,8 +110,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let lift = weighed(&asked, rotor.buoyancy())?;
     let room = weighed(&asked, on_the_earth())?;
     let above = weighed(&asked, gradient()?)?;
-    let by_air = by_angles(p, |spin| drag.axial_torque(spin))?;
-    let by_dry = by_angles(p, |spin| -bearing * spin.signum())?;
+    let by_air = by_angles(p, &asked.looks(&drag)?, |spin| drag.axial_torque(spin))?;
+    let by_dry = by_angles(p, &asked.looks(&rotor.dry()?)?, |spin| -bearing * spin.signum())?;
     claims! { report,
         /// how far the axis is from where it would be without the air, at most
         air: air, "rad", "DOP853 on (2), (3), L_z falling" => by_air, within 1e-7,

@@ -88,9 +88,16 @@ impl<E: Effect + Clone> Question<E> {
         })
     }
 
+    /// 400 times of the motion, and that at which leaving it out is predicted to cost most.
+    pub fn looks(&self, effect: &impl Effect) -> kit::Result<Vec<f64>> {
+        let most = self.predicted(effect)?.time;
+        Ok(times(0.0, self.end, 400).chain([most]).collect())
+    }
+
     /// What leaving it out costs by these two simulations.
     pub fn simulated(&self, effect: impl Effect, tolerance: f64) -> kit::Result<f64> {
-        let both = self.both(effect, tolerance, times(0.0, self.end, 400))?;
+        let looks = self.looks(&effect)?;
+        let both = self.both(effect, tolerance, looks.into_iter())?;
         let apart = both.into_iter().map(|(_, attitudes)| self.apart(attitudes));
         Ok(apart.fold(0.0, f64::max))
     }

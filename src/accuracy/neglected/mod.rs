@@ -32,8 +32,9 @@ use variation::{AnyScene, Variation, leaned, turned};
 /// The error of a step, as a part of the motion and of the response.
 const PRECISION: f64 = 1e-6;
 
-/// Times at which the response is looked at.
-const LOOKS: usize = 512;
+/// Times of every step at which the response is looked at: in a step a motion turns by about a
+/// radian at most, and a look is then within 1 % of the largest.
+const LOOKS: u32 = 4;
 
 /// A response that turns the body by more than this (rad) is no longer linear: its square
 /// counts.
@@ -61,6 +62,8 @@ pub struct PredictedError {
     /// The predicted error of leaving it out: the largest angle (rad) between the attitudes
     /// with and without it, at any time of the span; to first order in the effect.
     pub predicted: f64,
+    /// When it is so large (s).
+    pub time: f64,
     /// True if that is small enough to be believed within a factor 2. If not, the effect is
     /// large, and how large only the full simulation says.
     pub linear: bool,
@@ -75,7 +78,7 @@ pub struct PredictedError {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measured {
     /// The largest angle (rad) between the attitudes with and without it, at 200 times of the
-    /// span; of the axes alone after [`NeglectedEffects::of_axis`].
+    /// span and when it is predicted to be largest; of the axes alone after [`NeglectedEffects::of_axis`].
     pub error: f64,
     /// By how much it and a prediction may differ by their own errors (rad).
     pub within: f64,
@@ -240,12 +243,13 @@ impl<E: Effect> NeglectedEffects<'_, E> {
         let asked = &self.asked;
         let span = [asked.limits.t_start, asked.t_end];
         check(effect, self.scene.body(), span, &asked.start)?;
-        let (predicted, work) = asked.response(self.scene.into(), effect)?;
+        let ([predicted, time], work) = asked.response(self.scene.into(), effect)?;
         let linear = predicted <= LINEAR;
         Ok(PredictedError {
             name: effect.name(),
             number,
             predicted,
+            time,
             linear,
             called_for: !linear || MARGIN * predicted > asked.tolerance,
             work,
@@ -283,7 +287,9 @@ impl<E: Effect> NeglectedEffects<'_, E> {
     where
         E: Clone,
     {
-        let predicted = self.predict(effect, 0.0)?.predicted;
+        let PredictedError {
+            predicted, time, ..
+        } = self.predict(effect, 0.0)?;
         let Asked {
             start,
             t_end,
@@ -294,7 +300,9 @@ impl<E: Effect> NeglectedEffects<'_, E> {
         } = &self.asked;
         let (from, span) = (limits.t_start, t_end - limits.t_start);
         let times = (1..=COMPARED).map(|n| from + span * (f64::from(n) / f64::from(COMPARED)));
-        let times: Vec<f64> = times.collect();
+        let mut times: Vec<f64> = times.collect();
+        let before = times.partition_point(|t| (t - from).abs() < (time - from).abs());
+        times.insert(before, time);
         let with = self.scene.clone().with(effect.clone());
         let motions = |fine: f64| -> Result<[Vec<State>; 2]> {
             Ok([
@@ -335,11 +343,11 @@ impl<E: Effect> NeglectedEffects<'_, E> {
 }
 
 impl Asked<'_> {
-    /// The largest angle (rad) of the linear response, and what it cost.
-    fn response(&self, scene: AnyScene<'_>, effect: &dyn AnyEffect) -> Result<(f64, Work)> {
+    /// The largest angle (rad) of the linear response, its time (s), and what it cost.
+    fn response(&self, scene: AnyScene<'_>, effect: &dyn AnyEffect) -> Result<([f64; 2], Work)> {
         let mut y = [0.0; 14];
         y[..7].copy_from_slice(&components(&self.start));
-        let (mut angle, mut work) = (0.0, Work::default());
+        let (mut largest, mut work) = ([0.0, self.limits.t_start], Work::default());
         let span = self.t_end - self.limits.t_start;
         for [from, to] in self.pieces(scene.effects, effect) {
             let steps = self.left(&work)? / (TORQUES * STAGES);
@@ -362,19 +370,24 @@ impl Asked<'_> {
                 Err(Error::LimitReached { .. }) => return Err(self.over_budget()),
                 solution => solution?,
             };
-            let looks = 1 + (LOOKS as f64 * ((to - from) / span).abs()) as usize;
-            for look in 1..=looks {
-                let t = if look == looks {
-                    to
-                } else {
-                    from + (to - from) * (look as f64 / looks as f64)
-                };
-                angle = larger(angle, (self.angle)(&solution.at(t)?));
+            let mut begun = from;
+            for end in solution.step_times() {
+                for look in 1..=LOOKS {
+                    let t = match look {
+                        LOOKS => end,
+                        look => begun + (end - begun) * (f64::from(look) / f64::from(LOOKS)),
+                    };
+                    let angle = (self.angle)(&solution.at(t)?);
+                    if angle > largest[0] || angle.is_nan() {
+                        largest = [angle, t];
+                    }
+                }
+                begun = end;
             }
             y = *solution.end_state();
             work += solution.work();
         }
-        Ok((angle, work))
+        Ok((largest, work))
     }
 
     /// Torques that are left of the budget after all candidates and this work, if the
