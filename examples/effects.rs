@@ -111,7 +111,9 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let room = weighed(&asked, on_the_earth())?;
     let above = weighed(&asked, gradient()?)?;
     let by_air = by_angles(p, &asked.looks(&drag)?, |spin| drag.axial_torque(spin))?;
-    let by_dry = by_angles(p, &asked.looks(&rotor.dry()?)?, |spin| -bearing * spin.signum())?;
+    let by_dry = by_angles(p, &asked.looks(&rotor.dry()?)?, |spin| {
+        -bearing * spin.signum()
+    })?;
     claims! { report,
         /// how far the axis is from where it would be without the air, at most
         air: air, "rad", "DOP853 on (2), (3), L_z falling" => by_air, within 1e-7,

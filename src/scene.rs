@@ -34,7 +34,7 @@ const SLIPPED: f64 = 1e-5;
 /// # }
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Scene<E> {
+pub struct Scene<E: ?Sized> {
     body: RigidBody,
     effects: E,
 }
@@ -122,7 +122,7 @@ impl<E: Effect> Scene<E> {
     }
 }
 
-impl<E: AnyEffect> Scene<E> {
+impl<E: AnyEffect + ?Sized> Scene<E> {
     /// The body.
     #[inline]
     pub const fn body(&self) -> &RigidBody {

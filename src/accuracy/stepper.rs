@@ -1,8 +1,8 @@
 //! A method made ready to run, and what it carries of a scene.
 
 use crate::body::{RigidBody, State};
-use crate::effects::erased::AnyEffect;
-use crate::effects::{Effect, EffectRef, IntegrableCase};
+use crate::effects::erased::{AnyEffect, AxisOnly};
+use crate::effects::{Effect, IntegrableCase};
 use crate::error::{Error, Result};
 use crate::integrators::foils::{EulerOnAngles, SemiImplicitEuler};
 use crate::integrators::gauss_legendre::{BodyAxes, FreeRotation};
@@ -127,7 +127,7 @@ impl Stepper {
         span: [f64; 2],
         start: &State,
     ) -> Result<(State, Work)> {
-        self.advance_any(scene.body(), scene.effects(), variables, span, start)
+        self.advance_any(scene, variables, span, start)
     }
 
     /// The same in the variables that are usual: those in space, but for Gauss-Legendre those
@@ -148,25 +148,21 @@ impl Stepper {
         self.advance(scene, variables, span, start)
     }
 
-    /// Takes one of five scenes with the same motion, so that the methods are compiled for six types
+    /// Takes one of three scenes with the same motion, so that the methods are compiled for four types
     /// and not for each scene.
     fn advance_any(
         &self,
-        body: &RigidBody,
-        effects: &dyn AnyEffect,
+        scene: &Scene<dyn AnyEffect + '_>,
         variables: Variables,
         span: [f64; 2],
         start: &State,
     ) -> Result<(State, Work)> {
+        let effects = scene.effects();
         let (properties, known) = (effects.properties(), effects.integrable_case());
-        let body = Scene::new(*body);
+        let body = Scene::new(*scene.body());
         let sees_axis = matches!(self, Self::Splitting(_)) || variables != Variables::Space;
-        if properties.slips {
-            let scene = body.with(EffectRef::<false, true, false>(effects));
-            self.advance_anything(&scene, variables, span, start)
-        } else if !(properties.axis_only && sees_axis) {
-            let scene = body.with(EffectRef::<false, false, false>(effects));
-            self.advance_anything(&scene, variables, span, start)
+        if !(properties.axis_only && sees_axis) {
+            self.advance_anything(scene, variables, span, start)
         } else if let (true, Self::GaussLegendre(_), Variables::Body) =
             (properties.torque_free, self, variables)
         {
@@ -175,12 +171,8 @@ impl Stepper {
             Ok((end, work))
         } else if let IntegrableCase::HeavyTop(gravity) = known {
             self.advance_seeing_axis(&body.with(gravity), variables, span, start)
-        } else if properties.conserved.momentum[2] {
-            let scene = body.with(EffectRef::<true, false, true>(effects));
-            self.advance_seeing_axis(&scene, variables, span, start)
         } else {
-            let scene = body.with(EffectRef::<true, false, false>(effects));
-            self.advance_seeing_axis(&scene, variables, span, start)
+            self.advance_seeing_axis(&body.with(AxisOnly(effects)), variables, span, start)
         }
     }
 
@@ -201,9 +193,9 @@ impl Stepper {
     }
 
     /// Any effects, in space.
-    fn advance_anything<E: Effect>(
+    fn advance_anything(
         &self,
-        scene: &Scene<E>,
+        scene: &Scene<dyn AnyEffect + '_>,
         variables: Variables,
         [t, t_end]: [f64; 2],
         start: &State,

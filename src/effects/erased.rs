@@ -1,6 +1,6 @@
 //! An effect behind a pointer: what is written for it is compiled once for all effects.
 
-use super::{Conserved, Effect, Feature, IntegrableCase, Part, Properties, Resistance, each};
+use super::{Effect, Feature, IntegrableCase, Part, Properties, Resistance, each};
 use crate::body::{RigidBody, State};
 use crate::error::Result;
 use crate::frame::SpaceVector;
@@ -129,23 +129,13 @@ impl<E: Effect> AnyEffect for E {
     }
 }
 
-/// Effects behind a pointer as an effect again, so that methods are compiled once for all that
-/// see the axis only (and, if `VERTICAL`, leave L_Z alone), for all that slip, and for all others.
-/// On lanes one torque after the other: the same bits.
-pub(crate) struct EffectRef<'e, const AXIS_ONLY: bool, const SLIPS: bool, const VERTICAL: bool>(
-    pub &'e dyn AnyEffect,
-);
+/// Effects that see the axis alone, behind a pointer, as an effect again: methods that make use of
+/// that are compiled once for all of them. On lanes one torque after the other: the same bits.
+pub(crate) struct AxisOnly<'e>(pub &'e dyn AnyEffect);
 
-impl<const AXIS_ONLY: bool, const SLIPS: bool, const VERTICAL: bool> Effect
-    for EffectRef<'_, AXIS_ONLY, SLIPS, VERTICAL>
-{
+impl Effect for AxisOnly<'_> {
     const PROPERTIES: Properties = Properties {
-        axis_only: AXIS_ONLY,
-        slips: SLIPS,
-        conserved: Conserved {
-            momentum: [false, false, VERTICAL],
-            ..Conserved::NONE
-        },
+        axis_only: true,
         ..Properties::ANYTHING
     };
 
@@ -160,10 +150,6 @@ impl<const AXIS_ONLY: bool, const SLIPS: bool, const VERTICAL: bool> Effect
     #[inline(always)]
     fn torques_on_axis<L: Lane>(&self, body: &RigidBody, axis: [L; 3]) -> [L; 3] {
         each(axis, |axis| self.0.torque_on_axis(body, axis))
-    }
-
-    fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        self.0.slip(t, body, state)
     }
 
     fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {

@@ -65,7 +65,6 @@ pub(crate) use closure::rising;
 pub use coulomb::CoulombBearing;
 pub use disc_drag::{DiscDrag, FlowRegime};
 pub use elastic_yielding::ElasticYielding;
-pub(crate) use erased::EffectRef;
 pub use gravity::GravityAtLever;
 pub use gravity_anywhere::Gravity;
 pub use gravity_gradient::GravityGradient;

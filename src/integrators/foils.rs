@@ -71,7 +71,7 @@ impl SemiImplicitEuler {
 }
 
 /// I^-1 (torque - omega x I omega), on the body axes.
-fn angular_acceleration<E: AnyEffect>(
+fn angular_acceleration<E: AnyEffect + ?Sized>(
     scene: &Scene<E>,
     t: f64,
     attitude: Attitude,
@@ -100,7 +100,7 @@ fn euler_work(steps: u64) -> Work {
 }
 
 /// The scene of a rigid body: what is stepped is I^-1 L, and it alone turns the axes.
-fn rigid<E: AnyEffect>(scene: &Scene<E>) -> Result<()> {
+fn rigid<E: AnyEffect + ?Sized>(scene: &Scene<E>) -> Result<()> {
     if scene.effects().properties().slips {
         let effects = scene.effects().names().join(", ");
         let reason = format!(
@@ -112,7 +112,7 @@ fn rigid<E: AnyEffect>(scene: &Scene<E>) -> Result<()> {
     Ok(())
 }
 
-impl<E: AnyEffect> Integrator<Scene<E>, State> for EulerOnAngles {
+impl<E: AnyEffect + ?Sized> Integrator<Scene<E>, State> for EulerOnAngles {
     fn advance(
         &self,
         scene: &Scene<E>,
@@ -145,7 +145,7 @@ impl<E: AnyEffect> Integrator<Scene<E>, State> for EulerOnAngles {
     }
 }
 
-impl<E: AnyEffect> Integrator<Scene<E>, State> for SemiImplicitEuler {
+impl<E: AnyEffect + ?Sized> Integrator<Scene<E>, State> for SemiImplicitEuler {
     fn advance(
         &self,
         scene: &Scene<E>,

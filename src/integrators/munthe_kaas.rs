@@ -80,7 +80,7 @@ fn sum(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
     core::array::from_fn(|i| a[i] + b[i])
 }
 
-impl<E: AnyEffect> Integrator<Scene<E>, State> for MuntheKaas4 {
+impl<E: AnyEffect + ?Sized> Integrator<Scene<E>, State> for MuntheKaas4 {
     fn advance(
         &self,
         scene: &Scene<E>,

@@ -39,7 +39,7 @@ pub fn state([w, x, y, z, lx, ly, lz]: &[f64; 7]) -> Result<State> {
     )
 }
 
-impl<E: AnyEffect> Ode<7> for Scene<E> {
+impl<E: AnyEffect + ?Sized> Ode<7> for Scene<E> {
     fn derivative(&self, t: f64, &[w, x, y, z, lx, ly, lz]: &[f64; 7]) -> [f64; 7] {
         let norm = (w * w + x * x + y * y + z * z).sqrt();
         let state = State {
@@ -80,7 +80,7 @@ impl<E: AnyEffect> Ode<7> for Scene<E> {
 /// The general methods carry a [`State`] by its components.
 macro_rules! carries_states {
     ($method:ty) => {
-        impl<E: AnyEffect> Integrator<Scene<E>, State> for $method {
+        impl<E: AnyEffect + ?Sized> Integrator<Scene<E>, State> for $method {
             advance_by_counting!(Scene<E>, State);
 
             fn advance_counting(

@@ -4,10 +4,10 @@ use super::exact_motion::ExactMotion;
 use super::slender::Slender;
 use crate::accuracy::{Stepper, Variables, larger};
 use crate::body::{RigidBody, State};
-use crate::effects::erased::AnyEffect;
+use crate::effects::erased::{AnyEffect, AxisOnly};
 use crate::effects::{
-    Checked, Conserved, Effect, EffectRef, GravityAtLever, IntegrableCase, Properties, Resistance,
-    each, one_by_one, piece,
+    Checked, Conserved, Effect, GravityAtLever, IntegrableCase, Properties, Resistance, each,
+    one_by_one, piece,
 };
 use crate::error::{Error, Result};
 use crate::frame::{BodyVector, SpaceVector};
@@ -259,14 +259,14 @@ impl<'e> Problem<'e> {
                 m.advance_counting(&resisted, 0.0, start, to - from, work)
             }
             (Acting::Smooth(effects), Stepper::GaussLegendre(m), Variables::Space) => {
-                let piece = self.strengthened::<false, true>(effects, [from, to]);
-                let scene = Scene::new(self.body).with(EffectRef::<false, true, false>(&piece));
-                let scene = SideBySide::new(&scene, effects.properties().slips);
+                let scene = self.scene::<false, true>(effects, [from, to]);
+                let scene: &Scene<dyn AnyEffect> = &scene;
+                let scene = SideBySide::new(scene, effects.properties().slips);
                 m.advance_counting(&scene, 0.0, start, to - from, work)
             }
             (Acting::OnAxis(effects), ..) => {
                 let piece = self.strengthened::<true, false>(effects, [from, to]);
-                let scene = Scene::new(self.body).with(EffectRef::<true, false, false>(&piece));
+                let scene = Scene::new(self.body).with(AxisOnly(&piece));
                 stepper.advance_axis(&scene, variables, span, start, work)
             }
             _ => Err(Error::sees_more("effects".to_owned())),

@@ -19,7 +19,9 @@ use crate::math::lane::WIDEST;
 use crate::math::{DoubleDouble, Lane};
 use crate::scene::Scene;
 
-impl<E: AnyEffect, const STEADY: bool> Integrator<Scene<E>, State> for GaussLegendre<STEADY> {
+impl<E: AnyEffect + ?Sized, const STEADY: bool> Integrator<Scene<E>, State>
+    for GaussLegendre<STEADY>
+{
     advance_by_counting!(Scene<E>, State);
 
     fn advance_counting(
@@ -35,13 +37,13 @@ impl<E: AnyEffect, const STEADY: bool> Integrator<Scene<E>, State> for GaussLege
 }
 
 /// A scene in the variables of its [`Ode`], all but the torque on lanes.
-pub(crate) struct SideBySide<'s, E> {
+pub(crate) struct SideBySide<'s, E: ?Sized> {
     scene: &'s Scene<E>,
     inverse: [[f64; 2]; 3],
     slips: bool,
 }
 
-impl<'s, E: AnyEffect> SideBySide<'s, E> {
+impl<'s, E: AnyEffect + ?Sized> SideBySide<'s, E> {
     /// The scene; of effects that may slip, whether they do.
     pub(crate) fn new(scene: &'s Scene<E>, slips: bool) -> Self {
         Self {
@@ -52,7 +54,7 @@ impl<'s, E: AnyEffect> SideBySide<'s, E> {
     }
 }
 
-impl<'s, E: AnyEffect, const STEADY: bool> Integrator<SideBySide<'s, E>, State>
+impl<'s, E: AnyEffect + ?Sized, const STEADY: bool> Integrator<SideBySide<'s, E>, State>
     for GaussLegendre<STEADY>
 {
     advance_by_counting!(SideBySide<'s, E>, State);
@@ -75,7 +77,7 @@ impl<'s, E: AnyEffect, const STEADY: bool> Integrator<SideBySide<'s, E>, State>
     }
 }
 
-impl<E: AnyEffect> StageOde<7> for SideBySide<'_, E> {
+impl<E: AnyEffect + ?Sized> StageOde<7> for SideBySide<'_, E> {
     #[inline(always)]
     fn derivatives<L: Lane>(&self, t: L, &[w, x, y, z, lx, ly, lz]: &[L; 7]) -> [L; 7] {
         let square = (w * w + x * x) + (y * y + z * z);
