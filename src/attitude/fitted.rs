@@ -11,7 +11,7 @@ use super::rotation_vector::scaled;
 use super::{Attitude, at, norm, scale_for_squares};
 use crate::error::{Error, Result, finite, not_negative};
 use crate::frame::{BodyVector, SpaceVector};
-use crate::math::{self, DoubleDouble, EPS};
+use crate::math::{self, DoubleDouble, EPS, sort_by_number};
 use nalgebra::{Matrix3, Matrix4, Rotation3, Vector3, Vector4};
 
 /// The best attitude is refused if it leads over the next by no more than this part, or if one of
@@ -215,9 +215,12 @@ fn profile(m: &Matrix3<f64>) -> Matrix4<f64> {
 fn best(k: Matrix4<f64>) -> Result<(Attitude, [f64; 4])> {
     let eigen = k.symmetric_eigen();
     let mut order = [0, 1, 2, 3];
-    order.sort_by(|i, j| eigen.eigenvalues[*j].total_cmp(&eigen.eigenvalues[*i]));
+    sort_by_number(&mut order, |i| -eigen.eigenvalues[*i]);
     let values = order.map(|i| eigen.eigenvalues[i]);
-    let mut q = eigen.eigenvectors.column(order[0]).into_owned();
+    let mut q = eigen
+        .eigenvectors
+        .column(eigen.eigenvalues.imax())
+        .into_owned();
     // What the iteration left along the others, by perturbation of the first order.
     let rest = k * q - q * (q.dot(&(k * q)) / q.norm_squared());
     for (i, value) in order.into_iter().zip(values).skip(1) {

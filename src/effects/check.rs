@@ -13,7 +13,7 @@ use crate::attitude::Attitude;
 use crate::body::{RigidBody, State};
 use crate::error::{Error, FINITE, Result, finite, not_negative, positive};
 use crate::frame::SpaceVector;
-use crate::math::EPS;
+use crate::math::{EPS, sort_by_number};
 
 /// Places at which an effect is looked at, and times beside those near its break points.
 const PLACES: usize = 48;
@@ -176,7 +176,7 @@ impl<'e> Checked<'e> {
         state: &State,
     ) -> Self {
         let mut breaks = effect.break_points();
-        breaks.sort_by(f64::total_cmp);
+        sort_by_number(&mut breaks, |t| *t);
         Self {
             effect: Holding::new(effect),
             properties: effect.properties(),

@@ -47,40 +47,26 @@ pub(super) trait Sampled: Branchless + Sized {
 
     /// The states at these times; both lists are equally long.
     fn fill(&self, times: &[f64], states: &mut [Kinematics]) {
-        let until = self.until();
-        let far = |t| self.kinematics(t);
-        fill(&All(self), until, times, states, stated, far);
-    }
-}
-
-/// Samples at these times as `near` reads them, and beyond `until` those of `far`.
-pub(super) fn fill<T, const N: usize>(
-    sampler: &impl Sampler<N>,
-    until: f64,
-    times: &[f64],
-    samples: &mut [T],
-    near: impl Fn([f64; N]) -> T,
-    far: impl Fn(f64) -> T,
-) {
-    let mut left = samples.iter_mut();
-    let is_near = |t: &f64| t.abs() <= until;
-    let in_lanes = |run: &[f64], left: &mut IterMut<T>| {
-        for_each_time(sampler, run, |numbers| {
-            if let Some(sample) = left.next() {
-                *sample = near(numbers);
-            }
-        });
-    };
-    // Counting goes in vector registers; looking for the runs does not.
-    if times.iter().filter(|t| is_near(t)).count() == times.len() {
-        return in_lanes(times, &mut left);
-    }
-    for run in times.chunk_by(|one, next| is_near(one) == is_near(next)) {
-        if is_near(&run[0]) {
-            in_lanes(run, &mut left);
-        } else {
-            for (t, sample) in run.iter().zip(&mut left) {
-                *sample = far(*t);
+        let mut left = states.iter_mut();
+        let is_near = |t: &f64| t.abs() <= self.until();
+        let in_lanes = |run: &[f64], left: &mut IterMut<Kinematics>| {
+            for_each_time(&All(self), run, |numbers| {
+                if let Some(state) = left.next() {
+                    *state = stated(numbers);
+                }
+            });
+        };
+        // Counting goes in vector registers; looking for the runs does not.
+        if times.iter().filter(|t| is_near(t)).count() == times.len() {
+            return in_lanes(times, &mut left);
+        }
+        for run in times.chunk_by(|one, next| is_near(one) == is_near(next)) {
+            if is_near(&run[0]) {
+                in_lanes(run, &mut left);
+            } else {
+                for (t, state) in run.iter().zip(&mut left) {
+                    *state = self.kinematics(*t);
+                }
             }
         }
     }

@@ -304,11 +304,6 @@ fn closed_forms<'a>(
             row("exact/heavy_top/queries.rs angular_momentum", |t| {
                 Ok(top.angular_momentum(t).to_array().to_vec())
             }),
-            row("exact/heavy_top/batch.rs attitudes", |t| {
-                let mut attitudes = [Attitude::IDENTITY; 3];
-                top.attitudes(&[0.0, t, 1.0], &mut attitudes)?;
-                Ok(of_attitude(attitudes[1]))
-            }),
             row("exact/heavy_top/batch.rs kinematics_at", |t| {
                 let mut states = [Kinematics::REST; 3];
                 top.kinematics_at(&[0.0, t, 1.0], &mut states)?;

@@ -8,6 +8,7 @@ use crate::body::{RigidBody, State};
 use crate::effects::erased::AnyEffect;
 use crate::error::{Error, Result, finite};
 use crate::integrators::Work;
+use crate::math::{order_of, sort_by_number};
 use crate::motion::{Kept, Motion};
 use crate::scene::Scene;
 
@@ -173,8 +174,7 @@ impl Motion for SolvedMotion<'_> {
             self.inside(*t).map_err(|reason| at(index, reason))?;
         }
         let [from, to] = self.span();
-        let mut order: Vec<usize> = (0..times.len()).collect();
-        order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
+        let mut order = order_of(times);
         if to < from {
             order.reverse();
         }
@@ -187,7 +187,7 @@ impl Motion for SolvedMotion<'_> {
                 Err(error) => return Err(at(index, error)),
             }
         }
-        states.sort_by_key(|(index, _)| *index);
+        sort_by_number(&mut states, |(index, _)| *index as f64);
         Ok(states.into_iter().map(|(_, state)| state).collect())
     }
 

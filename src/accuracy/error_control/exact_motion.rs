@@ -5,6 +5,7 @@ use crate::effects::{GravityAtLever, IntegrableCase};
 use crate::error::Result;
 use crate::exact::free_body::FreeBody;
 use crate::exact::heavy_top::{HeavyTop, SymmetricTop};
+use crate::math::order_of_three;
 
 /// A motion known at any time without stepping: its name, and the state at a time (s).
 pub struct ExactMotion {
@@ -67,12 +68,10 @@ fn free(body: &RigidBody, start: &State) -> Option<ExactMotion> {
     let motion = FreeBody::new(body.moments(), start.attitude, rates).ok()?;
     let momentum = start.angular_momentum;
     // 2 E I_mid - L^2, as sum of I_i (I_mid - I_i) omega_i^2, beside L^2.
-    let [mut inertia, omega] = [body.moments().to_array(), rates.to_array()];
-    let momenta = [0, 1, 2].map(|i| inertia[i] * omega[i]);
+    let [moments, omega] = [body.moments().to_array(), rates.to_array()];
+    let momenta = [0, 1, 2].map(|i| moments[i] * omega[i]);
     let square: f64 = momenta.iter().map(|l| l * l).sum();
-    let moments = inertia;
-    inertia.sort_by(f64::total_cmp);
-    let middle = inertia[1];
+    let middle = moments[order_of_three(moments)[1]];
     let off: f64 = (moments.iter().zip(omega))
         .map(|(i, w)| i * (middle - i) * w * w)
         .sum();

@@ -4,6 +4,7 @@ use crate::effects::erased::AnyEffect;
 use crate::effects::{Checked, is_same};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::SpaceVector;
+use crate::math::sort_by_number;
 use core::sync::atomic::{AtomicBool, Ordering};
 
 /// Where a solution begins, what it must not step over, and what it may cost.
@@ -101,7 +102,7 @@ impl Limits<'_> {
         let (first, last) = (self.t_start.min(t_end), self.t_start.max(t_end));
         let is_end = |t: f64| is_same(first, t) || is_same(last, t);
         all.retain(|t| first < *t && *t < last && !is_end(*t));
-        all.sort_by(f64::total_cmp);
+        sort_by_number(&mut all, |t| *t);
         all.dedup_by(|t, before| is_same(*before, *t));
         if t_end < self.t_start {
             all.reverse();

@@ -12,6 +12,7 @@ use crate::body::State;
 use crate::error::{Error, Result};
 use crate::frame::BodyVector;
 use crate::integrators::{Dop853, Integrator, Work};
+use crate::math::order_of_three;
 
 /// Moments further apart than this by a factor make a slender body. Tumbling under the gravity
 /// gradient and a motor, to 1e-3, 1e-6 and 1e-9, DOP853 took with L on the fixed axes 1.3 to 2.0 times
@@ -90,8 +91,7 @@ fn fastest(problem: &Problem, method: &Dop853, work: &mut Work) -> Result<[f64; 
 /// Two rows of the design that push the rates about the outer axes with equal and with opposite
 /// signs: beside the middle axis of a plate one of the two dies away where the other grows.
 pub(super) fn opposite_rows(moments: [f64; 3]) -> [usize; 2] {
-    let mut axes = [0, 1, 2];
-    axes.sort_by(|i, j| moments[*i].total_cmp(&moments[*j]));
+    let axes = order_of_three(moments);
     let with = |sign: f64| {
         let is = |row: &usize| {
             let [_, _, _, push @ ..] = signs(*row);

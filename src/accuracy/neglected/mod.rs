@@ -24,7 +24,7 @@ use crate::effects::{Effect, check};
 use crate::error::{Error, Result};
 use crate::integrators::scene::components;
 use crate::integrators::{Dop853, Work};
-use crate::math::atan2;
+use crate::math::{atan2, sort_by_number};
 use crate::scene::Scene;
 use core::sync::atomic::Ordering;
 use variation::{AnyScene, Variation, leaned, turned};
@@ -419,7 +419,7 @@ impl Asked<'_> {
         let mut times = limits.breaks(own, self.t_end);
         times.extend(limits.breaks(effect, self.t_end));
         times.extend([limits.t_start, self.t_end]);
-        times.sort_by(f64::total_cmp);
+        sort_by_number(&mut times, |t| *t);
         times.dedup();
         if self.t_end < limits.t_start {
             times.reverse();

@@ -1,38 +1,14 @@
 //! Many samples of one motion at once.
 
-use super::hyperbolic::Late;
-use super::sample::Sampler;
 use super::{Course, Form, HeavyTop};
-use crate::attitude::Attitude;
 use crate::body::Kinematics;
 use crate::error::Result;
-use crate::exact::batch::{self, Branchless, Sampled};
+use crate::exact::batch::{Branchless, Sampled};
 use crate::exact::check_times;
-use crate::math::lane::{self, Phased};
 
 impl HeavyTop {
-    /// The attitudes at many times: the bits of [`HeavyTop::attitude`], in vector
-    /// registers where the processor has them. Nothing is allocated.
-    ///
-    /// # Errors
-    /// `Lengths` if there are not as many attitudes as times; for a time as
-    /// [`HeavyTop::try_attitude`]. No attitude is touched then.
-    pub fn attitudes(&self, times: &[f64], attitudes: &mut [Attitude]) -> Result<()> {
-        check_times("attitudes", attitudes.len(), times, self.latest)?;
-        match self.form() {
-            Some(Form::Trigonometric(sampler)) => filled(&**sampler, times, attitudes),
-            Some(Form::Hyperbolic(late)) => filled(&**late, times, attitudes),
-            None => {
-                for (t, attitude) in times.iter().zip(attitudes) {
-                    *attitude = self.attitude(*t);
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Attitudes and body rates at many times: the bits of [`HeavyTop::kinematics`], as
-    /// [`HeavyTop::attitudes`] does it.
+    /// Attitudes and body rates at many times: the bits of [`HeavyTop::kinematics`], in
+    /// vector registers where the processor has them. Nothing is allocated.
     ///
     /// ```
     /// # use rotation_dynamics::body::Kinematics;
@@ -47,7 +23,8 @@ impl HeavyTop {
     /// ```
     ///
     /// # Errors
-    /// As [`HeavyTop::attitudes`].
+    /// `Lengths` if there are not as many samples as times; for a time as
+    /// [`HeavyTop::try_attitude`]. No sample is touched then.
     pub fn kinematics_at(&self, times: &[f64], samples: &mut [Kinematics]) -> Result<()> {
         check_times("samples", samples.len(), times, self.latest)?;
         match self.form() {
@@ -79,45 +56,4 @@ impl Form {
             Self::Hyperbolic(late) => late.latest(),
         }
     }
-}
-
-/// A form of the motion that has the attitude alone.
-trait Turning: Sampled {
-    fn quaternion_at<L: Phased>(&self, t: L) -> [L; 4];
-}
-
-impl Turning for Sampler {
-    #[inline(always)]
-    fn quaternion_at<L: Phased>(&self, t: L) -> [L; 4] {
-        self.quaternion(t)
-    }
-}
-
-impl Turning for Late {
-    #[inline(always)]
-    fn quaternion_at<L: Phased>(&self, t: L) -> [L; 4] {
-        self.quaternion(t)
-    }
-}
-
-struct Attitudes<'a, M>(&'a M);
-
-impl<M: Turning> lane::Sampler<4> for Attitudes<'_, M> {
-    #[inline(always)]
-    fn sample<L: Phased>(&self, t: L, _: usize) -> [L; 4] {
-        self.0.quaternion_at(t)
-    }
-}
-
-fn filled(motion: &impl Turning, times: &[f64], attitudes: &mut [Attitude]) {
-    let far = |t| motion.kinematics(t).attitude;
-    let until = motion.until();
-    batch::fill(
-        &Attitudes(motion),
-        until,
-        times,
-        attitudes,
-        Attitude::from_unit,
-        far,
-    );
 }

@@ -149,20 +149,18 @@ impl Ode<7> for FreeRotation {
 /// Euler's equations on the axes and in the units of [`Units`]:
 /// a' = b c, b' = -c a, c' = a b; of a symmetric body, whose axis comes last,
 /// a' = k b c, b' = -k c a, c' = 0 with k = 1, -1, or 0 for a sphere.
-struct Euler<const SYMMETRIC: bool> {
+struct Euler {
     k: f64,
+    /// 1, and 0 for a symmetric body.
+    last: f64,
     scale: [f64; 3],
 }
 
-impl<const SYMMETRIC: bool> StageOde<3> for Euler<SYMMETRIC> {
+impl StageOde<3> for Euler {
     #[inline(always)]
     fn derivatives<L: Lane>(&self, _t: L, &[a, b, c]: &[L; 3]) -> [L; 3] {
-        if SYMMETRIC {
-            let c = c * self.k;
-            [b * c, -(c * a), L::of(0.0)]
-        } else {
-            [b * c, -(c * a), a * b]
-        }
+        let c = c * self.k;
+        [b * c, -(c * a), a * b * self.last]
     }
 
     fn scale(&self, _: &[f64; 3]) -> [f64; 3] {
@@ -275,13 +273,9 @@ impl Units {
             carry: self.start.map(|l| l.lo()),
         };
         let scale = self.direction.map(|[n, _]| 1.0 / n.abs());
-        let end = if self.symmetric {
-            let euler = Euler::<true> { k: self.k, scale };
-            method.run(&euler, 0.0, start, span, &mut turn, work)?
-        } else {
-            let euler = Euler::<false> { k: self.k, scale };
-            method.run(&euler, 0.0, start, span, &mut turn, work)?
-        };
+        let (k, last) = (self.k, if self.symmetric { 0.0 } else { 1.0 });
+        let euler = Euler { k, last, scale };
+        let end = method.run(&euler, 0.0, start, span, &mut turn, work)?;
         Ok((end, turn.turned))
     }
 }

@@ -6,6 +6,7 @@ use super::{Force, Mechanism, Modes};
 use crate::accuracy::larger;
 use crate::error::{Error, Result};
 use crate::integrators::{Dop853, Work};
+use crate::math::sort_by_number;
 use crate::planar::run::whole;
 use crate::planar::{Bilateral, Rest, Run, Transition, simulate_so_far, simulate_within};
 use core::fmt;
@@ -294,7 +295,7 @@ impl<const N: usize, const C: usize> Done<N, C> {
         let changes = transitions.clone().flat_map(|at| events(mechanism, at));
         let rests = transitions.filter_map(|at| rests(mechanism, &run, at.rest?));
         let mut events: Vec<_> = changes.chain(rests).collect();
-        events.sort_by(|a, b| a.t.total_cmp(&b.t));
+        sort_by_number(&mut events, |event| event.t);
         Self {
             events,
             estimate: None,

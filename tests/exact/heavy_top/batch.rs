@@ -33,13 +33,10 @@ fn bits(states: &[Kinematics]) -> Vec<[u64; 7]> {
     states.iter().map(of).collect()
 }
 
-/// The states, after the attitudes alone have been found to be theirs.
+/// The states.
 fn filled(motion: &HeavyTop, times: &[f64]) -> Result<Vec<[u64; 7]>> {
     let mut states = vec![Kinematics::REST; times.len()];
     motion.kinematics_at(times, &mut states)?;
-    let mut attitudes = vec![Attitude::IDENTITY; times.len()];
-    motion.attitudes(times, &mut attitudes)?;
-    assert!(states.iter().map(|s| s.attitude).eq(attitudes));
     Ok(bits(&states))
 }
 
