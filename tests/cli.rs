@@ -3,7 +3,7 @@
 
 use kit::cli::Outcome;
 use kit::draw::{Curve, Ink, Panel};
-use kit::{Claim, Example, Figure, Oracle, Page, Report, Result, Trajectory, parse};
+use kit::{Claim, Example, Figure, Oracle, Report, Result, Trajectory, parse};
 use std::fs;
 use std::path::PathBuf;
 
@@ -120,7 +120,7 @@ fn the_default_output_reads_back_as_written() {
     let outcome = answer("");
     assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""));
     // What is locked holds the answer box's data too; what is printed does not.
-    let report = Page::report(&EXAMPLE).expect("the example is sound");
+    let report = EXAMPLE.page().report().expect("the example is sound");
     let locked = report.text().expect("it can be printed");
     assert!(locked.starts_with(&outcome.stdout) && !outcome.stdout.contains("\nchecks\n"));
     let parsed = parse(&locked).expect("the text follows its grammar");
@@ -559,7 +559,7 @@ fn effects_are_put_in_and_left_out_by_name() {
             .contains("\"value\": 0.01,")
     );
     assert!(!swing("--json --without gravity").stdout.contains("square"));
-    let set = Page::report_with(&SWING, &[("friction", 0.5), ("air-drag", 0.1)]).expect("sound");
+    let set = SWING.page().report_with(&[("friction", 0.5), ("air-drag", 0.1)]).expect("sound");
     assert_eq!(set.claim("decay").map(Claim::value), Some(0.3));
 }
 

@@ -10,7 +10,7 @@ use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::Work;
-use rotation_dynamics::math::{cos, exp, expm1, log, sin};
+use rotation_dynamics::math::{cos, exp, expm1, log, sin, sort_by_number};
 use rotation_dynamics::scene::Scene;
 use rotation_dynamics::{Error, Result};
 
@@ -330,7 +330,7 @@ pub fn spreads(cases: &[Case]) -> Result<Vec<Spread>> {
             }
         }
         for sorted in [&mut ratios, &mut estimates, &mut prices] {
-            sorted.sort_by(f64::total_cmp);
+            sort_by_number(sorted, |x| *x);
         }
         Ok(Spread {
             tolerance,

@@ -6,7 +6,7 @@ use kit::{ClosedForm, Computation, Price, Report, Result, Table, claim};
 use rotation_dynamics::Error;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::MassProperties;
-use rotation_dynamics::math::{EPS, sincos};
+use rotation_dynamics::math::{EPS, sincos, sort_by_number};
 
 /// How a coordinate runs through a solid: from 0 to 1, once round, or not at all.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -261,7 +261,7 @@ pub fn strip(p: &Parameters, report: &mut Report) -> Result<()> {
         ("solve: slices of equal thickness", equal_slices),
     ];
     let mut asked = vec![1e-3, 1e-5, 1e-7, p.tolerance, 1e-12];
-    asked.sort_by(|a, b| b.total_cmp(a));
+    sort_by_number(&mut asked, |tolerance| -tolerance);
     asked.dedup();
     for (method, rule) in rules {
         for &requested in &asked {

@@ -1,6 +1,7 @@
 //! The drawings of section 16.1.
 
 use super::*;
+use rotation_dynamics::math::sort_by_number;
 
 /// Over the coefficient of friction, in units of what rolling needs.
 fn frictions() -> Sweep {
@@ -102,7 +103,7 @@ figures! { p: &Parameters;
         let touches = found.events().iter().map(|event| event.t);
         let mut line: Vec<f64> = times(0.0, end, 400).chain(touches).collect();
         line.retain(|t| *t <= end);
-        line.sort_by(f64::total_cmp);
+        sort_by_number(&mut line, |t| *t);
         Panel::over_axes("$t$ / s", Axis::linear("height / $R$").range(0.0, 1.15 * bouncer::HEIGHT))
             .upright(limit, Ink::Frame, "rests")
             .curve(Curve::of(line, |t| ball.height(t), Ink::Ink))

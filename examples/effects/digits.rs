@@ -3,7 +3,7 @@
 use super::*;
 use core::f64::consts::{PI, TAU};
 use rotation_dynamics::effects::{ElasticYielding, InternalDissipation, Torque};
-use rotation_dynamics::math::{EPS, log10};
+use rotation_dynamics::math::{EPS, log10, sort_by_number};
 
 /// A motion, with what it leaves out, the largest first.
 pub struct Case {
@@ -24,7 +24,7 @@ impl Case {
         exact: Option<Attitude>,
         mut left_out: Vec<LeftOut>,
     ) -> Result<Self> {
-        left_out.sort_by(|a, b| b.error.total_cmp(&a.error));
+        sort_by_number(&mut left_out, |effect| -effect.error);
         let solved = |tolerance| (question.scene).solve(&question.start, question.end, tolerance);
         let estimate = solved(1e-4)?.estimate;
         let closed = exact.map(|_| estimate);

@@ -4,6 +4,7 @@ use super::naive::*;
 use super::rotations::*;
 use super::*;
 use kit::draw::Marker;
+use rotation_dynamics::math::sort_by_number;
 
 /// Below it a logarithmic axis draws an error as this: no double has a smaller one of 1.
 const FLOOR: f64 = 1e-17;
@@ -272,7 +273,8 @@ fn overview(p: &Parameters) -> Result<Panel> {
         }
     }
     for points in [&mut held, &mut naive] {
-        points.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.total_cmp(&b.0)));
+        sort_by_number(points, |point| point.0);
+        sort_by_number(points, |point| -point.1);
         points.dedup();
     }
     let lines = computed.len() as f64;

@@ -3,7 +3,7 @@
 use super::motions::Plain;
 use super::rotations::{FLIPS_STEPS, POLE_STEPS, half_turn, momentum_off};
 use super::*;
-use rotation_dynamics::math::{atanh, tanh};
+use rotation_dynamics::math::{atanh, sort_by_number, tanh};
 
 /// Plain methods: a name, what each is called, and its error on a motion.
 macro_rules! plain {
@@ -310,7 +310,7 @@ pub fn turning_point([a, b, c]: [f64; 3], energy: f64) -> f64 {
     let angle = acos((-constant / (2.0 * size * size * size)).clamp(-1.0, 1.0)) / 3.0;
     let third = TAU / 3.0;
     let mut roots = [0.0, 1.0, 2.0].map(|k| 2.0 * size * cos(angle - k * third) - p / 3.0);
-    roots.sort_by(f64::total_cmp);
+    sort_by_number(&mut roots, |root| *root);
     acos(roots[1])
 }
 

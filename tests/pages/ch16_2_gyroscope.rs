@@ -3,7 +3,7 @@
 
 use crate::answers::answer;
 use kit::cli::Outcome;
-use kit::{MovingPicture, Page};
+use kit::MovingPicture;
 use pages::ch16_2_gyroscope as gyroscope;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::integrators::{Dop853, Integrator, ode, size_or};
@@ -356,7 +356,7 @@ fn a_spinning_disc_has_a_larger_moment() {
     // No stress is left at the rim, and it is linear in the stretch of the middle.
     let ([_, left, a], [_, more, b]) = (run(0.0), run(1.0));
     let grown = a + (b - a) * left / (left - more);
-    let report = Page::report(&gyroscope::EXAMPLE).unwrap();
+    let report = gyroscope::EXAMPLE.page().report().unwrap();
     let line = report.effects().iter().find(|line| line.effect == "stretch of the spinning disc").unwrap();
     let (mut errors, mut damaged) = (Errors::of("growth of the moment"), Errors::of("a hoop"));
     errors.push(line.error / (line.value * grown * TAU) - 1.0);

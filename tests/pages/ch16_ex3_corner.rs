@@ -2,7 +2,6 @@
 //! the report: a claim or a limit that differs from its oracle is an error.
 
 use crate::answers::{cell, computed, confirmed, errors_of, refused};
-use kit::Page;
 use pages::ch16_ex3_corner::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, ode, size_or};
@@ -74,7 +73,7 @@ fn what_is_no_cylinder_in_a_corner_is_refused() {
 fn figures_are_drawn_for_other_cylinders() {
     for (friction, spin, radius) in [(2.0, 5.0, 0.1), (9.0, 60.0, 0.1), (0.01, 300.0, 0.1), (1.0, 0.1, 5.0)] {
         let flags = [("friction", friction), ("spin", spin), ("radius", radius)];
-        assert_eq!(EXAMPLE.figures_with(&flags).unwrap().len(), 8, "{flags:?}");
+        assert_eq!(EXAMPLE.page().figures_with(&flags).unwrap().len(), 8, "{flags:?}");
     }
 }
 

@@ -3,7 +3,6 @@
 
 use crate::answers::{answer, confirmed, refused};
 use core::f64::consts::{PI, TAU};
-use kit::Page;
 use pages::further_1_phone::throw::*;
 use pages::further_1_phone::*;
 use rotation_dynamics::frame::BodyVector;
@@ -287,5 +286,5 @@ fn rounding_turns_it_over() {
 /// Mirrored, the figures are drawn as well.
 #[test]
 fn figures_are_drawn_of_the_mirrored_motion() {
-    assert!(EXAMPLE.figures_with(&[("turns", -3.0), ("tilt", -0.05)]).unwrap().len() > 5);
+    assert!(EXAMPLE.page().figures_with(&[("turns", -3.0), ("tilt", -0.05)]).unwrap().len() > 5);
 }

@@ -2,7 +2,7 @@
 //! report; here they are asked far from the numbers of a ship, and damaged twins miss.
 
 use crate::answers::{confirmed, refused};
-use kit::{Page, sampled};
+use kit::sampled;
 use pages::further_2_gyrocompass::*;
 use rotation_dynamics::integrators::{Ode, after};
 use rotation_dynamics::math::{cos, log, pow, sin, tan};
@@ -214,5 +214,5 @@ fn eq_7_the_ship() {
 /// Mirrored, the figures are drawn as well.
 #[test]
 fn figures_are_drawn_of_the_mirrored_motion() {
-    assert!(EXAMPLE.figures_with(&[("spin", -1500.0), ("latitude", -0.9), ("speed", -10.0), ("release", -0.5)]).unwrap().len() > 5);
+    assert!(EXAMPLE.page().figures_with(&[("spin", -1500.0), ("latitude", -0.9), ("speed", -10.0), ("release", -0.5)]).unwrap().len() > 5);
 }

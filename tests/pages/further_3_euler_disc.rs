@@ -3,7 +3,6 @@
 
 use crate::answers::{cell, computed, confirmed, ledger, refused, value};
 use core::f64::consts::TAU;
-use kit::Page;
 use pages::further_3_euler_disc::*;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Dop853, Ode, after, ode, size_or};
@@ -247,7 +246,7 @@ fn two_losses_add() {
 #[test]
 fn figures_are_drawn_for_other_discs() {
     let flags = [("inclination", 1.2), ("start", 0.05), ("radius", 0.012), ("left", 0.2)];
-    assert_eq!(EXAMPLE.figures_with(&flags).unwrap().len(), 7);
+    assert_eq!(EXAMPLE.page().figures_with(&flags).unwrap().len(), 7);
 }
 
 #[test]

@@ -2,7 +2,6 @@
 //! is part of the report: a claim that differs from its oracle is an error.
 
 use crate::answers::{answer, cell, computed, confirmed, refused, value};
-use kit::Page;
 use pages::further_4_yo_yo_despin::strings::{Hangs, Reel, YoYo};
 use pages::further_4_yo_yo_despin::*;
 use rotation_dynamics::math::hypot;
@@ -213,5 +212,5 @@ fn dawn_turned_the_other_way() {
 /// Mirrored, the figures are drawn as well.
 #[test]
 fn figures_are_drawn_of_the_mirrored_motion() {
-    assert!(EXAMPLE.figures_with(&[("spin", -10.0), ("aim", 1.0)]).unwrap().len() > 3);
+    assert!(EXAMPLE.page().figures_with(&[("spin", -10.0), ("aim", 1.0)]).unwrap().len() > 3);
 }

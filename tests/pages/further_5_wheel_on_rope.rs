@@ -3,7 +3,6 @@
 
 use crate::answers::{cell, computed, confirmed, refused, value};
 use core::f64::consts::FRAC_PI_2;
-use kit::Page;
 use pages::further_5_wheel_on_rope::*;
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode, after, ode, size_or};
 use rotation_dynamics::frame::SpaceVector;
@@ -316,5 +315,5 @@ fn eq_7_slack() {
 /// Mirrored, the figures are drawn as well.
 #[test]
 fn figures_are_drawn_of_the_mirrored_motion() {
-    assert!(EXAMPLE.figures_with(&[("spin", -20.0), ("push", 1.0)]).unwrap().len() > 5);
+    assert!(EXAMPLE.page().figures_with(&[("spin", -20.0), ("push", 1.0)]).unwrap().len() > 5);
 }

@@ -2,7 +2,6 @@
 //! laws and one contact; that it confirms the formulas is part of the report.
 
 use crate::answers::{computed, confirmed, refused, value};
-use kit::Page;
 use kit::prelude::*;
 use pages::further_6_turntable::rolling::{Ball, Moving, Surface, Touch, at};
 use pages::further_6_turntable::*;
@@ -319,5 +318,5 @@ fn a_constraint_in_the_kinetic_energy_is_wrong() {
 /// Mirrored, the figures are drawn as well.
 #[test]
 fn figures_are_drawn_of_the_mirrored_motion() {
-    assert!(EXAMPLE.figures_with(&[("rate", -10.0), ("velocity", -0.2), ("place", -0.1), ("orbit", -45.0)]).unwrap().len() > 5);
+    assert!(EXAMPLE.page().figures_with(&[("rate", -10.0), ("velocity", -0.2), ("place", -0.1), ("orbit", -45.0)]).unwrap().len() > 5);
 }

@@ -86,6 +86,11 @@ impl<P: ParameterSet> Example<P> {
         picture(parameters)?.frame(t).map(Some)
     }
 
+    /// It, whatever its parameters.
+    pub const fn page(&self) -> &dyn Page {
+        self
+    }
+
     fn with(&self, parameters: P) -> Running<'_, P> {
         Running {
             example: self,
@@ -303,8 +308,12 @@ pub trait Page: Sync {
 
     /// The stem.
     fn stem(&self) -> &'static str;
+}
+
+/// What is asked of a page: on the pointer, so that it is compiled once for all.
+impl dyn Page + '_ {
     /// The names of the flags.
-    fn flags(&self) -> Vec<String> {
+    pub fn flags(&self) -> Vec<String> {
         let run = self.with_defaults();
         run.parameters().flags().iter().map(Flag::name).collect()
     }
@@ -312,32 +321,32 @@ pub trait Page: Sync {
     ///
     /// # Errors
     /// Those of the example; none for a sound one.
-    fn report(&self) -> Result<Report> {
+    pub fn report(&self) -> Result<Report> {
         report(&*self.with_defaults())
     }
     /// The drawings, with the stills.
     ///
     /// # Errors
     /// As [`Page::report`].
-    fn figures(&self) -> Result<Vec<Figure>> {
+    pub fn figures(&self) -> Result<Vec<Figure>> {
         figures(&*self.with_defaults())
     }
     /// The moving picture, if there is one.
     ///
     /// # Errors
     /// As [`Page::report`].
-    fn moving_picture(&self) -> Result<Option<MovingPicture>> {
+    pub fn moving_picture(&self) -> Result<Option<MovingPicture>> {
         self.with_defaults().moving_picture()
     }
     /// What a problem sheet draws: the names of flags, and their values.
-    fn drawn(&self) -> Vec<(String, Grid)> {
+    pub fn drawn(&self) -> Vec<(String, Grid)> {
         drawn(&*self.with_defaults())
     }
     /// The numbers with these flags set.
     ///
     /// # Errors
     /// As [`Example::report`], and [`Error::UnknownKey`] for a flag that is none or no number.
-    fn report_with(&self, flags: &[(&str, f64)]) -> Result<Report> {
+    pub fn report_with(&self, flags: &[(&str, f64)]) -> Result<Report> {
         let mut run = self.with_defaults();
         set(run.parameters_mut(), flags)?;
         report(&*run)
@@ -346,13 +355,13 @@ pub trait Page: Sync {
     ///
     /// # Errors
     /// As [`Page::report_with`].
-    fn figures_with(&self, flags: &[(&str, f64)]) -> Result<Vec<Figure>> {
+    pub fn figures_with(&self, flags: &[(&str, f64)]) -> Result<Vec<Figure>> {
         let mut run = self.with_defaults();
         set(run.parameters_mut(), flags)?;
         drawings(&*run)
     }
     /// What it is and its parameters are, as JSON for the controls of its page.
-    fn declared(&self) -> String {
+    pub fn declared(&self) -> String {
         super::live::declared(&*self.with_defaults())
     }
     /// The methods for a reader to try, with these lines set as in
@@ -360,16 +369,16 @@ pub trait Page: Sync {
     ///
     /// # Errors
     /// As there, and as [`Page::report`].
-    fn lab(&self, settings: &str) -> Result<Option<Lab>> {
+    pub fn lab(&self, settings: &str) -> Result<Option<Lab>> {
         lab(&mut *self.with_defaults(), settings)
     }
     /// What it prints for these arguments, parted by spaces.
-    fn answer(&self, arguments: &str) -> Outcome {
+    pub fn answer(&self, arguments: &str) -> Outcome {
         let arguments = arguments.split_whitespace().map(Into::into).collect();
         cli::answer(&mut *self.with_defaults(), arguments)
     }
     /// The same for arguments one by one, with the files that it would write.
-    fn answer_with_files(&self, arguments: Vec<String>) -> (Outcome, Vec<Leaf>) {
+    pub fn answer_with_files(&self, arguments: Vec<String>) -> (Outcome, Vec<Leaf>) {
         let arguments = arguments.into_iter().map(Into::into).collect();
         cli::answer_with_files(&mut *self.with_defaults(), arguments)
     }
@@ -377,7 +386,7 @@ pub trait Page: Sync {
     ///
     /// # Errors
     /// What is printed instead of running.
-    fn report_for(&self, arguments: &str) -> core::result::Result<Report, Outcome> {
+    pub fn report_for(&self, arguments: &str) -> core::result::Result<Report, Outcome> {
         let arguments = arguments.split_whitespace().map(Into::into).collect();
         cli::report_for(&mut *self.with_defaults(), arguments)
     }
@@ -385,7 +394,10 @@ pub trait Page: Sync {
     ///
     /// # Errors
     /// What is printed instead of running.
-    fn figures_for(&self, arguments: Vec<String>) -> core::result::Result<Vec<Figure>, Outcome> {
+    pub fn figures_for(
+        &self,
+        arguments: Vec<String>,
+    ) -> core::result::Result<Vec<Figure>, Outcome> {
         let arguments = arguments.into_iter().map(Into::into).collect();
         cli::figures_for(&mut *self.with_defaults(), arguments)
     }

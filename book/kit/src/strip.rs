@@ -9,6 +9,7 @@ use rotation_dynamics::effects::Effect;
 #[cfg(doc)]
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::integrators::{LocatedEvent, Method, Work};
+use rotation_dynamics::math::sort_by_number;
 use std::sync::{Arc, OnceLock};
 
 /// The methods whose least work is shown, where they apply.
@@ -37,7 +38,7 @@ fn descending(mut tolerances: Vec<f64>) -> Result<Vec<f64>> {
     for &tolerance in &tolerances {
         positive("tolerance", tolerance)?;
     }
-    tolerances.sort_by(|a, b| b.total_cmp(a));
+    sort_by_number(&mut tolerances, |tolerance| -tolerance);
     tolerances.dedup();
     Ok(tolerances)
 }

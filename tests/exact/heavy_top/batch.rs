@@ -1,7 +1,6 @@
 //! Many samples at once have the bits of one at a time; a time must be a number.
 
 use super::motions::all;
-use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::Kinematics;
 use rotation_dynamics::exact::heavy_top::HeavyTop;
 use rotation_dynamics::math::EPS;
