@@ -6,7 +6,7 @@ use crate::error::{Result, finite, positive};
 use crate::frame::SpaceVector;
 use crate::math::Lane;
 
-/// What every gravity is called, so that two of them in one scene are noticed.
+/// The name of every gravity, so that two of them in one scene are noticed.
 pub(crate) const GRAVITY: &str = "gravity";
 
 /// Gravity on a body whose centre of mass lies on its axis e3, at a distance
