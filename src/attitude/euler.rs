@@ -7,10 +7,9 @@ use crate::math::{self, DoubleDouble, EPS};
 
 /// The notes' Euler angles: R = Rz(phi) Rx(theta) Rz(zeta), in radians.
 ///
-/// `phi` turns about the fixed Z, `theta` about the line of nodes x, `zeta`
-/// about the body axis z. Any finite values are an attitude; what
-/// [`Attitude::euler_angles`] returns has theta in [0, pi] and the others in
-/// [-pi, pi].
+/// `phi` turns about the fixed Z, `theta` about the line of nodes x, `zeta` about the body axis z.
+/// Any finite values are an attitude; the result of [`Attitude::euler_angles`] has theta in [0, pi]
+/// and the others in [-pi, pi].
 ///
 /// Source: notes 15.1.
 #[derive(Debug, Clone, Copy, PartialEq)]

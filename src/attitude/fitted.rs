@@ -111,8 +111,8 @@ impl Attitude {
     /// axes, as well as may be (Wahba's problem): (on the body, in space, weight), and by how
     /// much (rad, root mean square with the weights) it misses them.
     ///
-    /// It makes the sum of w |s - R b|^2 least over unit vectors b and s; for measured directions
-    /// w is one over the square of their standard deviation. What weighs nothing is left out.
+    /// It makes the sum of w |s - R b|^2 least over unit vectors b and s; for measured directions w
+    /// is one over the square of their standard deviation. A vector of weight zero is left out.
     ///
     /// Errors: a vector that is zero or not finite, or a weight that is negative or not finite,
     /// with its index; weights that are all zero; [`Error::OutOfRange`] with the angle where all

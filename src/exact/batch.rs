@@ -53,7 +53,7 @@ pub(super) trait Sampled: Branchless + Sized {
     }
 }
 
-/// Samples at these times as `near` reads them, and beyond `until` those of `far`.
+/// Samples at these times as `near` reads them, and beyond `until` the samples of `far`.
 pub(super) fn fill<T, const N: usize>(
     sampler: &impl Sampler<N>,
     until: f64,
@@ -139,8 +139,8 @@ impl<B: Branchless<Row>> Blocks<B> {
         }
     }
 
-    /// Puts the state of each motion at time `t` where its number says: `near` reads it from
-    /// what the lanes give, `far` is asked for those of a block that does not reach as far.
+    /// Puts the state of each motion at time `t` where its number says: `near` reads it from the
+    /// results of the lanes, `far` is asked for the states of a block that does not reach as far.
     pub(super) fn fill(
         &self,
         t: f64,

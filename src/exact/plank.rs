@@ -1,8 +1,8 @@
 //! A plank that falls over on a smooth floor, at any time, without stepping.
 //!
-//! A uniform plank stands upright, or nearly so, on a frictionless floor and tips
-//! over: its centre of mass falls straight down, its foot slides away. Handled from a
-//! push of 1e-280 to a release a hair off the floor.
+//! A uniform plank is released upright, or nearly so, on a frictionless floor and tips over: its
+//! centre of mass falls straight down, its foot slides away. Handled from a push of 1e-280 to a
+//! release a hair off the floor.
 //!
 //! Not for: friction at the foot, the impact on the floor.
 //!
@@ -92,9 +92,9 @@ pub struct Plank {
 }
 
 impl Plank {
-    /// A plank of `length` (m, 1e-100 to 1e100) under `gravity` (m/s^2, the same range),
-    /// let go at `theta0` (rad from the vertical, 0 <= theta0 < pi/2) with the rate
-    /// `omega0` (rad/s, not negative). Not both may be 0: it would stand for ever.
+    /// A plank of `length` (m, 1e-100 to 1e100) under `gravity` (m/s^2, the same range), let go at
+    /// `theta0` (rad from the vertical, 0 <= theta0 < pi/2) with the rate `omega0` (rad/s, not
+    /// negative). Not both may be 0: it would stay upright for ever.
     ///
     /// # Errors
     /// `NotFinite` and `OutOfRange`, also if the start is so fast that the
@@ -339,7 +339,7 @@ impl Plank {
     }
 }
 
-/// The inputs of the condition are length, gravity, theta0, omega0 and the time; what moves is
+/// The inputs of the condition are length, gravity, theta0, omega0 and the time; the answer is
 /// theta.
 impl Motion for Plank {
     type State = PlankState;

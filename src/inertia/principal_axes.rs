@@ -9,9 +9,9 @@ use crate::math::{self, EPS};
 /// The principal moments of a tensor of inertia, ascending, and its principal
 /// axes, a right-handed triad.
 ///
-/// Accuracy: moments within 2.7 eps of the largest, axes orthonormal to
-/// 6.8 eps, measured in `tests/bodies/inertia`. Where moments coincide the axes
-/// in their plane are a choice: those of the given tensor if it is diagonal.
+/// Accuracy: moments within 2.7 eps of the largest, axes orthonormal to 6.8 eps, measured in
+/// `tests/bodies/inertia`. Where moments coincide the axes in their plane are a choice: the axes of
+/// the given tensor if it is diagonal.
 ///
 /// Source: C. G. J. Jacobi, J. reine angew. Math. 30, 51 (1846), in the cyclic
 /// form with the stable rotation of G. Golub and C. Van Loan, Matrix

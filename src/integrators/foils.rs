@@ -99,7 +99,7 @@ fn euler_work(steps: u64) -> Work {
     }
 }
 
-/// The scene of a rigid body: what is stepped is I^-1 L, and it alone turns the axes.
+/// The scene of a rigid body: I^-1 L is stepped, and it alone turns the axes.
 fn rigid<E: AnyEffect>(scene: &Scene<E>) -> Result<()> {
     if scene.effects().properties().slips {
         let effects = scene.effects().names().join(", ");

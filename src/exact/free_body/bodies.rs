@@ -43,7 +43,7 @@ pub struct FreeBodies<'a> {
     symmetric: Blocks<Symmetric<Row>>,
     tumbling: Blocks<Sampler<Row>>,
     late: Blocks<Late<Row>>,
-    /// Where each body's axes stand on the axes on which its rates are found.
+    /// The place of each body's axes on the axes on which its rates are found.
     places: Vec<[usize; 3]>,
     /// The greatest |t| at which the phases of all are known.
     latest: f64,

@@ -34,7 +34,7 @@ pub(super) struct Late<V = f64> {
     until: f64,
 }
 
-/// So many units of w stand for a half-period where there is none.
+/// So many units of w count as a half-period where there is none.
 const ENDLESS: f64 = 1_152_921_504_606_846_976.0; // 2^60
 
 impl Late {

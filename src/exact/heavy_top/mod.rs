@@ -126,7 +126,7 @@ pub struct HeavyTop {
     latest: f64,
 }
 
-/// What it was made from, beside phi0 and zeta0: what its condition changes.
+/// The inputs it was made from, beside phi0 and zeta0: its condition changes them.
 #[derive(Debug, Clone, Copy)]
 enum Given {
     Energy {
@@ -139,14 +139,14 @@ enum Given {
         theta0: f64,
         theta_rate0: f64,
     },
-    /// The attitude is that of t = 0.
+    /// The attitude is taken at t = 0.
     Body {
         body: SymmetricTop,
         omega_body: BodyVector,
     },
 }
 
-/// What the axis does.
+/// The motion of the axis.
 #[derive(Debug, Clone)]
 enum Course {
     /// The axis stays at this angle; the body spins about it.

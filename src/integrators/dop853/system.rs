@@ -9,7 +9,7 @@ use crate::integrators::ode::not_finite;
 use crate::integrators::{Ode, Work};
 use crate::math::lane::write_finite;
 
-/// What a step asks of a system, whatever its type.
+/// The questions of a step to a system, whatever its type.
 pub(super) trait System<const N: usize>: Ode<N> {
     /// The slopes of a step by `h` after the first. Eleven derivatives.
     fn stages(&self, step: &mut Trial<N>, h: f64, work: &mut Work) -> Result<()>;

@@ -18,9 +18,9 @@ pub(super) struct Trial<const N: usize> {
     pub(super) start: Compensated<N>,
     pub(super) end: Compensated<N>,
     pub(super) k: [[f64; N]; STAGES],
-    /// What was added to the start.
+    /// The increment of the start.
     made: [f64; N],
-    /// What was added to the end to put it back, where it had drifted.
+    /// The correction of the end, where it had drifted.
     back: Option<[f64; N]>,
     /// The drift that is left where it is, in parts of what drifts.
     within: f64,
@@ -97,8 +97,8 @@ impl<const N: usize> Trial<N> {
 
     /// The estimated error of the step in units of the tolerance; at most 1 is good.
     ///
-    /// The estimate of order 5, steadied by that of order 3:
-    /// e5^2 / sqrt(e5^2 + e3^2 / 100), in the mean over the components.
+    /// The estimate of order 5, steadied by the estimate of order 3: e5^2 / sqrt(e5^2 + e3^2 /
+    /// 100), in the mean over the components.
     pub(super) fn error(&self, ode: &dyn System<N>, tolerance: f64) -> Result<f64> {
         let size = sizes(ode, &self.start.value)?;
         let size_end = sizes(ode, &self.end.value)?;

@@ -27,7 +27,7 @@ pub struct Scheme {
     pub order: u32,
     /// Paper, with the table in it.
     pub source: &'static str,
-    /// What a step begins and ends with.
+    /// The first and last part of a step.
     pub outer: Outer,
     /// Fractions of the step for the outer operation, one more than the inner ones.
     pub outer_parts: &'static [f64],
