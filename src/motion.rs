@@ -80,12 +80,12 @@ pub trait Motion {
 
     /// The change of the state at time `t` (rad) per relative change of the inputs.
     ///
-    /// The root of the sum of squares over the inputs, each changed in both directions by so
-    /// little that the answer is linear: by 1e-6 at first, and by less while the state
-    /// moves by more than a milliradian. Near a separatrix that may be 1e-20 or 1e-200, and it
-    /// can be done: the closed forms keep rates of that size beside rates of order one. Where
-    /// a double has no smaller change (about 1e-15 of an input that is not small), the result
-    /// is a lower bound above 1e12: no digit is known then.
+    /// The root of the sum of squares over the inputs, each changed in both directions by so little
+    /// that the answer is linear. The change is 1e-6 at first, and less while the state moves by
+    /// more than a milliradian. Near a separatrix that may be 1e-20 or 1e-200, and it can be done:
+    /// the closed forms keep rates of that size beside rates of order one. Where a double has no
+    /// smaller change (about 1e-15 of an input that is not small), the result is a lower bound
+    /// above 1e12: no digit is known then.
     ///
     /// # Errors
     /// Those of [`Self::try_state`]; [`Error::ConditionUnknown`] if the inputs are not known.

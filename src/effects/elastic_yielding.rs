@@ -22,9 +22,9 @@ const STEPS: usize = 128;
 /// its mean rate Omega. A fluid body has k2 = k_s, by which all of its equatorial bulge
 /// follows: b Omega^2 = I3 - (I1 + I2)/2. The [`number`](Self::number) is k2/k_s.
 ///
-/// Multiplied by omega, what follows gives a part along omega: L = (I' + s) omega with the same s =
-/// 2 b omega^2/3 on all three axes, and I' = I - b Omega^2 (e3 e3^T - 1/3), the moments without
-/// rotation. So at each moment the body turns as the rigid body with the moments I' + s
+/// Multiplied by omega, the part that follows gives a part along omega: L = (I' + s) omega with the
+/// same s = 2 b omega^2/3 on all three axes. Here I' = I - b Omega^2 (e3 e3^T - 1/3), the moments
+/// without rotation. So at each moment the body turns as the rigid body with the moments I' + s
 /// ([`moments`](Self::moments)) would, found from L by Newton's method, to rounding and for any b.
 /// A symmetric body keeps them for ever: it moves as this rigid body, and its free period is
 ///

@@ -7,9 +7,9 @@ use crate::math::sincos;
 
 /// Decay and sag at one tilt and spin, without simulating anything.
 ///
-/// Accuracy, as measured against simulations (`tests/exact/gimbals.rs`): the decay within
-/// 0.4 % where the pivot alone damps (its sag changes the nods, too), the shortening within
-/// 2e-4 at 3000 rad/s, the sag over half a minute within 0.1 %.
+/// Accuracy, as measured against simulations (`tests/exact/gimbals.rs`): the decay within 0.4 %
+/// where the pivot alone damps (its sag changes the nods, too). The shortening is within 2e-4 at
+/// 3000 rad/s, the sag over half a minute within 0.1 %.
 ///
 /// With x = theta - theta_s and y = phi' - phi_s', small beside a steady precession, and the
 /// coefficients c of the bearings,

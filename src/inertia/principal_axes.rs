@@ -76,10 +76,10 @@ impl PrincipalAxes {
 
     /// The moments of a body that are nearest to these, by the sum of squares of what changes.
     ///
-    /// Moments a <= b <= c are a body's if c <= a + b. If they are not, the nearest lie on
-    /// the plane c = a + b, which is reached along its normal (1, 1, -1): a plate. A plate has
-    /// no negative moment; if that point has one, the nearest lie on the edge (0, t, t), at
-    /// t = (b + c)/2: a rod; and for negative t at the end of the edge, zero: a point mass.
+    /// Moments a <= b <= c are a body's if c <= a + b. If they are not, the nearest lie on the
+    /// plane c = a + b, which is reached along its normal (1, 1, -1): a plate. A plate has no
+    /// negative moment. If that point has one, the nearest lie on the edge (0, t, t), at t = (b +
+    /// c)/2: a rod; and for negative t at the end of the edge, zero: a point mass.
     pub(super) fn nearest_possible(&self) -> [f64; 3] {
         let [a, b, c] = self.moments;
         let part = ((c - b) - a) / 3.0;

@@ -31,11 +31,10 @@ impl PartialEq for InertiaTensor {
 impl InertiaTensor {
     /// The tensor with these elements, which must belong to some body.
     ///
-    /// Errors: an element that is not finite; [`Error::OutOfRange`] if
-    /// elements across the diagonal differ by more than 4 eps of the largest
-    /// element; [`Error::NotABody`] for principal moments of no body,
-    /// which exceed the sum of the others, or are negative, by more than 32 eps of
-    /// the largest.
+    /// Errors: an element that is not finite; [`Error::OutOfRange`] if elements across the diagonal
+    /// differ by more than 4 eps of the largest element. [`Error::NotABody`] for principal moments
+    /// of no body, which exceed the sum of the others, or are negative, by more than 32 eps of the
+    /// largest.
     pub fn new(matrix: [[f64; 3]; 3]) -> Result<Self> {
         let largest = matrix
             .as_flattened()

@@ -10,8 +10,8 @@
 //! A = L_Z/I1, B = +-L_z/I1. The motion depends on differences: 1 - v2 near the upper pole, v3 - v2
 //! near the homoclinic motion, v2 - v1 near steady precession. Subtracting computed roots would
 //! lose them. F is therefore expanded about v = 1, about v = -1 and about the initial state, where
-//! its coefficients are known without cancellation, and the products of roots (Vieta) give the
-//! small ones from the large ones.
+//! its coefficients are known without cancellation. The products of roots (Vieta) give the small
+//! ones from the large ones.
 //!
 //! Source: the notes, 16.2 (4)-(6); E. T. Whittaker, *Analytical Dynamics*, 71.
 

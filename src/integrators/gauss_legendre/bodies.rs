@@ -259,9 +259,9 @@ impl<'s, E: Effect, const STEADY: bool> Integrator<SpinFree<'s, E>, State>
 /// q' = q (0, omega) / 2,   l' = l x omega + R^T torque(e3),   omega = I^-1 l.
 /// ```
 ///
-/// The kinetic energy is quadratic in l, and so is the potential of gravity in q:
-/// Gauss's methods keep the energy of a heavy body but for round-off, and the error
-/// grows with the time, not with its square as it does in the variables of [`Scene`].
+/// The kinetic energy is quadratic in l, and so is the potential of gravity in q. So Gauss's
+/// methods keep the energy of a heavy body but for round-off, and the error grows with the time,
+/// not with its square as it does in the variables of [`Scene`].
 ///
 /// ```
 /// use rotation_dynamics::attitude::{Attitude, EulerAngles};

@@ -18,9 +18,9 @@ use crate::scene::Scene;
 /// A scene whose effects see the axis only or resist the rotation, as a problem for
 /// [`Splitting`](super::Splitting).
 ///
-/// The spin of a symmetric body is taken out as in [`SpinFree`](crate::integrators::SpinFree):
-/// L_z goes its own way, L_z' = -k L_z or its law, and the angle of the spin is the integral of
-/// that in closed form.
+/// The spin of a symmetric body is taken out as in [`SpinFree`](crate::integrators::SpinFree). L_z
+/// goes its own way, L_z' = -k L_z or its law, and the angle of the spin is the integral of that in
+/// closed form.
 ///
 /// Which scheme: all keep their order but SRKN 14a, whose order 6 rests on kicks that depend on the
 /// attitude only. It falls to 4 where the resistance is strong (measured 4.0 with a rate of 3/s on
