@@ -6,8 +6,8 @@
 //! constant in space, so it is the variable that costs no accuracy. A body whose axes are
 //! not its principal ones is a [`DesignedBody`].
 //!
-//! Not for: what acts on the body ([`crate::effects`]) or how it moves
-//! ([`crate::exact`], [`crate::integrators`]).
+//! Not for: torques on the body ([`crate::effects`]) or how it moves ([`crate::exact`],
+//! [`crate::integrators`]).
 
 mod designed;
 
@@ -39,10 +39,9 @@ pub struct State {
 
 /// How a body is turned and how fast it turns, on its own axes (rad/s).
 ///
-/// What a closed form knows at first hand, and a batch delivers. It needs no moments of
-/// inertia, where a [`State`] does; and it keeps the small rates of a body that turns fast
-/// about another axis: a momentum on the fixed axes has no digits for what is below
-/// 1e-16 of it.
+/// The quantities that a closed form knows at first hand, and a batch delivers. It needs no moments
+/// of inertia, where a [`State`] does. It keeps the small rates of a body that turns fast about
+/// another axis: a momentum on the fixed axes has no digits for a part below 1e-16 of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Kinematics {
     /// The rotation body -> space.
@@ -61,7 +60,7 @@ impl Kinematics {
         }
     }
 
-    /// Without rotation, turned as space is: what a list is filled with before a batch.
+    /// Without rotation, turned as space is: a list is filled with it before a batch.
     pub const REST: Self = Self::new(Attitude::IDENTITY, BodyVector::zero());
 
     /// True if no component is NaN or infinite.

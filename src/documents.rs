@@ -1,11 +1,11 @@
 //! How values are written to documents and read from them (feature `serde`).
 //!
-//! A vector is the list of its components, a tensor (and a body on the axes of its
-//! drawing) the list of its rows, all else a record of named fields in SI units and
-//! radians. The frame of a vector is not written: what it stands for says it. Nor is how
-//! well a computed tensor is known: rows that are read count as given. What is
-//! read goes through the constructors, so an invalid document is an error that names its
-//! numbers; so are a field that is unknown and one that comes twice.
+//! A vector is the list of its components, and a tensor (and a body on the axes of its drawing) is
+//! the list of its rows. All else is a record of named fields in SI units and radians. The frame of
+//! a vector is not written: its meaning says it. The accuracy of a computed tensor is not written
+//! either: rows that are read count as given. Input goes through the constructors, so an invalid
+//! document is an error that names its numbers; so are a field that is unknown and one that comes
+//! twice.
 //!
 //! ```json
 //! {"attitude": {"w": 1, "x": 0, "y": 0, "z": 0}, "angular_momentum": [0, 0, 0.25]}

@@ -8,7 +8,7 @@ use core::f64::consts::PI;
 use core::fmt;
 use std::borrow::Cow;
 
-/// What can go wrong, with the numbers that went wrong.
+/// The kinds of faults, with the numbers that went wrong.
 ///
 /// An error that doubles cannot deliver is refused with the best that they can:
 ///
@@ -119,8 +119,9 @@ pub enum Error {
         angle: f64,
         locked: &'static str,
     },
-    /// No body that turns freely has these moments (kg m^2): one exceeds the sum of the other two by
-    /// `excess`, or they are those of a rod or point mass (`excess` = 0); rounding explains `slack`.
+    /// No body that turns freely has these moments (kg m^2). One exceeds the sum of the other two
+    /// by `excess`, or they belong to a rod or point mass (`excess` = 0); rounding explains
+    /// `slack`.
     NotABody {
         moments: [f64; 3],
         excess: f64,
@@ -393,7 +394,7 @@ fn place(t: f64, probe: bool) -> String {
     }
 }
 
-/// What has these moments, though it is no body that turns freely.
+/// The object that has these moments, though it is no body that turns freely.
 fn thin(moments: &[f64; 3]) -> &'static str {
     match moments.iter().any(|m| *m > 0.0) {
         true => "rod: it has no moment about its own axis",
@@ -408,7 +409,7 @@ fn hidden(slack: f64) -> String {
     }
 }
 
-/// What a function's value must be, as a rule.
+/// The condition on a function's value, as a rule.
 pub(crate) const FINITE: &str = "it must be finite";
 
 /// A number from here on is written with an exponent.

@@ -31,8 +31,8 @@ pub struct Space;
 /// Axes fixed in the body: its principal axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body;
-/// Axes fixed in the body, with some origin: those of its drawing, on which its
-/// parts are given. Of a solid or a tensor that is diagonal they are principal.
+/// Axes fixed in the body, with some origin: the axes of its drawing, on which its parts are given.
+/// For a solid or a tensor that is diagonal they are principal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Design;
 

@@ -21,7 +21,7 @@
 //! | [`gimbals`] | a rotor in a ring and a fork that have inertia, and friction in their bearings |
 //! | [`tops`] | tops on a rounded tip that slides, creeps and rolls, from throw to fall |
 //!
-//! The pages of the book are made by another crate, `kit` (`book/kit`), which stands on this one.
+//! The pages of the book are made by another crate, `kit` (`book/kit`), which uses this one.
 //!
 //! # Notation
 //!

@@ -1,4 +1,4 @@
-//! What every motion can be asked, whether it is known in closed form or was solved.
+//! The questions to every motion, whether it is known in closed form or was solved.
 //!
 //! A motion has a name, a state at a time, states at many times, numbers that it keeps, and a
 //! *condition*: by how much the state changes when the inputs change a little. Code that
@@ -17,7 +17,7 @@ use crate::math::larger;
 /// A number that a motion keeps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Kept {
-    /// What it is, in the field's own words.
+    /// Its kind, in the field's own words.
     pub name: &'static str,
     /// Its unit; empty for a pure number.
     pub unit: &'static str,
@@ -51,7 +51,7 @@ pub trait Motion {
     /// Where it is at one time.
     type State;
 
-    /// What it is called.
+    /// Its name.
     fn name(&self) -> &'static str;
 
     /// The state at time `t` (s, or the motion's own unit).
@@ -75,17 +75,17 @@ pub trait Motion {
         times.iter().enumerate().map(at).collect()
     }
 
-    /// What it keeps. Empty if that is not known.
+    /// Its conserved quantities. Empty if that is not known.
     fn kept(&self) -> Vec<Kept>;
 
     /// The change of the state at time `t` (rad) per relative change of the inputs.
     ///
-    /// The root of the sum of squares over the inputs, each changed in both directions by so
-    /// little that the answer is linear: by 1e-6 at first, and by less while the state
-    /// moves by more than a milliradian. Near a separatrix that may be 1e-20 or 1e-200, and it
-    /// can be done: the closed forms keep rates of that size beside rates of order one. Where
-    /// a double has no smaller change (about 1e-15 of an input that is not small), the result
-    /// is a lower bound above 1e12: no digit is known then.
+    /// The root of the sum of squares over the inputs, each changed in both directions by so little
+    /// that the answer is linear. The change is 1e-6 at first, and less while the state moves by
+    /// more than a milliradian. Near a separatrix that may be 1e-20 or 1e-200, and it can be done:
+    /// the closed forms keep rates of that size beside rates of order one. Where a double has no
+    /// smaller change (about 1e-15 of an input that is not small), the result is a lower bound
+    /// above 1e12: no digit is known then.
     ///
     /// # Errors
     /// Those of [`Self::try_state`]; [`Error::ConditionUnknown`] if the inputs are not known.

@@ -55,7 +55,7 @@ pub enum Invariant {
 }
 
 impl Invariant {
-    /// What it is called, and its unit.
+    /// Its name, and its unit.
     pub const fn name_and_unit(self) -> (&'static str, &'static str) {
         match self {
             Self::Energy => ("energy", "J"),
@@ -141,8 +141,8 @@ impl<E: AnyEffect + ?Sized> Scene<E> {
         self.effects.torque(t, &self.body, state)
     }
 
-    /// The angular velocity of the body's axes, on those axes (rad/s): I^-1 R^T L, and what
-    /// effects that slip add to it ([`Effect::slip`]).
+    /// The angular velocity of the body's axes, on those axes (rad/s): I^-1 R^T L, and the part
+    /// that effects that slip add to it ([`Effect::slip`]).
     #[inline(always)]
     pub fn angular_velocity(&self, t: f64, state: &State) -> BodyVector {
         let omega = self.body.angular_velocity(state);
@@ -161,8 +161,8 @@ impl<E: AnyEffect + ?Sized> Scene<E> {
 
     /// The rate at which the effects change that energy (W).
     ///
-    /// Of a body that slips through a potential, or whose torque changes a potential that
-    /// depends on L, that part is differenced, to 1e-10 of it.
+    /// For a body that slips through a potential, or whose torque changes a potential that depends
+    /// on L, that part is differenced, to 1e-10 of it.
     pub fn power(&self, t: f64, state: &State) -> f64 {
         let power = self.effects.power(t, &self.body, state);
         if !self.effects.properties().slips {

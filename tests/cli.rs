@@ -559,7 +559,10 @@ fn effects_are_put_in_and_left_out_by_name() {
             .contains("\"value\": 0.01,")
     );
     assert!(!swing("--json --without gravity").stdout.contains("square"));
-    let set = SWING.page().report_with(&[("friction", 0.5), ("air-drag", 0.1)]).expect("sound");
+    let set = SWING
+        .page()
+        .report_with(&[("friction", 0.5), ("air-drag", 0.1)])
+        .expect("sound");
     assert_eq!(set.claim("decay").map(Claim::value), Some(0.3));
 }
 

@@ -15,10 +15,10 @@ use crate::scene::{Invariant, Scene};
 /// | `energy` | the size of E - E* | kinetic energy plus the size of the torques |
 /// | `invariants` | the largest error of what the scene keeps | as above |
 ///
-/// The scale of L is its exact length, or what the torques build up in the body's own
-/// time, sqrt(I_max torque), if that is more; that of omega is |omega*| or
-/// sqrt(torque/I_max). So a pendulum at its turning point, at rest for an instant, has
-/// finite relative errors. Where even the scale is 0 an error is 0 or infinite.
+/// The scale of L is its exact length, or the momentum that the torques build up in the body's own
+/// time, sqrt(I_max torque), if that is more. The scale of omega is |omega*| or sqrt(torque/I_max).
+/// So a pendulum at its turning point, at rest for an instant, has finite relative errors. Where
+/// even the scale is 0 an error is 0 or infinite.
 ///
 /// Attitude, rates and invariants are different questions. A method can keep the energy
 /// to 15 digits and have the attitude wrong in the third.
@@ -47,9 +47,9 @@ use crate::scene::{Invariant, Scene};
 /// # }
 /// ```
 ///
-/// Accuracy: two exact states of the same motion differ by no more than 5 eps in the
-/// attitude, 11 eps in rates and momentum and 18 eps in the energy (measured in
-/// `tests/accuracy/measures.rs`); an error smaller than that is round-off of the states.
+/// Accuracy: two exact states of the same motion differ by no more than 5 eps in the attitude, 11
+/// eps in rates and momentum and 18 eps in the energy (measured in `tests/accuracy/measures.rs`).
+/// An error smaller than that is round-off of the states.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Errors {
     /// The angle between the attitudes (rad).

@@ -1,4 +1,4 @@
-//! What accuracy costs: how far a run ends from the truth, and what it paid.
+//! The price of accuracy: how far a run ends from the truth, and its cost.
 //!
 //! | part | what it holds |
 //! |---|---|

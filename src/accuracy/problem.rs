@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 type ClosedForm = Arc<dyn Fn(f64) -> Attitude + Send + Sync>;
 
-/// A scene, its start, a time and the exact state then: what a method is judged by.
+/// A scene, its start, a time and the exact state then: a method is judged by them.
 ///
 /// ```
 /// use rotation_dynamics::accuracy::Problem;
@@ -93,7 +93,7 @@ impl<E: AnyEffect> Problem<E> {
     /// A run of a method, from the start to the end.
     ///
     /// # Errors
-    /// What the method refuses.
+    /// A refusal of the method.
     pub fn run(
         &self,
         method: Method,
@@ -107,7 +107,7 @@ impl<E: AnyEffect> Problem<E> {
     /// The same in the variables of [`Problem::usual`].
     ///
     /// # Errors
-    /// What the method refuses.
+    /// A refusal of the method.
     pub fn run_as_usual(&self, method: Method, resolution: Resolution) -> Result<(State, Work)> {
         let stepper = Stepper::new(method, resolution)?;
         stepper.advance_as_usual(&self.scene, [0.0, self.end], &self.start)

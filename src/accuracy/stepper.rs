@@ -1,4 +1,4 @@
-//! A method made ready to run, and what it carries of a scene.
+//! A method made ready to run, and its variables for a scene.
 
 use crate::body::{RigidBody, State};
 use crate::effects::erased::{AnyEffect, AxisOnly};
@@ -23,7 +23,7 @@ pub enum Resolution {
 }
 
 impl Resolution {
-    /// What a number means to a method: a tolerance to DOP853, steps to the others.
+    /// The meaning of a number to a method: a tolerance to DOP853, steps to the others.
     pub const fn of(method: Method, setting: f64) -> Self {
         match method {
             Method::Dop853 => Self::Tolerance(setting),
@@ -32,7 +32,7 @@ impl Resolution {
     }
 }
 
-/// What is carried through time.
+/// The variables that are carried through time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Variables {
     /// Attitude and momentum in space: any scene.
@@ -85,7 +85,7 @@ impl Stepper {
     /// The method, so fine.
     ///
     /// # Errors
-    /// Steps for DOP853, a tolerance for any other; no steps; what the method refuses.
+    /// Steps for DOP853, a tolerance for any other; no steps; a refusal of the method.
     pub fn new(method: Method, resolution: Resolution) -> Result<Self> {
         let steps = match resolution {
             Resolution::Steps(steps) | Resolution::Stages(steps, _) => steps,
@@ -119,7 +119,7 @@ impl Stepper {
     /// The state at `t_end` that follows from `start` at `t`, and the work done.
     ///
     /// # Errors
-    /// Variables that the method or the scene does not have; what the method refuses.
+    /// Variables that the method or the scene does not have; a refusal of the method.
     pub fn advance<E: AnyEffect>(
         &self,
         scene: &Scene<E>,
@@ -134,7 +134,7 @@ impl Stepper {
     /// in which it takes the fewest steps.
     ///
     /// # Errors
-    /// A method that does not apply; what it refuses.
+    /// A method that does not apply; a refusal of the method.
     pub fn advance_as_usual<E: AnyEffect>(
         &self,
         scene: &Scene<E>,

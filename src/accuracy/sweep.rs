@@ -8,11 +8,11 @@ use crate::math::{log10, pow, sort_by_number};
 /// One run of a method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Run {
-    /// What was set: a number of steps, a tolerance.
+    /// The setting: a number of steps, a tolerance.
     pub setting: f64,
-    /// What it cost.
+    /// Its cost.
     pub work: Work,
-    /// What it delivered.
+    /// The error that it delivered.
     pub errors: Errors,
 }
 
@@ -102,7 +102,7 @@ impl Sweep {
     }
 }
 
-/// What one run cost and how far off it was.
+/// The cost of one run, and its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
     /// The work, in any count.
@@ -121,7 +121,7 @@ pub struct WorkPrecision {
     points: Vec<Point>,
 }
 
-/// What one more digit costs, and what the order of the method says it should.
+/// The price of one more digit, and the price that the order of the method lets one expect.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DigitPrice {
     /// Measured: the factor in work for a tenth of the error.
@@ -174,7 +174,7 @@ impl WorkPrecision {
         &self.points
     }
 
-    /// For each run, its error or that of the next more expensive run, whichever is larger.
+    /// For each run, its error or the error of the next more expensive run, whichever is larger.
     fn dependable(&self) -> impl Iterator<Item = Point> + '_ {
         self.points.iter().enumerate().map(|(i, point)| Point {
             work: point.work,
@@ -202,8 +202,8 @@ impl WorkPrecision {
         (self.dependable().take(confirmed)).min_by(|a, b| a.error.total_cmp(&b.error))
     }
 
-    /// What one more digit costs: by least squares on the logarithms of the errors
-    /// between `low` and `high`, both ends included.
+    /// The price of one more digit: by least squares on the logarithms of the errors between `low`
+    /// and `high`, both ends included.
     ///
     /// `None` with fewer than four runs there, or where work buys nothing.
     pub fn price_of_a_digit(&self, low: f64, high: f64) -> Option<DigitPrice> {

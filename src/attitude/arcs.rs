@@ -45,9 +45,9 @@ impl Attitude {
 
 /// Attitudes at given times, and the shortest arcs between neighbours.
 ///
-/// From one time to the next the turn is uniform; at a given time the angular velocity jumps.
-/// For attitudes that were recorded or drawn up; what a scene does between two times is
-/// known to [`Scene::solve_at`](crate::scene::Scene::solve_at).
+/// From one time to the next the turn is uniform; at a given time the angular velocity jumps. For
+/// attitudes that were recorded or drawn up; [`Scene::solve_at`](crate::scene::Scene::solve_at)
+/// knows the motion of a scene between two times.
 ///
 /// ```
 /// use rotation_dynamics::attitude::{Arcs, Attitude};

@@ -7,10 +7,9 @@ use crate::math::{self, DoubleDouble, EPS};
 
 /// The notes' Euler angles: R = Rz(phi) Rx(theta) Rz(zeta), in radians.
 ///
-/// `phi` turns about the fixed Z, `theta` about the line of nodes x, `zeta`
-/// about the body axis z. Any finite values are an attitude; what
-/// [`Attitude::euler_angles`] returns has theta in [0, pi] and the others in
-/// [-pi, pi].
+/// `phi` turns about the fixed Z, `theta` about the line of nodes x, `zeta` about the body axis z.
+/// Any finite values are an attitude; the result of [`Attitude::euler_angles`] has theta in [0, pi]
+/// and the others in [-pi, pi].
 ///
 /// Source: notes 15.1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -141,13 +140,11 @@ impl EulerAngles {
     /// phi' = (w1 sin zeta + w2 cos zeta)/sin theta,
     /// theta' = w1 cos zeta - w2 sin zeta, zeta' = w3 - phi' cos theta.
     ///
-    /// Errors: [`Error::GimbalLock`] when theta is a multiple of pi to the last
-    /// bit: the body axis is vertical, precession and spin are about one line
-    /// and cannot be told apart; angles or components that are not finite;
-    /// rates beyond the range of `f64`.
-    /// Accuracy: 2.3 eps/sin theta, the condition of the problem, for rates up to
-    /// 1 rad/s; measured in `tests/bodies/attitude`.
-    /// Source: notes 15.2 (6), inverted.
+    /// Errors: [`Error::GimbalLock`] when theta is a multiple of pi to the last bit: the body axis
+    /// is vertical, precession and spin are about one line and cannot be told apart. Also angles or
+    /// components that are not finite, and rates beyond the range of `f64`. Accuracy: 2.3 eps/sin
+    /// theta, the condition of the problem, for rates up to 1 rad/s; measured in
+    /// `tests/bodies/attitude`. Source: notes 15.2 (6), inverted.
     pub fn rates(&self, angular_velocity: BodyVector) -> Result<EulerRates> {
         finite("theta", self.theta)?;
         finite("zeta", self.zeta)?;

@@ -31,13 +31,12 @@ impl Attitude {
     /// the whole matrix changes nothing but the distance.
     ///
     /// Errors: an element that is not finite; [`Error::OutOfRange`] with the smallest singular
-    /// value if it is not above 16 eps of the largest (a singular matrix), or is negative (a
-    /// reflection: it has the sign of the determinant), or if with the middle one it is too
-    /// small for one rotation to be nearer than all others.
-    /// Accuracy: rotation error 5.9 eps for matrices up to 0.45 off, and the distance to 16 eps,
-    /// measured against polar iteration and singular values in `tests/bodies/attitude`.
-    /// Source: G. Wahba, SIAM Review 7, 409 (1965); J. Keat, CSC/TM-77/6034 (1977), for the
-    /// matrix of P. Davenport.
+    /// value. It is returned if that value is not above 16 eps of the largest (a singular matrix),
+    /// or is negative (a reflection: it has the sign of the determinant), or if with the middle one
+    /// it is too small for one rotation to be nearer than all others. Accuracy: rotation error 5.9
+    /// eps for matrices up to 0.45 off, and the distance to 16 eps, measured against polar
+    /// iteration and singular values in `tests/bodies/attitude`. Source: G. Wahba, SIAM Review 7,
+    /// 409 (1965); J. Keat, CSC/TM-77/6034 (1977), for the matrix of P. Davenport.
     ///
     /// ```
     /// use rotation_dynamics::attitude::Attitude;
@@ -111,16 +110,15 @@ impl Attitude {
     /// axes, as well as may be (Wahba's problem): (on the body, in space, weight), and by how
     /// much (rad, root mean square with the weights) it misses them.
     ///
-    /// It makes the sum of w |s - R b|^2 least over unit vectors b and s; for measured directions
-    /// w is one over the square of their standard deviation. What weighs nothing is left out.
+    /// It makes the sum of w |s - R b|^2 least over unit vectors b and s; for measured directions w
+    /// is one over the square of their standard deviation. A vector of weight zero is left out.
     ///
     /// Errors: a vector that is zero or not finite, or a weight that is negative or not finite,
-    /// with its index; weights that are all zero; [`Error::OutOfRange`] with the angle where all
+    /// with its index; weights that are all zero. [`Error::OutOfRange`] with the angle where all
     /// vectors are along one line within 2e-6 rad, or with the lead of the best attitude over the
-    /// next where it is 1e-12 or less (mirrored directions).
-    /// Accuracy: 8.3 eps over the lead, measured in `tests/bodies/attitude`; of two
-    /// directions the lead is half the square of the angle, and [`Attitude::from_two_directions`]
-    /// does better. Source: as [`Attitude::nearest`].
+    /// next where it is 1e-12 or less (mirrored directions). Accuracy: 8.3 eps over the lead,
+    /// measured in `tests/bodies/attitude`; of two directions the lead is half the square of the
+    /// angle, and [`Attitude::from_two_directions`] does better. Source: as [`Attitude::nearest`].
     ///
     /// ```
     /// use rotation_dynamics::attitude::Attitude;

@@ -1,12 +1,11 @@
 //! How a body is turned: the attitude and its coordinates.
 //!
-//! An [`Attitude`] is the rotation that carries components on the body's axes
-//! to components on the fixed axes. It is stored as a unit quaternion, which
-//! has no singular place; Euler angles ([`EulerAngles`]), rotation vector and
-//! matrix are coordinates of it, for input, output and formulas. Conventions
-//! are those of the notes (15.1): R = Rz(phi) Rx(theta) Rz(zeta), body -> space.
-//! [`YawPitchRoll`] and [`Sequence`] are the conventions of others, and
-//! [`Attitude::from_xyzw`] the quaternions of others.
+//! An [`Attitude`] is the rotation that carries components on the body's axes to components on the
+//! fixed axes. It is stored as a unit quaternion, which has no singular place; Euler angles
+//! ([`EulerAngles`]), rotation vector and matrix are coordinates of it, for input, output and
+//! formulas. Conventions follow the notes (15.1): R = Rz(phi) Rx(theta) Rz(zeta), body -> space.
+//! [`YawPitchRoll`] and [`Sequence`] are the conventions of others, and [`Attitude::from_xyzw`] the
+//! quaternions of others.
 //!
 //! Attitudes that are measured: [`Attitude::nearest`] to a matrix, from directions
 //! ([`Attitude::from_directions`]), their [`mean`](Attitude::mean), arcs between them
@@ -156,7 +155,7 @@ impl Attitude {
     }
 }
 
-/// v + 2 w (u x v) + 2 u x (u x v): what is added is small when the rotation is.
+/// v + 2 w (u x v) + 2 u x (u x v): the added part is small when the rotation is.
 #[inline]
 fn turn([w, x, y, z]: [f64; 4], [a, b, c]: [f64; 3]) -> [f64; 3] {
     let (p, q, r) = (

@@ -1,4 +1,4 @@
-//! Products of quaternions `[w, x, y, z]` as they stand, with nothing brought to unit length.
+//! Products of quaternions `[w, x, y, z]` as given, with nothing brought to unit length.
 //!
 //! Written over lanes, so that a step in registers and a closed form have the same text.
 
@@ -44,7 +44,7 @@ pub(crate) fn spun([w, x, y, z]: [f64; 4], angle: f64) -> [f64; 4] {
     [w * c - z * s, x * c + y * s, y * c - x * s, z * c + w * s]
 }
 
-/// by q + more: what a turn adds to q, small as the turn is, so that its rounding is too.
+/// by q + more: the change of q by a turn, small as the turn is, so that its rounding is too.
 #[inline(always)]
 pub(crate) fn stretched_and(by: f64, q: [f64; 4], more: [f64; 4]) -> [f64; 4] {
     core::array::from_fn(|i| by * q[i] + more[i])

@@ -1,12 +1,11 @@
 //! Quaternions as others write them.
 //!
-//! Ours are (w, x, y, z) with Hamilton's product (ij = k) and turn body components into
-//! space components. What differs elsewhere is the order of the four numbers, and in
-//! attitude control (Shuster; JPL) the product as well: there ij = -k, and the matrix
-//! of a quaternion turns space components into body components. The two differences
-//! undo each other: the quaternion of a body's attitude has *the same four numbers* in
-//! both, there with the scalar last. Only the order of factors is opposite: `a * b`
-//! here is b times a there.
+//! Ours are (w, x, y, z) with Hamilton's product (ij = k) and turn body components into space
+//! components. Elsewhere the order of the four numbers differs. In attitude control (Shuster; JPL)
+//! the product differs as well: there ij = -k, and the matrix of a quaternion turns space
+//! components into body components. The two differences undo each other: the quaternion of a body's
+//! attitude has *the same four numbers* in both, there with the scalar last. Only the order of
+//! factors is opposite: `a * b` here is b times a there.
 
 use super::Attitude;
 use crate::error::{Error, Result};

@@ -31,7 +31,7 @@ impl Attitude {
     /// (x, y, z)/(1 + w) with w >= 0.
     ///
     /// Accuracy: 3.8 eps of their length. Special cases: at half a turn both sets have length 1,
-    /// and the sign is that of the stored quaternion. Source: as the way there.
+    /// and the sign is taken from the stored quaternion. Source: as the way there.
     ///
     /// ```
     /// use rotation_dynamics::attitude::Attitude;

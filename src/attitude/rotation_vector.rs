@@ -12,9 +12,9 @@ impl Attitude {
     /// q = (cos a/2, sin(a/2) n). The axis has the same components on the fixed
     /// and on the body's axes.
     ///
-    /// Errors: a component, or the length, that is not finite.
-    /// Accuracy: each component of the quaternion within 2.4 eps of itself, from
-    /// vectors of 1e-300 to those of 1e15 rad, measured in `tests/bodies/attitude`.
+    /// Errors: a component, or the length, that is not finite. Accuracy: each component of the
+    /// quaternion within 2.4 eps of itself, from vectors of 1e-300 to vectors of 1e15 rad, measured
+    /// in `tests/bodies/attitude`.
     pub fn from_rotation_vector(vector: SpaceVector) -> Result<Self> {
         exponential(vector.to_array())
     }
@@ -80,8 +80,8 @@ impl Attitude {
     ///
     /// Cost: one arc tangent to 100 bits, about 90 compositions.
     ///
-    /// Special cases: the identity gives zero; at the angle pi the sign of the
-    /// axis is that of the stored quaternion.
+    /// Special cases: the identity gives zero; at the angle pi the sign of the axis is taken from
+    /// the stored quaternion.
     pub fn rotation_vector(&self) -> SpaceVector {
         let [w, x, y, z] = self.quaternion();
         let sin_half = norm([x, y, z]);

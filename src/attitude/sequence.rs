@@ -1,4 +1,4 @@
-//! The twelve sequences of three turns about axes, and what turns as they do.
+//! The twelve sequences of three turns about axes, and their equivalents.
 //!
 //! All twelve are two: renaming the axes (and turning one of them round where the three
 //! are not in cyclic order) leads to z-x'-z'' or to x-y'-z'', exactly.
@@ -13,8 +13,8 @@ use core::f64::consts::FRAC_1_SQRT_2;
 /// Three turns one after the other, each about an axis that the turns before it have
 /// carried along (intrinsic); [`Sequence::Zyx`] is z-y'-x'', R = Rz(a) Ry(b) Rx(c).
 ///
-/// The same three turns about fixed axes (extrinsic) come in the opposite order: what is
-/// known as extrinsic x-y-z with angles (c, b, a) is `Zyx` with (a, b, c).
+/// The same three turns about fixed axes (extrinsic) come in the opposite order: the turn known as
+/// extrinsic x-y-z with angles (c, b, a) is `Zyx` with (a, b, c).
 ///
 /// The first six return to the axis they began with (proper Euler angles); they lock where
 /// the angle in the middle is a multiple of pi. The others turn about three axes
@@ -142,8 +142,8 @@ pub(super) fn named_finite(names: [&'static str; 3], values: [f64; 3]) -> Result
 impl Attitude {
     /// The attitude after these three turns (rad), of any finite size.
     ///
-    /// The double nearest to the angle of a Tait-Bryan lock stands for it: the quaternion
-    /// is then that of the lock, and [`Attitude::angles`] finds it again.
+    /// The double nearest to the angle of a Tait-Bryan lock counts as the lock: the quaternion is
+    /// then the one of the lock, and [`Attitude::angles`] finds it again.
     ///
     /// Errors: an angle that is not finite.
     /// Cost: as [`Attitude::from_euler`].

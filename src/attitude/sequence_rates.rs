@@ -25,10 +25,10 @@ impl Sequence {
 
     /// The rates of these angles (rad/s) for an angular velocity on the body's axes (rad/s).
     ///
-    /// Errors: [`Error::GimbalLock`] where the second angle is that of the lock, to the
-    /// last bit; angles or components that are not finite; rates beyond `f64`.
-    /// Accuracy: 3.5 eps over the sine (proper) or cosine of the second angle, which is
-    /// the condition, for rates up to 1 rad/s; measured in `tests/bodies/attitude`.
+    /// Errors: [`Error::GimbalLock`] where the second angle is at the lock, to the last bit; angles
+    /// or components that are not finite; rates beyond `f64`. Accuracy: 3.5 eps over the sine
+    /// (proper) or cosine of the second angle, which is the condition, for rates up to 1 rad/s;
+    /// measured in `tests/bodies/attitude`.
     pub fn rates(self, angles: [f64; 3], angular_velocity: BodyVector) -> Result<[f64; 3]> {
         let [_, second, third] = named_finite(ANGLES, angles)?;
         let names = ["omega_1", "omega_2", "omega_3"];

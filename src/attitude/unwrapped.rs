@@ -56,8 +56,8 @@ impl EulerAngles {
 }
 
 impl Attitude {
-    /// The angles of a sequence as [`Attitude::angles`], but within `within` (rad) of a lock those
-    /// of the lock: the third is zero, and the first carries what has a meaning.
+    /// The angles of a sequence as [`Attitude::angles`], but within `within` (rad) of a lock the
+    /// angles of the lock: the third is zero, and the first carries what has a meaning.
     ///
     /// For quaternions from elsewhere, a rounding off the lock; the angles are off the attitude by
     /// `within` at most. Errors: `within` not in 0..1. Accuracy: 4.1 eps beside what is left out.

@@ -10,8 +10,8 @@ use crate::frame::BodyVector;
 /// forward, y to the right and z down, on the body as on the fixed axes (north, east,
 /// down): a positive pitch then raises the nose. With Z up, as in the notes, it lowers it.
 ///
-/// Any finite values are an attitude; what [`Attitude::yaw_pitch_roll`] returns has pitch
-/// in [-pi/2, pi/2] and the others in [-pi, pi].
+/// Any finite values are an attitude; the result of [`Attitude::yaw_pitch_roll`] has pitch in
+/// [-pi/2, pi/2] and the others in [-pi, pi].
 ///
 /// ```
 /// use rotation_dynamics::attitude::{Attitude, YawPitchRoll};

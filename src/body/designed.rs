@@ -10,19 +10,19 @@ use crate::error::Result;
 use crate::frame::{BodyVector, DesignVector, SpaceVector};
 use crate::inertia::{InertiaTensor, PrincipalMoments};
 
-/// A rigid body that is described on axes of the user's choice, those of its drawing.
+/// A rigid body that is described on axes of the user's choice, the axes of its drawing.
 ///
 /// A start is given on the axes of the drawing, and a state is read on them: both are a
-/// [`DesignState`]. Scenes, closed forms and integrators take [`DesignedBody::rigid_body`] and
-/// the [`DesignState::principal`] state of the start; what they return comes back by
+/// [`DesignState`]. Scenes, closed forms and integrators take [`DesignedBody::rigid_body`] and the
+/// [`DesignState::principal`] state of the start; their results come back by
 /// [`DesignedBody::from_principal`]. Vectors and states on the two sets of axes are different
 /// types.
 ///
-/// The principal axes are those of six permutations and their signs that lie nearest to the
-/// axes of the drawing, right-handed. A diagonal tensor that is given keeps its axes, their
-/// order and its moments to the bit. Of any other, moments that agree within
-/// [`InertiaTensor::known_within`] differ by rounding alone; they are made equal, and of all
-/// axes in their plane those nearest to the drawing's are taken.
+/// The principal axes are chosen among six permutations and their signs: the choice nearest to the
+/// axes of the drawing, right-handed. A diagonal tensor that is given keeps its axes, their order
+/// and its moments to the bit. Of any other, moments that agree within
+/// [`InertiaTensor::known_within`] differ by rounding alone; they are made equal, and of all axes
+/// in their plane those nearest to the drawing's are taken.
 ///
 /// An angle of two cuboids, thrown so that it turns about its long leg:
 ///
@@ -74,8 +74,8 @@ pub struct DesignedBody {
 impl DesignedBody {
     /// The body with this tensor of inertia, about its centre of mass or a fixed point.
     ///
-    /// From parts: [`crate::inertia::MassProperties`], `about_centre_of_mass` or `about` a
-    /// point. A lever on the principal axes, such as that of a weight, is
+    /// From parts: [`crate::inertia::MassProperties`], `about_centre_of_mass` or `about` a point. A
+    /// lever on the principal axes, such as the lever of a weight, is
     /// [`DesignedBody::to_principal`] of the vector on the drawing.
     ///
     /// Errors: [`Error::NotABody`](crate::Error::NotABody) for a rod or a point mass, whose
@@ -134,7 +134,7 @@ impl DesignedBody {
         Ok(self.from_principal(state))
     }
 
-    /// A state of the principal axes, to be read on those of the drawing.
+    /// A state of the principal axes, to be read on the axes of the drawing.
     pub const fn from_principal(&self, state: State) -> DesignState {
         DesignState {
             body: *self,

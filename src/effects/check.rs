@@ -1,4 +1,4 @@
-//! What an effect claims, held against its torque.
+//! The claims of an effect, held against its torque.
 
 mod kinks;
 #[cfg(test)]
@@ -21,8 +21,8 @@ const PLACES: usize = 48;
 /// Torques that should be equal may differ by this part of the largest: rounding.
 const ROUNDING: f64 = 64.0 * EPS;
 
-/// The angle (rad) over which a potential is differentiated: the remainder of the
-/// difference is of its square, and what rounding leaves is eps U divided by it.
+/// The angle (rad) over which a potential is differentiated: the remainder of the difference is of
+/// its square, and the rounding error is eps U divided by it.
 const STEP: f64 = 1e-6;
 
 /// A power may be off by this part of torque times rate: the remainder of the difference,
@@ -39,7 +39,7 @@ const SCALE_ABOVE: f64 = 1e6;
 /// Looks along a line on which a jump is searched.
 const GRID: usize = 128;
 
-/// A difference that has come down to this part of what may be left is that of no jump.
+/// A difference that has come down to this part of the allowed remainder belongs to no jump.
 const SETTLED: f64 = 1.0 / 16.0;
 
 /// A step of the torque from one look to the next that is so many times its neighbour's may
@@ -61,13 +61,12 @@ const BESIDE: f64 = 1e-9;
 const SHORT: [usize; 6] = [1, 2, 4, 8, 16, 32];
 const PULSE: f64 = 0.1;
 
-/// Holds everything that `effect` says of itself against its torque: what it depends on
-/// and leaves alone, its form on lanes, its potential and power, its scale, its break
-/// points, its closed form.
+/// Holds all claims of `effect` against its torque: its variables and the quantities it leaves
+/// alone, its form on lanes, its potential and power, its scale, its break points, its closed form.
 ///
-/// The torque is asked for at 48 attitudes and momenta (of the size that `state` has, or
-/// that the torque builds up in the body's own time), at times that fill `span` (s) and
-/// on both sides of every break point. A claim that is false only elsewhere is not found;
+/// The torque is asked for at 48 attitudes and momenta, of the size that `state` has, or that the
+/// torque builds up in the body's own time. The times fill `span` (s) and lie on both sides of
+/// every break point. A claim that is false only elsewhere is not found;
 /// [`Scene::solve`](crate::scene::Scene::solve) looks again along the motion.
 ///
 /// # Errors
@@ -346,7 +345,7 @@ impl<'e> Checked<'e> {
         self.held(above, t, scale, SCALE_ABOVE * self.size)
     }
 
-    /// What changes L on the body's axes, beside their turning by I^-1 L: the torque, and
+    /// The causes that change L on the body's axes, beside their turning by I^-1 L: the torque, and
     /// L x slip.
     fn acting(&self, t: f64, state: &State) -> SpaceVector {
         let torque = self.effect.torque(t, &self.body, state);
@@ -403,7 +402,7 @@ impl<'e> Checked<'e> {
         Ok(())
     }
 
-    /// Nor has what acts beside a resistance that is known.
+    /// An effect beside a known resistance has none either.
     fn smooth_beside(&self) -> Result<()> {
         let (effect, body, start) = (&self.effect, &self.body, &self.start);
         if effect.resistance(self.span[0], body).is_none() {
@@ -421,9 +420,9 @@ impl<'e> Checked<'e> {
         Ok(())
     }
 
-    /// Between two neighbours that differ most, the torque is halved down: what is left of
-    /// the difference over an interval that doubles hardly resolve is a jump. `told`: the claim that
-    /// it contradicts, and the time.
+    /// Between two neighbours that differ most, the torque is halved down: a difference that is
+    /// left over an interval that doubles hardly resolve is a jump. `told`: the claim that it
+    /// contradicts, and the time.
     fn no_jump(
         &self,
         [from, to]: [f64; 2],
@@ -652,7 +651,7 @@ impl<'e> Checked<'e> {
         })
     }
 
-    /// What resists on the piece, with what sees the axis only, is all of the torque.
+    /// The resistance on the piece, with the effects that see the axis only, is all of the torque.
     fn resistance(&self, t: f64, state: &State, torque: SpaceVector, slack: f64) -> Result<()> {
         let (effect, body) = (&self.effect, &self.body);
         let begun = if self.properties.on_time {
@@ -670,7 +669,7 @@ impl<'e> Checked<'e> {
         self.held(claim, t, (torque - claimed).norm(), slack)
     }
 
-    /// What turns the body beyond I^-1 L is said, and does what is claimed.
+    /// An effect that turns the body beyond I^-1 L says so, and does what it claims.
     fn slip(&self, t: f64, state: &State, later: f64, pushed: &State) -> Result<()> {
         let (effect, body, properties) = (&self.effect, &self.body, self.properties);
         let slip = effect.slip(t, body, state);

@@ -6,7 +6,7 @@ use crate::error::{Error, Result, finite, not_negative, plain};
 use crate::frame::SpaceVector;
 use crate::math::{EPS, Lane};
 
-/// What this effect is called.
+/// The name of this effect.
 const NAME: &str = "Coulomb bearing";
 
 /// L_z may be off what the bearing was made for by this part of |L|: rounding.
@@ -23,15 +23,15 @@ const ROUNDING: f64 = 64.0 * EPS;
 /// and is the effect's break point: solutions meet it exactly, and nothing chatters. On
 /// either side the torque is smooth. The axis itself moves on freely, with L_z = 0.
 ///
-/// That is why the effect belongs to one body and one start, and to a scene without
-/// another torque about the axis. [`Scene::solve`](crate::scene::Scene::solve) and
-/// [`check`](super::check) refuse it in a scene with an effect whose properties do not keep
-/// L_z ([`Error::Incompatible`]), and from a state that is not on the motion for which it was
-/// made (the same error). An integrator called by itself does not look.
+/// That is why the effect belongs to one body and one start, and to a scene without another torque
+/// about the axis. [`Scene::solve`](crate::scene::Scene::solve) and [`check`](super::check) refuse
+/// it in a scene with an effect whose properties do not keep L_z ([`Error::Incompatible`]). They
+/// also refuse it from a state that is not on the motion for which it was made (the same error). An
+/// integrator called by itself does not look.
 ///
-/// Valid for dry and rolling bearings under constant load at speeds at which the
-/// coefficient of friction is constant: tau = mu N r for a bearing of radius r that
-/// carries the force N (ball bearing: mu = 0.0015). Number: [`number`](Self::number).
+/// Valid for dry and rolling bearings under constant load, at speeds at which the coefficient of
+/// friction is constant. A bearing of radius r that carries the force N has tau = mu N r (ball
+/// bearing: mu = 0.0015). Number: [`number`](Self::number).
 ///
 /// ```
 /// use rotation_dynamics::attitude::Attitude;

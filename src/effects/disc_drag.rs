@@ -29,10 +29,9 @@ pub enum FlowRegime {
 /// [`regime_at`](Self::regime_at). Rim and shaft are left out (a disc of thickness h: a part
 /// of 2 h/R), and so is the axis's own motion.
 ///
-/// Neither power of omega is analytic at omega = 0, so the effect does not call itself
-/// smooth, and solutions are stepped by DOP853 alone; but for a symmetric body, whose spin the
-/// drag never brings to 0. Number:
-/// [`number`](Self::number).
+/// Neither power of omega is analytic at omega = 0, so the effect does not call itself smooth, and
+/// solutions are stepped by DOP853 alone. A symmetric body is an exception: the drag never brings
+/// its spin to 0. Number: [`number`](Self::number).
 ///
 /// ```
 /// use rotation_dynamics::effects::{DiscDrag, FlowRegime};
@@ -121,7 +120,7 @@ impl DiscDrag {
     }
 
     /// |torque|/(|L| |omega|): the part of the momentum that is lost while the body turns by
-    /// one radian. Of a spin about e3 it is torque/(I3 omega^2).
+    /// one radian. For a spin about e3 it is torque/(I3 omega^2).
     pub fn number(&self, body: &RigidBody, state: &State) -> f64 {
         let torque = self.torque(0.0, body, state).norm();
         part_per_radian(torque, body, state)

@@ -22,12 +22,11 @@ const STEPS: usize = 128;
 /// its mean rate Omega. A fluid body has k2 = k_s, by which all of its equatorial bulge
 /// follows: b Omega^2 = I3 - (I1 + I2)/2. The [`number`](Self::number) is k2/k_s.
 ///
-/// Multiplied by omega, what follows gives a part along omega: L = (I' + s) omega with the
-/// same s = 2 b omega^2/3 on all three axes, and I' = I - b Omega^2 (e3 e3^T - 1/3), the
-/// moments without rotation. So at each moment the body turns as the rigid body with the
-/// moments I' + s ([`moments`](Self::moments)) would, found from L by Newton's method, to
-/// rounding and for any b. A symmetric body keeps them for ever: its motion is that of this
-/// rigid body, and its free period is
+/// Multiplied by omega, the part that follows gives a part along omega: L = (I' + s) omega with the
+/// same s = 2 b omega^2/3 on all three axes. Here I' = I - b Omega^2 (e3 e3^T - 1/3), the moments
+/// without rotation. So at each moment the body turns as the rigid body with the moments I' + s
+/// ([`moments`](Self::moments)) would, found from L by Newton's method, to rounding and for any b.
+/// A symmetric body keeps them for ever: it moves as this rigid body, and its free period is
 ///
 /// ```text
 /// (I1 + b Omega^2)/((1 - k2/k_s)(I3 - I1)) turns
@@ -35,8 +34,8 @@ const STEPS: usize = 128;
 ///
 /// for small wobbles at the mean rate, longer by the factor 1/(1 - k2/k_s) nearly.
 ///
-/// There is no torque; the slip is omega - I^-1 L. The energy, kept, is that of the motion
-/// and of the strain: its part beyond L^2/2I is the effect's potential,
+/// There is no torque; the slip is omega - I^-1 L. The energy, kept, belongs to the motion and to
+/// the strain: its part beyond L^2/2I is the effect's potential,
 ///
 /// ```text
 /// U = omega . I(omega) omega/2 + b omega^4/6 - L . I^-1 L/2   (but for a constant).
@@ -160,8 +159,8 @@ impl ElasticYielding {
         )
     }
 
-    /// The state of this body with an attitude and an angular velocity on its own axes
-    /// (rad/s): that of its axes, as [`Scene::angular_velocity`] gives it.
+    /// The state of this body with an attitude and an angular velocity on its own axes (rad/s): the
+    /// one of its axes, as [`Scene::angular_velocity`] gives it.
     ///
     /// # Errors
     /// Components that are not finite, or a momentum beyond `f64`.
@@ -185,8 +184,8 @@ impl ElasticYielding {
     /// a symmetric body they stay the same along the motion.
     ///
     /// # Errors
-    /// Moments that belong to no body: those of a body that turns so slowly that a bulge
-    /// which is not there would be taken away.
+    /// Moments that belong to no body: the body turns so slowly that a bulge which is not there
+    /// would be taken away.
     pub fn moments(&self, body: &RigidBody, state: &State) -> Result<PrincipalMoments> {
         let (_, change) = self.turning(body, body.angular_momentum(state));
         let [i1, i2, i3] = body.moments().to_array();
@@ -281,7 +280,7 @@ impl Effect for ElasticYielding {
         Some(Feature::WIDE)
     }
 
-    /// What is left of the body without its rotation is a body.
+    /// The body without its rotation must be a body.
     fn holds_from(
         &self,
         _t: f64,

@@ -1,4 +1,4 @@
-//! An effect behind a pointer: what is written for it is compiled once for all effects.
+//! An effect behind a pointer: code written for it is compiled once for all effects.
 
 use super::{Effect, Feature, IntegrableCase, Part, Properties, Resistance, each};
 use crate::body::{RigidBody, State};
@@ -6,11 +6,11 @@ use crate::error::Result;
 use crate::frame::SpaceVector;
 use crate::math::Lane;
 
-/// An [`Effect`] whose type is not asked for: what stands behind a pointer where the effects are
-/// chosen at run time ([`EffectList`](super::EffectList)). Every `Effect` is one; write an
-/// `Effect`, and box it. What each function gives is said there. This trait is not among the names
-/// of `effects`, since its functions have the names of those of `Effect`: a `use effects::*` brings
-/// one kind alone:
+/// An [`Effect`] whose type is not asked for: it is behind a pointer where the effects are chosen
+/// at run time ([`EffectList`](super::EffectList)). Every `Effect` is one; write an `Effect`, and
+/// box it. The result of each function is said there. This trait is not among the names of
+/// `effects`, since its functions have the same names as the functions of `Effect`: a
+/// `use effects::*` brings one kind alone:
 ///
 /// ```
 /// use rotation_dynamics::attitude::Attitude;
@@ -57,7 +57,7 @@ pub trait AnyEffect {
     /// [`Effect::holds_from`].
     ///
     /// # Errors
-    /// What is not so, with the numbers.
+    /// The claim that is not so, with the numbers.
     fn holds_from(
         &self,
         t: f64,

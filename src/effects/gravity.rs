@@ -6,15 +6,15 @@ use crate::error::{Result, finite, positive};
 use crate::frame::SpaceVector;
 use crate::math::Lane;
 
-/// What every gravity is called, so that two of them in one scene are noticed.
+/// The name of every gravity, so that two of them in one scene are noticed.
 pub(crate) const GRAVITY: &str = "gravity";
 
 /// Gravity on a body whose centre of mass lies on its axis e3, at a distance
 /// from the fixed point.
 ///
-/// The force is m g along -Z at l e3; its torque about the fixed point is
-/// l e3 x (-m g Z) = m g l (Z x e3), and U = m g l cos(theta). No torque about Z
-/// nor about e3: energy, L_Z and (of a symmetric body) L_z are kept.
+/// The force is m g along -Z at l e3. Its torque about the fixed point is l e3 x (-m g Z) = m g l
+/// (Z x e3), and U = m g l cos(theta). No torque about Z nor about e3: energy, L_Z and (of a
+/// symmetric body) L_z are kept.
 ///
 /// ```
 /// use rotation_dynamics::attitude::Attitude;

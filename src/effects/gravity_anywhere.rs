@@ -11,10 +11,9 @@ use crate::frame::{BodyVector, SpaceVector};
 
 /// Gravity on a body whose centre of mass lies anywhere.
 ///
-/// The force is m g along -Z at r, the centre of mass as seen from the fixed point; its
-/// torque about that point is r x (-m g Z), and U = m g r.Z. It has no component along Z:
-/// energy and L_Z are kept. The body's moments are those about the fixed point, and `r` is
-/// given on their axes.
+/// The force is m g along -Z at r, the centre of mass as seen from the fixed point. Its torque
+/// about that point is r x (-m g Z), and U = m g r.Z. It has no component along Z: energy and L_Z
+/// are kept. The body's moments are those about the fixed point, and `r` is given on their axes.
 ///
 /// Valid where the field is uniform: the body's size over the distance to the centre of the
 /// attracting mass must be small. Number: [`number`](Self::number).

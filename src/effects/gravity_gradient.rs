@@ -19,13 +19,13 @@ use core::f64::consts::TAU;
 /// at the mean motion n0. U leaves out -G M m/r; its mean over all directions is 0.
 ///
 /// The moving n does work: kinetic energy plus U changes by dU/dt at a fixed attitude
-/// ([`Effect::power`]), and what is kept is that energy less n0 times the component of L
-/// along the normal (Jacobi's integral). A direction that is [`fixed`](Self::fixed) is a
-/// type of its own, which keeps the energy.
+/// ([`Effect::power`]). Conserved is that energy less n0 times the component of L along the normal
+/// (Jacobi's integral). A direction that is [`fixed`](Self::fixed) is a type of its own, which
+/// keeps the energy.
 ///
-/// Range of validity: a satellite small against r (the next term is smaller by size/r, for
-/// a body that is even in its axes by the square of that), light against the attracting
-/// body, which counts as a point; the attitude does not act back on the orbit.
+/// Range of validity: a satellite small against r (the next term is smaller by size/r, for a body
+/// that is even in its axes by the square of that). It must be light against the attracting body,
+/// which counts as a point; the attitude does not act back on the orbit.
 ///
 /// ```
 /// use rotation_dynamics::attitude::Attitude;
@@ -61,9 +61,9 @@ pub struct GravityGradient<const FIXED: bool = false> {
 }
 
 impl GravityGradient {
-    /// The gradient on a circular orbit with this mean motion n0 (rad/s, positive) about
-    /// this normal, whose attracting body is seen in the direction `towards` at t = 0, all on
-    /// the fixed axes; the lengths of the two do not matter.
+    /// The gradient on a circular orbit with this mean motion n0 (rad/s, positive) about this
+    /// normal. The attracting body is seen in the direction `towards` at t = 0, all on the fixed
+    /// axes; the lengths of the two do not matter.
     ///
     /// # Errors
     /// A mean motion that is not positive and finite, a direction that is not finite or has

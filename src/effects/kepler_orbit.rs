@@ -71,7 +71,7 @@ pub(super) struct Place {
     pub(super) direction: SpaceVector,
     /// How far it is, m.
     pub(super) distance: f64,
-    /// Its velocity, that of the turning of the orbit included, m/s.
+    /// Its velocity, with the turning of the orbit included, m/s.
     pub(super) velocity: SpaceVector,
 }
 
@@ -151,8 +151,8 @@ impl KeplerOrbit {
     /// The same orbit with this node, inclination and argument of pericentre (rad), at t = 0:
     /// turned about Z by the argument, about X by the inclination, about Z by the node.
     ///
-    /// What is seen from a satellite, with the elements of *its* orbit, is the attracting body
-    /// on the other side: add pi to the argument.
+    /// From a satellite, with the elements of *its* orbit, one sees the attracting body on the
+    /// other side: add pi to the argument.
     ///
     /// # Errors
     /// An angle that is not finite.
@@ -191,8 +191,8 @@ impl KeplerOrbit {
         Ok(Self { turning, ..self }.known())
     }
 
-    /// With the times up to which its phases are known ([how late](crate::exact#how-late)): that
-    /// of its turning, and on an orbit that closes that of the passages, if it is not the first.
+    /// With the times up to which its phases are known ([how late](crate::exact#how-late)): for its
+    /// turning, and on an orbit that closes for the passages, if it is not the first.
     fn known(self) -> Self {
         let [node, argument] = self.turning.map(f64::abs);
         let passages = latest(self.fastest()).max(0.5 * self.period);
@@ -225,15 +225,15 @@ impl KeplerOrbit {
     /// the time is not finite or [so late](crate::exact#how-late) that the phase of an orbit that
     /// closes, or of its turning, is lost.
     ///
-    /// Accuracy, as measured against 32 digits for eccentricities from 0 to 10, among them
-    /// 1 - 1e-15 and 1 + 1e-15, and times to 1e6 q^3/2/(G M)^1/2: off by 8 eps of the distance
-    /// and of what an eps of the time moves the body.
+    /// Accuracy, as measured against 32 digits for eccentricities from 0 to 10, among them 1 -
+    /// 1e-15 and 1 + 1e-15, and times to 1e6 q^3/2/(G M)^1/2. It is off by 8 eps of the distance
+    /// and by the way that the body moves in an eps of the time.
     pub fn place(&self, t: f64) -> SpaceVector {
         let place = self.at(t);
         place.direction * place.distance
     }
 
-    /// Its velocity (m/s), that of a turning orbit included.
+    /// Its velocity (m/s), with a turning orbit included.
     pub fn velocity(&self, t: f64) -> SpaceVector {
         self.at(t).velocity
     }
@@ -261,7 +261,7 @@ impl KeplerOrbit {
         self.turning[0]
     }
 
-    /// The angular velocity at the pericentre (rad/s), with that of the turning.
+    /// The angular velocity at the pericentre (rad/s), with the turning.
     pub(super) fn fastest(&self) -> f64 {
         let [node, argument] = self.turning.map(f64::abs);
         self.rate * (1.0 + self.eccentricity).sqrt() + node + argument

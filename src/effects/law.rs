@@ -1,4 +1,4 @@
-//! Effects that go on in pieces: what a run holds of them from one time to the next.
+//! Effects that go on in pieces: the values that a run holds of them from one time to the next.
 
 use super::erased::AnyEffect;
 use super::{Effect, Properties};
@@ -10,17 +10,17 @@ use core::ops::Deref;
 /// An effect that goes on in pieces, each of them smooth: a command that is sampled and held, a
 /// torque that switches with the state.
 ///
-/// A run asks at its start what is [`held`](Self::held), and again at every break point and every
-/// [sample](Self::next_sample), also those of other effects and the times of `solve_at`: a law that counts
-/// its samples looks at the time. Between them it steps the torque of what is held, until the
-/// [`margin`](Self::margin) falls below 0. That time is located, and what lies
-/// [`beyond`](Self::beyond) is held from there on. What is held is three numbers of the law's own;
-/// the run remembers them, the law does not.
+/// A run asks at its start for the values that are [`held`](Self::held), and again at every break
+/// point and every [sample](Self::next_sample), also at those of other effects and the times of
+/// `solve_at`. So a law that counts its samples looks at the time. Between them it steps the torque
+/// of what is held, until the [`margin`](Self::margin) falls below 0. That time is located, and the
+/// values [`beyond`](Self::beyond) it are held from there on. A run holds three numbers of the
+/// law's own; the run remembers them, the law does not.
 ///
-/// An [`Effect`] that is a law says so in [`Effect::parts`]. Its properties are those of the torque
+/// An [`Effect`] that is a law says so in [`Effect::parts`]. Its properties hold for the torque
 /// while something is held; its own `torque` is what a sample or a switch just there would give.
 pub trait Law {
-    /// What is held from `t` (s) on, after `before`; at the start of a run `before` is `None`.
+    /// The values held from `t` (s) on, after `before`; at the start of a run `before` is `None`.
     fn held(&self, before: Option<[f64; 3]>, t: f64, body: &RigidBody, state: &State) -> [f64; 3];
 
     /// The torque on the fixed axes (N m) while this is held.
@@ -37,7 +37,7 @@ pub trait Law {
         f64::INFINITY
     }
 
-    /// What is held after this, where the margin has come to zero.
+    /// The values held after this, where the margin has come to zero.
     fn beyond(&self, held: [f64; 3], _t: f64, _body: &RigidBody, _state: &State) -> [f64; 3] {
         held
     }
@@ -99,7 +99,7 @@ impl<'e> Holding<'e> {
         !self.parts.is_empty()
     }
 
-    /// What the part of this number is called.
+    /// The name of the part of this number.
     pub(crate) fn name_of(&self, part: usize) -> String {
         self.parts[part].effect.names().join(" and ")
     }
@@ -158,7 +158,7 @@ impl<'e> Holding<'e> {
         Ok(())
     }
 
-    /// The torque on the fixed axes (N m), that of each law as it is held.
+    /// The torque on the fixed axes (N m), of each law as it is held.
     pub(crate) fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
         if !self.has_laws() {
             return self.whole.torque(t, body, state);
@@ -191,7 +191,7 @@ impl<'e> Holding<'e> {
         self.sum(t, body, state, of, |torque| torque.norm())
     }
 
-    /// What effects say of themselves; of laws, what the torque that each holds says.
+    /// The claims of effects; for laws, the claims of the torque that each holds.
     fn sum(
         &self,
         t: f64,
@@ -221,7 +221,7 @@ impl<'e> Deref for Holding<'e> {
     }
 }
 
-/// What is held, as an effect that can be stepped.
+/// The held values, as an effect that can be stepped.
 pub(crate) struct Held<'h, 'e>(pub &'h Holding<'e>);
 
 impl Effect for Held<'_, '_> {

@@ -65,7 +65,8 @@ impl<'f, const SMOOTH: bool> Torque<'f, SMOOTH> {
         })
     }
 
-    /// Of this law, what each component on the body's axes has beyond `band` (N m), to either side.
+    /// The excess of each component of this law, on the body's axes, over `band` (N m), to either
+    /// side.
     ///
     /// # Errors
     /// A band that is not positive and finite.
@@ -123,7 +124,7 @@ impl<const SMOOTH: bool> Effect for Limited<'_, SMOOTH> {
     }
 }
 
-/// What is held is on which side each component is: -1, 0 between the limits, 1.
+/// It holds on which side each component is: -1, 0 between the limits, 1.
 impl<const SMOOTH: bool> Law for Limited<'_, SMOOTH> {
     fn held(&self, _: Option<[f64; 3]>, t: f64, body: &RigidBody, state: &State) -> [f64; 3] {
         self.wanted(t, body, state).map(|wanted| {

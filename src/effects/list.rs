@@ -11,9 +11,9 @@ use core::fmt;
 ///
 /// A scene on it ([`Scene::with_list`](crate::scene::Scene::with_list)) solves by the same code as
 /// one whose effects are part of its type, to the same bits. A list costs a call through a pointer
-/// for each torque; it cannot be copied or compared; its effects are `Send + Sync` and own what they
-/// use; and a second gravity is refused when the list is made, not when it is built. A list may
-/// stand in another.
+/// for each torque. It cannot be copied or compared; its effects are `Send + Sync` and own what
+/// they use. A second gravity is refused when the list is made, not when it is built. A list may
+/// contain another.
 ///
 /// ```
 /// use rotation_dynamics::attitude::Attitude;

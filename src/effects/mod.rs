@@ -1,11 +1,11 @@
-//! Effects: what acts on a body, one file per effect.
+//! Effects: the torques on a body, one file per effect.
 //!
-//! An [`Effect`] says its torque once, from time, body and state. What else it says of
-//! itself (its [`Properties`], its potential, the times at which it jumps) opens faster roads,
-//! and all of it is held against that torque by [`check`]. Effects are composed in the
-//! type: `()` is no effect, and a pair of effects is an effect. What a scene does not name
-//! is not stored, not called and not asked about. An effect that a flag may leave out is an
-//! `Option`; effects that a file or a form chooses go into an [`EffectList`].
+//! An [`Effect`] says its torque once, from time, body and state. Its other claims (its
+//! [`Properties`], its potential, the times at which it jumps) open faster roads, and all of it is
+//! held against that torque by [`check`]. Effects are composed in the type: `()` is no effect, and
+//! a pair of effects is an effect. An effect that a scene does not name is not stored, not called
+//! and not asked about. An effect that a flag may leave out is an `Option`; effects that a file or
+//! a form chooses go into an [`EffectList`].
 //!
 //! | effect | torque |
 //! |---|---|
@@ -28,9 +28,10 @@
 //! | a law with a largest torque, or that leaves small errors alone | [`Torque::saturated`], [`Torque::dead_band`] |
 //! | one law or another, by the sign of a signal: a relay, a thruster, a brake | [`Switched`] |
 //!
-//! The last three rows are effects that go on in pieces, by a [`Law`]: only [`Scene::solve`](crate::scene::Scene::solve) and
-//! its kin hold what is held, and locate switches; an integrator that is used by itself sees the
-//! torque as if it were sampled or switched just there.
+//! The last three rows are effects that go on in pieces, by a [`Law`]. Only
+//! [`Scene::solve`](crate::scene::Scene::solve) and its kin hold what is held, and locate switches.
+//! An integrator that is used by itself sees the torque as if it were sampled or switched just
+//! there.
 //!
 //! Not for: contacts, which switch on and off ([`crate::planar`]).
 
@@ -92,8 +93,9 @@ use crate::math::lane::WIDEST;
 /// Something that acts on a body.
 ///
 /// An effect of your own needs its properties, its name and its torque. [`Properties::ANYTHING`]
-/// claims nothing and is always true of an effect that has no potential; every claim beyond it is checked ([`check`]), at the
-/// start of a solution and along the way, and one that the torque contradicts is refused.
+/// claims nothing and is always true of an effect that has no potential. Every claim beyond it is
+/// checked ([`check`]), at the start of a solution and along the way, and one that the torque
+/// contradicts is refused.
 ///
 /// ```
 /// use rotation_dynamics::body::{RigidBody, State};
@@ -136,11 +138,11 @@ use crate::math::lane::WIDEST;
     note = "a type of your own is one by `impl Effect for ..`, with its properties, name and torque"
 )]
 pub trait Effect {
-    /// What the torque depends on, and what it leaves alone, whatever the state: true of every value
-    /// of the type.
+    /// The variables of the torque, and the quantities it leaves alone, whatever the state: true of
+    /// every value of the type.
     const PROPERTIES: Properties;
 
-    /// What the effect is called.
+    /// The name of the effect.
     fn name(&self) -> &'static str;
 
     /// The torque about the body's reference point, on the fixed axes (N m).
@@ -149,10 +151,9 @@ pub trait Effect {
     /// [`Attitude::to_space`].
     fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector;
 
-    /// The torque on bodies whose axes have these directions, side by side, with the same
-    /// bits: asked for only of effects that see nothing but the axis
-    /// ([`Properties::axis_only`]), and of those with a [`resistance`](Self::resistance), which
-    /// leave it out here.
+    /// The torque on bodies whose axes have these directions, side by side, with the same bits. It
+    /// is asked for only of effects that see nothing but the axis ([`Properties::axis_only`]), and
+    /// of those with a [`resistance`](Self::resistance), which leave it out here.
     ///
     /// This form asks for [`torque`](Self::torque) one after the other. An effect that
     /// writes its own, over [`Lane`] and marked `#[inline(always)]`, lets
@@ -163,11 +164,11 @@ pub trait Effect {
         one_by_one(self, body, axis)
     }
 
-    /// What of the torque depends on the momentum, if at a fixed attitude that has a closed
-    /// form, from the time `t` (s) to the next of the [`break_points`](Self::break_points):
-    /// the same at all times between two of them. All that is left of the torque is then what
-    /// [`torques_on_axis`](Self::torques_on_axis) gives: nothing, or an effect that sees the
-    /// axis only and is smooth. `None` makes no claim.
+    /// The part of the torque that depends on the momentum, if at a fixed attitude it has a closed
+    /// form, from the time `t` (s) to the next of the [`break_points`](Self::break_points). It must
+    /// be the same at all times between two of them. All that is left of the torque is then what
+    /// [`torques_on_axis`](Self::torques_on_axis) gives: nothing, or an effect that sees the axis
+    /// only and is smooth. `None` makes no claim.
     fn resistance(&self, _t: f64, _body: &RigidBody) -> Option<Resistance> {
         let properties = Self::PROPERTIES;
         (properties.axis_only && properties.smooth).then_some(Resistance::NONE)
@@ -235,12 +236,12 @@ pub trait Effect {
         IntegrableCase::None
     }
 
-    /// Whether the effect holds in a scene with this body and a start at the time `t` (s),
-    /// in which the effects named in `about_axis` have a torque about the body's axis: an
-    /// effect that takes something for granted says here that it is not so.
+    /// Whether the effect holds in a scene with this body and a start at the time `t` (s), in which
+    /// the effects named in `about_axis` have a torque about the body's axis. An effect that takes
+    /// something for granted says here that it is not so.
     ///
     /// # Errors
-    /// What is not so, with the numbers.
+    /// The claim that is not so, with the numbers.
     fn holds_from(
         &self,
         _t: f64,

@@ -19,9 +19,9 @@ use core::f64::consts::PI;
 /// the orbit. On a circle it is the [`GravityGradient`](super::GravityGradient), to rounding
 /// (4 eps, as measured). Several attracting bodies are several effects of one scene.
 ///
-/// [`averaged`](OrbitingBody::averaged) is the mean of it over the orbit, for times
-/// that are long against the period: with the normal k of the orbit, since the mean of
-/// n n/r^3 is that of 1/r^3 times (1 - k k)/2,
+/// [`averaged`](OrbitingBody::averaged) is the mean of it over the orbit, for times that are long
+/// against the period. With the normal k of the orbit, the mean of n n/r^3 is the mean of 1/r^3
+/// times (1 - k k)/2, so it is
 ///
 /// ```text
 /// mean torque = 3 g k x (I k),   g = -(1/2) G m/(a^3 (1 - e^2)^(3/2)).
@@ -195,8 +195,8 @@ impl<const AVERAGED: bool> Effect for OrbitingBody<AVERAGED> {
     }
 
     /// Half a turn at the angular velocity of the pericentre, after which n x (I n) would come
-    /// again, less on an eccentric orbit, down to half of that on a parabola: the passage.
-    /// Of the mean, half a turn of the node.
+    /// again, less on an eccentric orbit, down to half of that on a parabola: the passage. For the
+    /// mean, half a turn of the node.
     fn narrowest(&self) -> Option<Feature> {
         let time = if AVERAGED {
             PI / self.orbit.node_rate().abs()

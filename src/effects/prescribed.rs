@@ -199,10 +199,10 @@ fn table(rows: &[(f64, f64)]) -> Result<(Vec<f64>, Vec<f64>)> {
 
 /// A torque that is known as a function of time, on the fixed axes or on the body's.
 ///
-/// It is a constant vector times a [`Profile`]: pieces with jumps or kinks at times that
-/// are named as break points, so that solutions meet them exactly, a spline through a table, or a pulse,
-/// whose width is named so that no solution steps over it. A thruster, a motor, a kick.
-/// A function of your own is for [`Torque`](super::Torque).
+/// It is a constant vector times a [`Profile`]. The profile has pieces with jumps or kinks at times
+/// that are named as break points, so that solutions meet them exactly. Or it is a spline through a
+/// table, or a pulse, whose width is named so that no solution steps over it. A thruster, a motor,
+/// a kick. A function of your own is for [`Torque`](super::Torque).
 ///
 /// Valid where what acts takes no notice of the motion. Number: [`number`](Self::number).
 ///

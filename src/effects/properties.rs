@@ -1,4 +1,4 @@
-//! What an effect says of itself beside its torque.
+//! The claims of an effect beside its torque.
 
 use super::GravityAtLever;
 use crate::math::smaller;
@@ -29,7 +29,7 @@ impl Conserved {
         axial_momentum: false,
     };
 
-    /// What both leave alone.
+    /// The quantities that both leave alone.
     pub const fn and(self, other: Self) -> Self {
         let [ax, ay, az] = self.momentum;
         let [bx, by, bz] = other.momentum;
@@ -41,7 +41,7 @@ impl Conserved {
     }
 }
 
-/// What a torque depends on, how smoothly, and what it leaves alone.
+/// The variables of a torque, how smooth it is, and the quantities it leaves alone.
 ///
 /// Each field is a claim, weakest in [`Properties::ANYTHING`]: write
 /// `Properties { smooth: true, ..Properties::ANYTHING }` and claim what is so. A claim opens faster
@@ -69,7 +69,7 @@ pub struct Properties {
     /// The effect is the weight of the body. A scene has one: a second does not build
     /// ([`Scene::with`](crate::scene::Scene::with)), and a list with two is refused.
     pub weight: bool,
-    /// What the effect leaves alone.
+    /// The quantities that the effect leaves alone.
     pub conserved: Conserved,
 }
 
@@ -98,7 +98,7 @@ impl Properties {
         conserved: Conserved::NONE,
     };
 
-    /// What is true of both together.
+    /// The claims that hold for both together.
     pub const fn and(self, other: Self) -> Self {
         Self {
             torque_free: self.torque_free && other.torque_free,
@@ -151,7 +151,7 @@ pub enum IntegrableCase {
 }
 
 impl IntegrableCase {
-    /// Of two effects together: a closed form if one of them does nothing.
+    /// For two effects together: a closed form if one of them does nothing.
     pub const fn and(self, other: Self) -> Self {
         match (self, other) {
             (Self::Free, other) | (other, Self::Free) => other,

@@ -1,4 +1,5 @@
-//! What resists a body's rotation, where its effect at a fixed attitude has a closed form.
+//! The law of an effect that resists a body's rotation, where its effect at a fixed attitude has a
+//! closed form.
 
 use crate::body::RigidBody;
 use crate::frame::BodyVector;
@@ -35,7 +36,7 @@ pub struct Resistance {
     law: Law,
 }
 
-/// What acts along e3 beside the linear part.
+/// The law along e3 beside the linear part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Law {
     None,
@@ -95,7 +96,7 @@ impl Resistance {
         self.rates[0] == self.rates[1]
     }
 
-    /// The fastest rate (1/s) at which it takes momentum of itself: that of its linear part.
+    /// The fastest rate (1/s) at which it takes momentum of itself, by its linear part.
     pub(crate) fn fastest(&self) -> f64 {
         self.rates
             .iter()
@@ -142,7 +143,7 @@ impl Resistance {
         Some(BodyVector::new(-ka * a, -kb * b, along - kc * c))
     }
 
-    /// What the momentum l on the body's axes gains in the time `dt` (s) at a fixed attitude,
+    /// The gain of the momentum l on the body's axes in the time `dt` (s) at a fixed attitude,
     /// while `torque` (N m, on those axes, none along e3) acts as well.
     #[inline]
     pub(crate) fn gained(&self, l: [f64; 3], torque: [f64; 3], dt: f64) -> [f64; 3] {
@@ -163,7 +164,7 @@ impl Resistance {
         [gained(0, a), gained(1, b), along]
     }
 
-    /// What l_3 gains by the law.
+    /// The gain of l_3 by the law.
     fn lost(&self, l: f64, dt: f64) -> f64 {
         match self.law {
             Law::None => 0.0,

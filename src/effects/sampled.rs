@@ -124,7 +124,7 @@ impl Effect for SampledControl<'_> {
     }
 }
 
-/// What is held are the components of the torque on the body's axes.
+/// The held values are the components of the torque on the body's axes.
 impl Law for SampledControl<'_> {
     fn held(&self, before: Option<[f64; 3]>, t: f64, body: &RigidBody, state: &State) -> [f64; 3] {
         let before = before.filter(|_| self.number(t).is_none());

@@ -9,8 +9,9 @@ use std::sync::Arc;
 /// Of time (s), body and state.
 type Signal<'f> = dyn Fn(f64, &RigidBody, &State) -> f64 + Send + Sync + 'f;
 
-/// One torque where a signal is below zero, another where it is not: a relay, a thruster that fires
-/// beyond an angle, a brake that lets go at a rate, dry friction that only changes its side.
+/// One torque where a signal is below zero, another where it is not. Examples are a relay, a
+/// thruster that fires beyond an angle, a brake that lets go at a rate, dry friction that only
+/// changes its side.
 ///
 /// ```text
 /// torque = below(t, body, state) if signal(t, body, state) < 0, else above(t, body, state)
@@ -112,7 +113,7 @@ impl<const SMOOTH: bool> Effect for Switched<'_, SMOOTH> {
     }
 }
 
-/// What is held is the sign of the signal.
+/// The held value is the sign of the signal.
 impl<const SMOOTH: bool> Law for Switched<'_, SMOOTH> {
     fn held(&self, _: Option<[f64; 3]>, t: f64, body: &RigidBody, state: &State) -> [f64; 3] {
         // Of -0 as of 0.

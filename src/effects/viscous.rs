@@ -8,14 +8,13 @@ use crate::math::Lane;
 
 /// Friction in proportion to the angular velocity.
 ///
-/// On the body's axes its torque is -(c_t omega_1, c_t omega_2, c_a omega_3): c_a belongs to
-/// a bearing about the axis e3, c_t to turns of that axis, and with c_a = c_t = c the torque
-/// is -c omega. It takes c_t (omega_1^2 + omega_2^2) + c_a omega_3^2 of power.
+/// On the body's axes its torque is -(c_t omega_1, c_t omega_2, c_a omega_3). The coefficient c_a
+/// belongs to a bearing about the axis e3, c_t to turns of that axis, and with c_a = c_t = c the
+/// torque is -c omega. It takes c_t (omega_1^2 + omega_2^2) + c_a omega_3^2 of power.
 ///
-/// Valid for a lubricated bearing whose film is thick and whose flow is laminar (a film of
-/// area A, thickness h and viscosity mu at the radius r has c = mu A r^2/h), and for a body
-/// so slow that the flow about it creeps (a sphere: c = 8 pi mu R^3). Number:
-/// [`number`](Self::number).
+/// Valid for a lubricated bearing whose film is thick and whose flow is laminar (a film of area A,
+/// thickness h and viscosity mu at the radius r has c = mu A r^2/h). Valid also for a body so slow
+/// that the flow about it creeps (a sphere: c = 8 pi mu R^3). Number: [`number`](Self::number).
 ///
 /// ```
 /// use rotation_dynamics::attitude::Attitude;
@@ -79,7 +78,7 @@ impl ViscousFriction {
     }
 
     /// |torque|/(|L| |omega|): the part of the momentum that is lost while the body turns by
-    /// one radian. Of a spin about e3 it is c_a/(I3 omega).
+    /// one radian. For a spin about e3 it is c_a/(I3 omega).
     pub fn number(&self, body: &RigidBody, state: &State) -> f64 {
         let torque = self.torque(0.0, body, state).norm();
         part_per_radian(torque, body, state)

@@ -125,8 +125,8 @@ impl<B: Branchless<Row>> Blocks<B> {
         }
     }
 
-    /// Puts the state of each motion at time `t` where its number says: `near` reads it from
-    /// what the lanes give, `far` is asked for those of a block that does not reach as far.
+    /// Puts the state of each motion at time `t` where its number says: `near` reads it from the
+    /// results of the lanes, `far` is asked for the states of a block that does not reach as far.
     pub(super) fn fill(
         &self,
         t: f64,

@@ -1,11 +1,9 @@
 //! The sliding ladder (exercise 16.6), at any time, without stepping.
 //!
-//! A uniform ladder stands between a smooth wall and a smooth floor and is
-//! released at rest at the angle `theta0` from the wall. While it touches the
-//! wall its motion is a Jacobi function; after the wall has let go the time is
-//! a quadrature with a smooth integrand. Both are evaluated here to a few units
-//! of round-off, from a release a hair off the vertical to one a hair off the
-//! floor.
+//! A uniform ladder rests between a smooth wall and a smooth floor and is released at rest at the
+//! angle `theta0` from the wall. While it touches the wall its motion is a Jacobi function; after
+//! the wall has let go the time is a quadrature with a smooth integrand. Both are evaluated here to
+//! a few units of round-off, from a release a hair off the vertical to one a hair off the floor.
 //!
 //! Not for: friction, a start with a push, the impact on the floor. Those scenes
 //! are simulated, with [`crate::planar`].
@@ -52,7 +50,7 @@ use crate::motion::{Kept, Motion, condition_of_each};
 /// double-double products.
 const SMALLEST_ANGLE: f64 = 1e-140;
 
-/// What touches the ladder.
+/// The contacts of the ladder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
     /// Top on the wall, foot on the floor.
@@ -130,8 +128,8 @@ impl Ladder {
     /// below pi/2).
     ///
     /// # Errors
-    /// Anything outside those ranges. At `theta0 = 0` the ladder stands for ever;
-    /// at pi/2 and beyond it lies.
+    /// Anything outside those ranges. At `theta0 = 0` the ladder never falls; at pi/2 and beyond it
+    /// lies.
     pub fn new(length: f64, gravity: f64, theta0: f64) -> Result<Self> {
         let allowed = "it must lie between 1e-100 and 1e100";
         in_range("length", length, 1e-100..=1e100, allowed)?;
@@ -264,8 +262,8 @@ impl Ladder {
     /// Cost: a set of Jacobi functions on the wall, some 130 square roots off it.
     ///
     /// # Errors
-    /// A time outside the motion: what the ladder does after the impact depends on the
-    /// floor's restitution, which the problem does not state.
+    /// A time outside the motion: the motion after the impact depends on the floor's restitution,
+    /// which the problem does not state.
     pub fn at(&self, t: f64) -> Result<LadderState> {
         finite("t", t)?;
         // The last place of landing_time is not certain: that close counts as landed.
@@ -391,8 +389,7 @@ impl Ladder {
     }
 }
 
-/// The inputs of the condition are length, gravity, theta0 and the time; what moves is
-/// theta.
+/// The inputs of the condition are length, gravity, theta0 and the time; the answer is theta.
 impl Motion for Ladder {
     type State = LadderState;
 

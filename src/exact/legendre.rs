@@ -3,11 +3,10 @@
 //!
 //! Not for: parameters outside 0 <= m <= 1, and principal values of Pi (n sin^2 phi > 1).
 //!
-//! The amplitude is reduced with pi to 159 bits and half-turns are counted, so
-//! sin phi and cos phi are right to 106 bits even next to pi/2; 1 - m sin^2 phi is
-//! formed as cos^2 + m1 sin^2 and 1 - n sin^2 phi as cos^2 + n1 sin^2, which do not
-//! cancel. The symmetric integrals are taken in double-double arithmetic and the
-//! sum is rounded once.
+//! The amplitude is reduced with pi to 159 bits and half-turns are counted, so sin phi and cos phi
+//! are right to 106 bits even next to pi/2. The expression 1 - m sin^2 phi is formed as cos^2 + m1
+//! sin^2 and 1 - n sin^2 phi as cos^2 + n1 sin^2, which do not cancel. The symmetric integrals are
+//! taken in double-double arithmetic and the sum is rounded once.
 //!
 //! Sources: DLMF 19.2, 19.8, 19.21, 19.25; B. C. Carlson, Numer. Algorithms 10, 13 (1995).
 

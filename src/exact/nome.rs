@@ -1,5 +1,5 @@
-//! The nome of an elliptic function and, by it, arguments from values, in
-//! double-double arithmetic: what the set-ups of the closed forms need.
+//! The nome of an elliptic function and, by it, arguments from values, in double-double arithmetic,
+//! as the set-ups of the closed forms need them.
 //!
 //! An integral of the first kind by duplication takes up to eight rounds of three square
 //! roots each. Here `f64` finds the argument, and one Newton step on the theta functions, whose
@@ -61,7 +61,7 @@ impl Angle {
 /// An argument i u off the real axis, by y = pi u/2K.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Depth<L = f64> {
-    /// e^{-2y}, and what it lacks of 1.
+    /// e^{-2y}, and its difference to 1.
     pub(crate) decay: Dd<L>,
     pub(crate) fall: Dd<L>,
 }
@@ -464,8 +464,8 @@ mod tests {
         assert!(of_quarter_periods(1e-28).largest() > 1e3);
     }
 
-    /// The differences of angles, and those of depths, with their functions over parameters up
-    /// to `most`; `damage` is relative, of sc^2.
+    /// The differences of angles, and of depths, with their functions over parameters up to `most`;
+    /// `damage` is relative, of sc^2.
     fn of_arguments(most: f64, damage: f64) -> [Errors; 2] {
         let [mut angles, mut depths] =
             ["angles", "depths"].map(|what| Errors::in_units_of(UNIT, what));

@@ -41,7 +41,7 @@ pub struct Suspension {
     pub lever: f64,
 }
 
-/// What the pendulum does.
+/// The kind of motion of the pendulum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PendulumKind {
     /// It hangs still.
@@ -235,7 +235,7 @@ impl Pendulum {
         }
     }
 
-    /// What the pendulum does.
+    /// The kind of motion of the pendulum.
     pub fn kind(&self) -> PendulumKind {
         match &self.motion {
             Course::Rest => PendulumKind::Rest,
@@ -250,7 +250,7 @@ impl Pendulum {
         self.rate.to_f64()
     }
 
-    /// k^2, the energy (from the hanging position) over that of the upright one.
+    /// k^2, the energy (from the hanging position) divided by the energy of the upright one.
     pub fn energy_ratio(&self) -> f64 {
         self.k2.to_f64()
     }
@@ -299,10 +299,10 @@ impl Pendulum {
     /// ([how late](super#how-late)).
     ///
     /// # Accuracy
-    /// Error over eps (|value| + sens), sens the change of the value when each input and
-    /// `t` change by their own size: at most 2.04 over 271 cases (theta, omega, T, W,
-    /// k^2) of every regime, with amplitudes from 1e-300 to pi - 1e-15, 1 - k^2 from
-    /// 1e-1 to 1e-15 on either side, and 1e9 radians of phase.
+    /// Error over eps (|value| + sens), sens the change of the value when each input and `t` change
+    /// by their own size: at most 2.04 over 271 cases (theta, omega, T, W, k^2) of every regime.
+    /// The amplitudes go from 1e-300 to pi - 1e-15, 1 - k^2 from 1e-1 to 1e-15 on either side, and
+    /// the phase to 1e9 radians.
     ///
     /// The kit's family D, W = 1, released at rest: error over eps (|theta| + |t omega|),
     /// median / P99 / max of 2000 rows:
@@ -361,8 +361,8 @@ impl Pendulum {
     }
 }
 
-/// The inputs of the condition are moment, mass, gravity, lever, theta0, omega0 and the time;
-/// what moves is theta.
+/// The inputs of the condition are moment, mass, gravity, lever, theta0, omega0 and the time; the
+/// answer is theta.
 impl Motion for Pendulum {
     type State = PendulumState;
 

@@ -5,10 +5,10 @@
 //!
 //! The argument is counted from the nearest whole number of quarter periods K, so
 //! |r| <= K/2, and what rounding r to an `f64` drops is handed back as `rest`: sn
-//! keeps its relative accuracy around 0, cn around K, for any time. The four theta
-//! functions of Neville, sn = s/n, cn = c/n, dn = d/n, run in the nome q for m <= 1/2
-//! and, by Jacobi's imaginary transformation, in that of the complement above. Either
-//! nome is at most exp(-pi) = 0.043, and four terms reach 1e-19.
+//! keeps its relative accuracy around 0, cn around K, for any time. The four theta functions of
+//! Neville, sn = s/n, cn = c/n, dn = d/n, run in the nome q for m <= 1/2 and, by Jacobi's imaginary
+//! transformation, in the nome of the complement above. Either nome is at most exp(-pi) = 0.043,
+//! and four terms reach 1e-19.
 //!
 //! Sources: E. H. Neville, *Jacobian Elliptic Functions*; DLMF 20.2, 22.2, 22.4(iii),
 //! 22.6(iv).
@@ -213,7 +213,7 @@ impl Series {
         }
     }
 
-    /// s, c, d, n at `r`, up to a common positive factor, and what of `r` is left.
+    /// s, c, d, n at `r`, up to a common positive factor, and the rest of `r`.
     fn neville(&self, r: Dd) -> ([f64; 4], f64) {
         match self {
             Self::Trigonometric { scale, terms } => {

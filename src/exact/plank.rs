@@ -1,8 +1,8 @@
 //! A plank that falls over on a smooth floor, at any time, without stepping.
 //!
-//! A uniform plank stands upright, or nearly so, on a frictionless floor and tips
-//! over: its centre of mass falls straight down, its foot slides away. Handled from a
-//! push of 1e-280 to a release a hair off the floor.
+//! A uniform plank is released upright, or nearly so, on a frictionless floor and tips over: its
+//! centre of mass falls straight down, its foot slides away. Handled from a push of 1e-280 to a
+//! release a hair off the floor.
 //!
 //! Not for: friction at the foot, the impact on the floor.
 //!
@@ -92,9 +92,9 @@ pub struct Plank {
 }
 
 impl Plank {
-    /// A plank of `length` (m, 1e-100 to 1e100) under `gravity` (m/s^2, the same range),
-    /// let go at `theta0` (rad from the vertical, 0 <= theta0 < pi/2) with the rate
-    /// `omega0` (rad/s, not negative). Not both may be 0: it would stand for ever.
+    /// A plank of `length` (m, 1e-100 to 1e100) under `gravity` (m/s^2, the same range), let go at
+    /// `theta0` (rad from the vertical, 0 <= theta0 < pi/2) with the rate `omega0` (rad/s, not
+    /// negative). Not both may be 0: it would stay upright for ever.
     ///
     /// # Errors
     /// `NotFinite` and `OutOfRange`, also if the start is so fast that the
@@ -222,10 +222,10 @@ impl Plank {
     /// `NotFinite`; `OutsideRun` before the start and after the impact.
     ///
     /// # Accuracy
-    /// Error over eps (|value| + sens), sens the change of the value when each input and
-    /// `t` change by their own size: at most 4.21 over 68 cases, released at rest from
-    /// 1e-30 to 1e-12 short of the floor, pushed, and balanced (e = 0 to 1e-9); 1.82 for
-    /// theta, 1.45 for omega, 1.39 for y_cm, the largest for the force.
+    /// Error over eps (|value| + sens), sens the change of the value when each input and `t` change
+    /// by their own size: at most 4.21 over 68 cases. They are released at rest from 1e-30 to 1e-12
+    /// short of the floor, pushed, and balanced (e = 0 to 1e-9). It is 1.82 for theta, 1.45 for
+    /// omega, 1.39 for y_cm, the largest for the force.
     ///
     /// Cost: Newton's method on a 12-point rule, three or four rounds of 13 `sinh` and `cosh`.
     pub fn at(&self, t: f64) -> Result<PlankState> {
@@ -339,7 +339,7 @@ impl Plank {
     }
 }
 
-/// The inputs of the condition are length, gravity, theta0, omega0 and the time; what moves is
+/// The inputs of the condition are length, gravity, theta0, omega0 and the time; the answer is
 /// theta.
 impl Motion for Plank {
     type State = PlankState;

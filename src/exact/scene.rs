@@ -54,7 +54,7 @@ impl Scene<((), GravityAtLever)> {
     /// The motion of the heavy top from `start` at t = 0, in closed form.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a body that is not symmetric, which has none; those of
+    /// [`Error::OutOfRange`] for a body that is not symmetric, which has none; the errors of
     /// [`HeavyTop::from_body`].
     pub fn exact(&self, start: &State) -> Result<HeavyTop> {
         let (moments, gravity) = (self.body().moments(), self.effects().1);

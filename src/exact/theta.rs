@@ -1,5 +1,6 @@
-//! What all theta series of the closed forms share: the periods by the nome that is small, the
-//! zeros, and the sums of four terms in both forms, polynomials in sin^2 z and hyperbolic waves.
+//! The common part of all theta series of the closed forms: the periods by the nome that is small,
+//! the zeros, and the sums of four terms in both forms, polynomials in sin^2 z and hyperbolic
+//! waves.
 //!
 //! Derived in `book/src/how_heavy_top.md` and `book/src/how_free_body.md`.
 
@@ -14,7 +15,7 @@ pub(super) struct Periods {
     /// True if the series run in the nome q' of 1 - m: after Jacobi's imaginary
     /// transformation, in hyperbolic functions.
     pub(super) hyperbolic: bool,
-    /// That of m, or if they do that of 1 - m.
+    /// The nome of m, or if they do, of 1 - m.
     pub(super) nome: Nome,
 }
 

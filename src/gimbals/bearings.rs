@@ -45,14 +45,14 @@ impl Bearing {
 
 /// The bearings of a gyroscope in gimbals, and the air about its rotor.
 ///
-/// What each acts between decides what it does. Friction of the axle is between rotor and ring:
-/// it changes L_z and, since ring and fork take its reaction, leaves L_Z alone. The air is
-/// outside: it takes L_z and with it L_z cos theta of L_Z.
+/// The two parts that each acts between decide its effect. Friction of the axle is between rotor
+/// and ring: it changes L_z and, since ring and fork take its reaction, leaves L_Z alone. The air
+/// is outside: it takes L_z and with it L_z cos theta of L_Z.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bearings {
     /// Between ring and fork, about the line of nodes.
     pub tilt: Bearing,
-    /// Between fork and stand, about the vertical.
+    /// Between fork and base, about the vertical.
     pub azimuth: Bearing,
     /// Between rotor and ring, about the axle.
     pub axle: Bearing,
@@ -74,7 +74,7 @@ impl Bearings {
     }
 }
 
-/// What a bearing with dry friction does.
+/// The state of a bearing with dry friction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Hold {
     /// It holds: its rate is zero.
@@ -103,7 +103,7 @@ impl Hold {
     }
 }
 
-/// What the bearings of tilt, azimuth and axle do.
+/// The states of the bearings of tilt, azimuth and axle.
 pub type Holds = [Hold; 3];
 
 const STOPS: [&str; 3] = ["tilt stops", "azimuth stops", "axle stops"];
@@ -131,9 +131,9 @@ pub(super) struct Rubbing {
 struct Moved {
     /// theta'', phi'', L_z'.
     rates: [f64; 3],
-    /// Of the three bearings, on tilt, azimuth and rotor, N m.
+    /// The torques of the three bearings, on tilt, azimuth and rotor, N m.
     torques: [f64; 3],
-    /// Of the air on the rotor, N m.
+    /// The torque of the air on the rotor, N m.
     air: f64,
 }
 
@@ -187,7 +187,7 @@ impl Rubbing {
         }
     }
 
-    /// What the bearings do from this state on, and the state with the rates of those in
+    /// The states of the bearings from this state on, and the state with the rates of those in
     /// `still` at zero; the others go on as `holds` says.
     ///
     /// The friction torques of bearings at rest and their accelerations are the one solution
@@ -236,7 +236,7 @@ impl Rubbing {
         (best.1, y)
     }
 
-    /// What the bearings do at the start.
+    /// The states of the bearings at the start.
     pub(super) fn at_start(&self, y: &[f64; N]) -> (Holds, [f64; N]) {
         let rates = self.bearing_rates(&pose(y));
         let all = self.bearings.all();

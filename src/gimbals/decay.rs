@@ -1,4 +1,4 @@
-//! What friction does to a fast gyroscope, by theory: how its nods die and its axis sags.
+//! The effect of friction on a fast gyroscope, by theory: how its nods die and its axis sags.
 
 use super::{Bearings, Gimbals};
 use crate::error::Result;
@@ -7,9 +7,9 @@ use crate::math::sincos;
 
 /// Decay and sag at one tilt and spin, without simulating anything.
 ///
-/// Accuracy, as measured against simulations (`tests/exact/gimbals.rs`): the decay within
-/// 0.4 % where the pivot alone damps (its sag changes the nods, too), the shortening within
-/// 2e-4 at 3000 rad/s, the sag over half a minute within 0.1 %.
+/// Accuracy, as measured against simulations (`tests/exact/gimbals.rs`): the decay within 0.4 %
+/// where the pivot alone damps (its sag changes the nods, too). The shortening is within 2e-4 at
+/// 3000 rad/s, the sag over half a minute within 0.1 %.
 ///
 /// With x = theta - theta_s and y = phi' - phi_s', small beside a steady precession, and the
 /// coefficients c of the bearings,
@@ -20,11 +20,11 @@ use crate::math::sincos;
 /// -decay +- i frequency: viscous friction of *either* bearing damps, nearly
 /// decay = (c_theta/P + c_phi/N)/2.
 ///
-/// Dry friction tau of the tilt bearing shifts the place of balance by tau/(P omega^2), to
-/// the other side after each turning point: each half nod is shorter than the last by
-/// 2 tau/(P omega^2) on either side, and the last ends anywhere within tau/(P omega^2).
+/// Dry friction tau of the tilt bearing shifts the place of balance by tau/(P omega^2), to the
+/// other side after each turning point. Each half nod is shorter than the last by 2 tau/(P omega^2)
+/// on either side, and the last ends anywhere within tau/(P omega^2).
 ///
-/// What acts about the vertical takes L_Z; the axis pays by sinking:
+/// Friction about the vertical takes L_Z; the axis pays by sinking:
 ///
 /// theta' = (-M_phi + M_zeta cos theta - (N phi' sin theta/g) L_z')/(g + N k/g),
 ///
@@ -45,7 +45,7 @@ pub struct Decay {
 }
 
 impl Decay {
-    /// Of these gimbals and bearings, at the tilt `theta` (rad) and L_z = `axial` (kg m^2/s).
+    /// For these gimbals and bearings, at the tilt `theta` (rad) and L_z = `axial` (kg m^2/s).
     ///
     /// # Errors
     /// Those of [`Gimbals::steady_rate`].

@@ -14,8 +14,8 @@
 //! | [`GimbalMotion`] | a motion with friction, every stop and reversal of a bearing located |
 //! | [`Decay`] | what friction does by theory: decay of the nods, sag of the axis |
 //!
-//! Coordinates are the notes' Euler angles. The tilt theta is that of the mechanism and not
-//! only of the axis: it may pass 0 and become negative, for with a fork there is no pole.
+//! Coordinates are the notes' Euler angles. The tilt theta belongs to the mechanism and not only to
+//! the axis: it may pass 0 and become negative, for with a fork there is no pole.
 //!
 //! Not for: rotors that are not symmetric, gimbals that bend, and play in the bearings. A top
 //! without gimbals is known in closed form, [`crate::exact::heavy_top`].
@@ -128,10 +128,10 @@ impl Pose {
 }
 
 impl Gimbals {
-    /// The `rotor`, its moments about the pivot, in a `ring` with moments about the line of
-    /// nodes, across it and the axle, and along the axle, and a `fork` with this moment about
-    /// the vertical (kg m^2). Ring and fork balance about their own bearings: what weighs is
-    /// the rotor.
+    /// The `rotor` has its moments about the pivot. The `ring` has moments about the line of nodes,
+    /// across it and the axle, and along the axle, and the `fork` has this moment about the
+    /// vertical (kg m^2). Ring and fork balance about their own bearings: only the rotor has a
+    /// weight.
     ///
     /// # Errors
     /// A moment that is negative or not finite; [`Error::NotABody`] for moments
@@ -162,12 +162,12 @@ impl Gimbals {
         self.rotor.weight() * self.rotor.lever()
     }
 
-    /// P = I1 + A: what a nod has to move, kg m^2.
+    /// P = I1 + A: the inertia of a nod, kg m^2.
     pub fn tilting(&self) -> f64 {
         self.rotor.i1() + self.ring[0]
     }
 
-    /// N(theta): what turns about the vertical beside the spin, kg m^2.
+    /// N(theta): the inertia about the vertical beside the spin, kg m^2.
     pub fn turning(&self, theta: f64) -> f64 {
         let (s, c) = sincos(theta);
         (self.rotor.i1() + self.ring[1]) * s * s + self.ring[2] * c * c + self.fork
@@ -201,8 +201,8 @@ impl Gimbals {
         self.turning(at.theta) * at.phi_rate + at.axial_momentum * cos(at.theta)
     }
 
-    /// Energy less that of the rotor's own spin, L_z^2/(2 I3), J: what nod, precession and
-    /// weight have. Kept without friction.
+    /// Energy less the energy of the rotor's own spin, L_z^2/(2 I3), J: the energy of nod,
+    /// precession and weight. Kept without friction.
     pub fn axis_energy(&self, at: &Pose) -> f64 {
         0.5 * (self.tilting() * at.theta_rate * at.theta_rate
             + self.turning(at.theta) * at.phi_rate * at.phi_rate)
@@ -223,9 +223,9 @@ impl Gimbals {
     }
 
     /// The slow steady precession at `theta` (rad) with L_z = `axial` (kg m^2/s), rad/s, if a
-    /// torque `held` (N m) about the line of nodes takes over a part of the weight's:
-    /// the root of D sin theta cos theta W'^2 - L_z sin theta W' + (W sin theta - held) = 0 that
-    /// needs the weight. Fork and A are not in it.
+    /// torque `held` (N m) about the line of nodes takes over a part of the weight's. It is the
+    /// root of D sin theta cos theta W'^2 - L_z sin theta W' + (W sin theta - held) = 0 that needs
+    /// the weight. Fork and A are not in it.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if the rotor is too slow to be held there.
@@ -269,7 +269,7 @@ impl Gimbals {
         ]
     }
 
-    /// Generalised forces of inertia and weight: what P theta'' and N phi'' would be without
+    /// Generalised forces of inertia and weight: the values of P theta'' and N phi'' without
     /// friction.
     fn driven(&self, at: &Pose) -> [f64; 2] {
         let (s, c) = sincos(at.theta);

@@ -17,22 +17,22 @@ const OVER: f64 = 0.02;
 /// A change in what the bearings do.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Change {
-    /// What happened: `"tilt stops"`, `"tilt slips"`, the same of azimuth and axle, `"stop"`.
+    /// The event: `"tilt stops"`, `"tilt slips"`, the same of azimuth and axle, `"stop"`.
     pub name: &'static str,
     /// When, s.
     pub t: f64,
     /// Where.
     pub pose: Pose,
-    /// What the bearings do after it.
+    /// The states of the bearings after it.
     pub to: Option<Holds>,
 }
 
 /// A motion with friction, known at any time until it ends.
 ///
-/// A bearing with dry friction stops where its rate goes through zero; there it sticks or
-/// slips on or back, as Coulomb's law has it, and slips again where more torque would be needed
-/// to hold it than it has. All of these are events located by real steps, and between two of
-/// them the equations are smooth. The two gimbal bearings stop in each nod.
+/// A bearing with dry friction stops where its rate goes through zero. There it sticks or slips on
+/// or back, as Coulomb's law has it, and slips again where more torque would be needed to hold it
+/// than it has. All of these are events located by real steps, and between two of them the
+/// equations are smooth. The two gimbal bearings stop in each nod.
 ///
 /// While the axis nods, a step is at most a thirty-second part of a nod: with eight looks a
 /// step, a reversal that is over within a 256th part of a nod may be missed. None was, in ten
@@ -76,7 +76,7 @@ impl GimbalMotion {
     /// Memory: some 100 numbers a step, 32 steps a nod while the axis nods and two beyond.
     ///
     /// # Errors
-    /// A start that is not finite or beyond the stop; those of [`simulate`].
+    /// A start that is not finite or beyond the stop; the errors of [`simulate`].
     pub fn new(
         gimbals: Gimbals,
         bearings: Bearings,
@@ -166,7 +166,7 @@ impl GimbalMotion {
         &self.changes
     }
 
-    /// What it cost.
+    /// Its cost.
     pub const fn work(&self) -> Work {
         self.work
     }
@@ -190,7 +190,7 @@ impl GimbalMotion {
         Ok(pose(&self.state(t)?.1))
     }
 
-    /// What the bearings do at `t`; at a change, before it.
+    /// The states of the bearings at `t`; at a change, before it.
     ///
     /// # Errors
     /// [`Error::OutsideRun`].

@@ -5,20 +5,20 @@ use crate::error::{Error, Result};
 use crate::math::{EPS, acos, atan2, cos, sin, sincos};
 use core::f64::consts::{PI, TAU};
 
-/// One nod: the tilts between which the axis goes, and what happens in the time.
+/// One nod: the tilts between which the axis goes, and the motion in the time.
 ///
-/// With w = cos theta_0 - cos theta, counted from the present tilt, P N theta'^2 = G(w) is a
-/// cubic whose coefficients come from the rates without cancellation; a release at rest has
-/// w as a factor. The turning points are its roots next to 0, and
+/// With w = cos theta_0 - cos theta, counted from the present tilt, P N theta'^2 = G(w) is a cubic.
+/// Its coefficients come from the rates without cancellation; a release at rest has w as a factor.
+/// The turning points are its roots next to 0, and
 ///
 /// dt = sqrt(P N/G) dtheta,  dphi = phi' dt,  phi' = (N_0 phi_0' + L_z w)/N,
 ///
 /// are integrated over an angle in which both turning points are smooth. The integrand is then
 /// periodic and the trapezoidal rule converges faster than any power of the number of points.
 ///
-/// An axis with energy enough passes through the vertical (the fork's inertia keeps phi'
-/// finite there): then the tilts are on both sides of it, `theta_min` is negative or `theta_max`
-/// greater than pi, or the axis goes right round and they are 2 pi apart.
+/// An axis with energy enough passes through the vertical (the fork's inertia keeps phi' finite
+/// there). Then the tilts are on both sides of it, `theta_min` is negative or `theta_max` greater
+/// than pi, or the axis goes right round and they are 2 pi apart.
 ///
 /// Accuracy, as measured: without gimbals within 5.2 eps of
 /// [`HeavyTop`](crate::exact::heavy_top::HeavyTop) (advances over 1/sin^2 of the closest
@@ -39,7 +39,7 @@ pub struct NutationCycle {
     pub spin: f64,
 }
 
-/// What the motion between the turning points looks like.
+/// The shape of the motion between the turning points.
 enum Way {
     /// Between two tilts: the values of w.
     Between(f64, f64),

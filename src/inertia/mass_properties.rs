@@ -48,10 +48,10 @@ impl MassProperties {
     ///
     /// The parallel-axis theorem backwards: I_cm = I_P - m (d^2 1 - d d^T).
     ///
-    /// Errors: as [`MassProperties::new`]; [`Error::NotABody`](crate::Error) if no
-    /// body has this tensor about that point: what is left about the centre of mass is not a
-    /// body's, by more than rounding of what cancels, [`InertiaTensor::known_within`].
-    /// Accuracy: moments within a twentieth of that, measured in `tests/traps/cancellation`.
+    /// Errors: as [`MassProperties::new`]; [`Error::NotABody`](crate::Error) if no body has this
+    /// tensor about that point. The rest about the centre of mass is then not a body's, by more
+    /// than rounding of the terms that cancel, [`InertiaTensor::known_within`]. Accuracy: moments
+    /// within a twentieth of that, measured in `tests/traps/cancellation`.
     pub fn from_tensor_about(
         reference: DesignVector,
         mass: f64,
@@ -69,13 +69,10 @@ impl MassProperties {
     ///
     /// I_ij = sum m (r^2 delta_ij - r_i r_j) about the centre of mass.
     ///
-    /// Errors: no points; a mass that is not positive and finite; a position
-    /// that is not finite.
-    /// Accuracy: elements within 0.7 eps of the largest moment, measured in
-    /// `tests/bodies/inertia`: positions are taken relative to the centre of mass
-    /// before they are squared, so a distant origin costs nothing but the
-    /// rounding of the positions themselves.
-    /// Source: notes 15.3.
+    /// Errors: no points; a mass that is not positive and finite; a position that is not finite.
+    /// Accuracy: elements within 0.7 eps of the largest moment, measured in `tests/bodies/inertia`.
+    /// Positions are taken relative to the centre of mass before they are squared, so a distant
+    /// origin costs nothing but the rounding of the positions themselves. Source: notes 15.3.
     pub fn of_points(points: &[(f64, DesignVector)]) -> Result<Self> {
         Self::joined(points, &[])
     }

@@ -43,7 +43,7 @@ pub struct PrincipalMoments {
     moments: [f64; 3],
 }
 
-/// What rounding makes of moments, relative to the terms they are computed from.
+/// The rounding of moments, relative to the terms they are computed from.
 ///
 /// For the step to another point at most 22 eps: 4 of coordinates that are rounded, 5 of the
 /// products, 2 of the sum, 8 of elements typed with 16 digits, 3 of the diagonalisation. The
@@ -71,10 +71,9 @@ pub(crate) fn possible(moments: [f64; 3], slack: f64) -> Result<f64> {
 impl PrincipalMoments {
     /// The moments about the first, second and third body axis.
     ///
-    /// Errors: a moment that is negative or not finite;
-    /// [`Error::NotABody`] if one exceeds the sum of the others by
-    /// more than 32 eps of the largest (a flat body given in decimals passes);
-    /// also for (0, I, I), a rod, and (0, 0, 0), a point mass.
+    /// Errors: a moment that is negative or not finite; [`Error::NotABody`] if one exceeds the sum
+    /// of the others by more than 32 eps of the largest (a flat body given in decimals passes).
+    /// Errors are also (0, I, I), a rod, and (0, 0, 0), a point mass.
     pub fn new(i1: f64, i2: f64, i3: f64) -> Result<Self> {
         Self::known_within([i1, i2, i3], 0.0)
     }

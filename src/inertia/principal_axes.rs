@@ -9,9 +9,9 @@ use crate::math::{self, EPS};
 /// The principal moments of a tensor of inertia, ascending, and its principal
 /// axes, a right-handed triad.
 ///
-/// Accuracy: moments within 2.7 eps of the largest, axes orthonormal to
-/// 6.8 eps, measured in `tests/bodies/inertia`. Where moments coincide the axes
-/// in their plane are a choice: those of the given tensor if it is diagonal.
+/// Accuracy: moments within 2.7 eps of the largest, axes orthonormal to 6.8 eps, measured in
+/// `tests/bodies/inertia`. Where moments coincide the axes in their plane are a choice: the axes of
+/// the given tensor if it is diagonal.
 ///
 /// Source: C. G. J. Jacobi, J. reine angew. Math. 30, 51 (1846), in the cyclic
 /// form with the stable rotation of G. Golub and C. Van Loan, Matrix
@@ -76,10 +76,10 @@ impl PrincipalAxes {
 
     /// The moments of a body that are nearest to these, by the sum of squares of what changes.
     ///
-    /// Moments a <= b <= c are a body's if c <= a + b. If they are not, the nearest lie on
-    /// the plane c = a + b, which is reached along its normal (1, 1, -1): a plate. A plate has
-    /// no negative moment; if that point has one, the nearest lie on the edge (0, t, t), at
-    /// t = (b + c)/2: a rod; and for negative t at the end of the edge, zero: a point mass.
+    /// Moments a <= b <= c are a body's if c <= a + b. If they are not, the nearest lie on the
+    /// plane c = a + b, which is reached along its normal (1, 1, -1): a plate. A plate has no
+    /// negative moment. If that point has one, the nearest lie on the edge (0, t, t), at t = (b +
+    /// c)/2: a rod; and for negative t at the end of the edge, zero: a point mass.
     pub(super) fn nearest_possible(&self) -> [f64; 3] {
         let [a, b, c] = self.moments;
         let part = ((c - b) - a) / 3.0;

@@ -131,9 +131,9 @@ pub fn plate(mass: f64, a: f64, b: f64) -> Result<MassProperties> {
     solid(mass, [b, a, a + b])
 }
 
-/// A solid right circular cone about e3, base radius r, height h:
-/// I1 = I2 = 3/80 m (4 r^2 + h^2), I3 = 3/10 m r^2, about its centre of mass,
-/// which lies 3h/4 from the vertex and h/4 from the base.
+/// A solid right circular cone about e3, base radius r, height h: I1 = I2 = 3/80 m (4 r^2 + h^2),
+/// I3 = 3/10 m r^2. They are about its centre of mass, which lies 3h/4 from the vertex and h/4 from
+/// the base.
 pub fn cone(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
     let r = positive("radius", radius)?;
     let h = positive("height", height)?;

@@ -29,13 +29,12 @@ impl PartialEq for InertiaTensor {
 }
 
 impl InertiaTensor {
-    /// The tensor with these elements, which must be those of some body.
+    /// The tensor with these elements, which must belong to some body.
     ///
-    /// Errors: an element that is not finite; [`Error::OutOfRange`] if
-    /// elements across the diagonal differ by more than 4 eps of the largest
-    /// element; [`Error::NotABody`] for principal moments of no body,
-    /// which exceed the sum of the others, or are negative, by more than 32 eps of
-    /// the largest.
+    /// Errors: an element that is not finite; [`Error::OutOfRange`] if elements across the diagonal
+    /// differ by more than 4 eps of the largest element. [`Error::NotABody`] for principal moments
+    /// of no body, which exceed the sum of the others, or are negative, by more than 32 eps of the
+    /// largest.
     pub fn new(matrix: [[f64; 3]; 3]) -> Result<Self> {
         let largest = matrix
             .as_flattened()
@@ -71,7 +70,7 @@ impl InertiaTensor {
         })
     }
 
-    /// The tensor of a body whose principal axes are those of the drawing.
+    /// The tensor of a body whose principal axes are the axes of the drawing.
     ///
     /// Errors: as [`InertiaTensor::new`].
     pub fn diagonal(moments: [f64; 3]) -> Result<Self> {
@@ -81,10 +80,10 @@ impl InertiaTensor {
 
     /// From computed elements, whose rounding moves the moments by at most `known_within`.
     ///
-    /// Moments of no body that rounding explains are replaced by the nearest that a body has.
-    /// The matrix with these and with the same axes is the nearest of all bodies' in the norm
-    /// of Frobenius, which no turn changes. What the rounding of the elements themselves
-    /// explains is left.
+    /// Moments of no body that rounding explains are replaced by the nearest that a body has. The
+    /// matrix with these and with the same axes is the nearest of all bodies' in the norm of
+    /// Frobenius, which no turn changes. A difference that the rounding of the elements themselves
+    /// explains is left as it is.
     pub(super) fn computed(mut matrix: [[f64; 3]; 3], known_within: f64) -> Result<Self> {
         finite("rounding of the inertia tensor", known_within)?;
         let found = diagonalised(matrix)?;
@@ -116,8 +115,8 @@ impl InertiaTensor {
     /// step d from a point at a distance a from the origin to one at b. For a diagonal tensor that
     /// is given it is zero, or the excess of the largest moment over the sum of the others.
     ///
-    /// A moment that is not above it is zero, that of a rod. Moments that differ by no more are
-    /// made equal in a [`crate::body::DesignedBody`].
+    /// A moment that is not above it is zero, as for a rod. Moments that differ by no more are made
+    /// equal in a [`crate::body::DesignedBody`].
     ///
     /// ```
     /// use rotation_dynamics::frame::DesignVector;

@@ -1,4 +1,4 @@
-//! What particles weigh and how they resist turning.
+//! The mass of particles and their resistance to turning.
 
 use super::{InertiaTensor, MassProperties};
 use crate::frame::DesignVector;

@@ -58,7 +58,7 @@ impl<'s, E: Effect> BodyFixed<'s, E> {
         [w, x, y, z, l1, l2, l3]
     }
 
-    /// The state that these components stand for; the quaternion is normalised.
+    /// The state that these components describe; the quaternion is normalised.
     ///
     /// # Errors
     /// A component that is not finite; a quaternion of length 0.

@@ -1,4 +1,4 @@
-//! The methods by name: what each is, what it keeps and where it comes from.
+//! The methods by name: the kind, invariants and origin of each.
 //!
 //! This is the one list. `solve` takes its methods from it, pages and figures name and colour
 //! methods by it. How a method is run on a scene is in [`crate::accuracy`].
@@ -36,7 +36,7 @@ pub enum Method {
     GaussLegendre16,
 }
 
-/// What a method is.
+/// The description of a method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct About {
     /// For the keys of claims, files and colours: `[a-z0-9]+`.
@@ -47,7 +47,7 @@ pub struct About {
     pub idea: &'static str,
     /// The error at a fixed time shrinks as this power of the step.
     pub order: u32,
-    /// What it keeps to round-off, and how it treats the energy.
+    /// The quantities it keeps to round-off, and how it treats the energy.
     pub conserved: &'static str,
     /// Paper or book, with the place in it.
     pub source: &'static str,
@@ -105,7 +105,7 @@ impl Method {
         self.about().order
     }
 
-    /// What it is.
+    /// Its kind.
     pub const fn about(self) -> About {
         match self {
             EulerOnAngles => About {

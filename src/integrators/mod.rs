@@ -1,8 +1,8 @@
 //! Integrators: one method per file, coefficients as data.
 //!
-//! A method is a value that carries a state from one time to another
-//! ([`Integrator::advance`]) and reports what that cost ([`Work`]). What each is, keeps and
-//! comes from is listed in [`Method`]; what it can carry is in the type:
+//! A method is a value that carries a state from one time to another ([`Integrator::advance`]) and
+//! reports what that cost ([`Work`]). The kind, invariants and origin of each are listed in
+//! [`Method`]; the type says what it can carry:
 //!
 //! | method | carries | step |
 //! |---|---|---|
@@ -81,15 +81,14 @@ pub trait Integrator<P: ?Sized, Y> {
     /// `t_end` may lie before `t`. With `t_end == t` the start is returned and
     /// no work is done.
     ///
-    /// Errors: a time or a state that is not finite; what the method itself
-    /// refuses.
+    /// Errors: a time or a state that is not finite; a refusal of the method itself.
     fn advance(&self, problem: &P, t: f64, start: &Y, t_end: f64) -> Result<(Y, Work)>;
 
-    /// The same, with its work added to `work`. Of a run that comes to no end [`Dop853`],
-    /// [`GaussLegendre`] and [`Splitting`] add what was done until then; others, which make
-    /// all their steps, nothing.
+    /// The same, with its work added to `work`. If a run comes to no end, [`Dop853`],
+    /// [`GaussLegendre`] and [`Splitting`] add the work done until then; others, which make all
+    /// their steps, nothing.
     ///
-    /// Errors: those of [`advance`](Self::advance).
+    /// Errors: as [`advance`](Self::advance).
     fn advance_counting(
         &self,
         problem: &P,

@@ -22,9 +22,9 @@ pub trait Ode<const N: usize> {
     /// oscillation of amplitude 1e-6 that counts against 1 keeps six digits fewer.
     fn scale(&self, y: &[f64; N]) -> [f64; N];
 
-    /// How far `y`, the end of a step, is off what the solution keeps (a shut contact, a
-    /// norm) and a method does not; none if by no more than the part `within` of its size, or
-    /// if nothing is kept.
+    /// How far `y`, the end of a step, is off a quantity that the solution keeps (a shut contact, a
+    /// norm) and a method does not. None if by no more than the part `within` of its size, or if
+    /// nothing is kept.
     ///
     /// [`Dop853`](super::Dop853) takes it away at the end of a step, with a tenth of the error
     /// of a step for `within`: small as it is, it would grow for as long as nothing happens.

@@ -1,10 +1,10 @@
 //! Any method, with what the motion keeps brought back now and then.
 //!
-//! Rounding moves the invariants of a stepped motion in a random walk, and the phase with
-//! the integral of that walk: errors grow as t^(1/2) and t^(3/2) (Brouwer's law), and
-//! truncation may add a steady drift. Energy and momenta are known, so the state can be
-//! moved back onto them, by the shortest way: then invariants stay within round-off for
-//! ever, and the phase is off by no more than t.
+//! Rounding moves the invariants of a stepped motion in a random walk, and the phase with the
+//! integral of that walk. Errors grow as t^(1/2) and t^(3/2) (Brouwer's law), and truncation may
+//! add a steady drift. Energy and momenta are known, so the state can be moved back onto them, by
+//! the shortest way: then invariants stay within round-off for ever, and the phase is off by no
+//! more than t.
 //!
 //! Not for: scenes that keep nothing; and it does not make a coarse method accurate, only
 //! its long runs.
@@ -99,7 +99,7 @@ impl<P: FirstIntegrals, M: Integrator<P, State>> Integrator<P, State> for Projec
     }
 }
 
-/// What is kept, the momenta before the energy.
+/// The conserved quantities, the momenta before the energy.
 const ORDER: [Invariant; 5] = [
     Invariant::MomentumX,
     Invariant::MomentumY,
@@ -112,7 +112,7 @@ const ORDER: [Invariant; 5] = [
 /// nothing but noise: in steady precession the energy follows from the momenta.
 const DEPENDENT: f64 = 0.03;
 
-/// A change of a state: a rotation (on the fixed axes, rad), and that of L in units of |L|.
+/// A change of a state: a rotation (on the fixed axes, rad), and the change of L in units of |L|.
 type Change = [SpaceVector; 2];
 
 fn dot(a: &Change, b: &Change) -> f64 {

@@ -9,10 +9,9 @@
 //!
 //! (with what effects add to omega that slip, [`Scene::angular_velocity`]).
 //!
-//! *The length of q.* The derivative is that of q/|q|, times |q|: it is
-//! homogeneous of degree one. So |q| has no influence on the motion, is not
-//! corrected on the way (which would break steps and interpolants), and is
-//! divided out once, when the state is read.
+//! *The length of q.* The derivative is the one of q/|q|, times |q|: it is homogeneous of degree
+//! one. So |q| has no influence on the motion, is not corrected on the way (which would break steps
+//! and interpolants), and is divided out once, when the state is read.
 
 use super::{Dop853, Integrator, Ode, Rk4, Work, advance_by_counting};
 use crate::attitude::Attitude;
@@ -29,7 +28,7 @@ pub fn components(state: &State) -> [f64; 7] {
     [w, x, y, z, lx, ly, lz]
 }
 
-/// The state that these components stand for; the quaternion is normalised.
+/// The state that these components describe; the quaternion is normalised.
 ///
 /// Errors: a component that is not finite; a quaternion of length 0.
 pub fn state([w, x, y, z, lx, ly, lz]: &[f64; 7]) -> Result<State> {

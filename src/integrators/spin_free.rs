@@ -76,12 +76,12 @@ impl<'s, E: Effect> SpinFree<'s, E> {
 
     /// The rate Omega_S of the spin in this state (rad/s).
     ///
-    /// Accuracy: a few eps |L|/I3, that of the axial momentum in a [`State`].
+    /// Accuracy: a few eps |L|/I3, as for the axial momentum in a [`State`].
     pub fn spin_rate(&self, state: &State) -> f64 {
         spin_rate(self.scene.body(), state)
     }
 
-    /// The state that these components and the angle of the spin stand for.
+    /// The state that these components and the angle of the spin describe.
     ///
     /// Errors: a component that is not finite; a quaternion of length 0.
     pub fn state(&self, components: &[f64; 7], spin: f64) -> Result<State> {

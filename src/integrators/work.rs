@@ -1,9 +1,9 @@
-//! What a run cost, in deterministic counts.
+//! The cost of a run, in deterministic counts.
 
 use core::fmt;
 use core::ops::{Add, AddAssign};
 
-/// What a run cost. The counts are the same on every machine; time is not.
+/// The cost of a run. The counts are the same on every machine; time is not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Work {
     /// Evaluations of the derivative, each with one of the torque.
@@ -26,7 +26,7 @@ impl Work {
         self.derivatives + self.kicks
     }
 
-    /// What was done beyond `before`.
+    /// The work beyond `before`.
     pub(crate) const fn since(&self, before: &Self) -> Self {
         Self {
             derivatives: self.derivatives - before.derivatives,

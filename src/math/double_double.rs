@@ -1,15 +1,14 @@
 //! Double-double arithmetic: 106 significant bits from pairs of doubles.
 //!
-//! A number is the unevaluated sum `hi + lo` with `|lo| <= ulp(hi)/2`. Set-ups
-//! of closed forms use it where a difference of nearly equal numbers decides
-//! (gaps between roots, the complement of a modulus) and where a phase is
-//! multiplied by a long time; the samples themselves are plain `f64`, but for how far
-//! a phase has come.
+//! A number is the unevaluated sum `hi + lo` with `|lo| <= ulp(hi)/2`. Set-ups of closed forms use
+//! it where a difference of nearly equal numbers decides (gaps between roots, the complement of a
+//! modulus) and where a phase is multiplied by a long time. The samples themselves are plain `f64`,
+//! but for how far a phase has come.
 //!
 //! Not for: full IEEE semantics. Intermediate products must stay above about 1e-290: of
 //! smaller ones the error is no double.
 //!
-//! Why each step is exact, and what the set-ups make of it: `book/src/how_double_double.md`.
+//! Why each step is exact, and how the set-ups use it: `book/src/how_double_double.md`.
 //!
 //! Sources: T. J. Dekker, Numer. Math. 18, 224 (1971); M. Joldes, J.-M. Muller,
 //! V. Popescu, ACM TOMS 44, 15res (2017), whose error bounds hold for `+` and `*`;
@@ -61,7 +60,7 @@ pub fn two_product<L: Lane>(a: L, b: L) -> (L, L) {
     (product, error_by_halves(a, b, product))
 }
 
-/// What the product of two numbers is more than `product`, where no half leaves the range.
+/// The error of `product` for two numbers, where no half leaves the range.
 #[inline(always)]
 pub(super) fn error_by_halves<L: Lane>(a: L, b: L, product: L) -> L {
     let (a_hi, a_lo) = split(a);
@@ -556,8 +555,8 @@ impl<L: Exact> Mul<f64> for DoubleDouble<L> {
 
 impl<L: Exact> Div for DoubleDouble<L> {
     type Output = Self;
-    /// One Newton step: what the leading quotient leaves of `self` is a double but for
-    /// its own rounding, since the leading parts agree.
+    /// One Newton step: the remainder of `self` after the leading quotient is a double but for its
+    /// own rounding, since the leading parts agree.
     #[inline]
     fn div(self, other: Self) -> Self {
         let quotient = self.hi / other.hi;

@@ -11,8 +11,8 @@ const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 
 /// (sinh w, cosh w) for |w| <= [`STEEPEST`].
 ///
-/// With w = n ln 2 + r both follow from those of r, which are series, and of n ln 2, which are
-/// powers of two: for small w, where n = 0, sinh w is its series and loses nothing.
+/// With w = n ln 2 + r both follow from the values for r, which are series, and for n ln 2, which
+/// are powers of two. For small w, where n = 0, sinh w is its series and loses nothing.
 ///
 /// Error: at most 2.7 eps of the value for the sine and 1.8 eps for the cosine, over 60 000
 /// arguments against 106-bit values (`tests`).

@@ -4,7 +4,7 @@ use super::double_double::two_product;
 
 /// sqrt(x^2 + y^2) without overflow or underflow on the way.
 ///
-/// The bits are those of `libm::hypot`, whose square root is computed in software where a
+/// The bits are the same as from `libm::hypot`, whose square root is computed in software where a
 /// compiler may not ask for the processor's, as in WebAssembly: there this takes half the time.
 ///
 /// Source: musl's `hypot`, by Szabolcs Nagy.

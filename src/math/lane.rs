@@ -13,8 +13,8 @@
 //! quadrature, 0.83 with the gradient of gravity, 0.99 on the body's axes, but 1.07 for a scene
 //! with gravity and 1.10 for a free one, where more of what is kept goes through memory.
 //!
-//! What a sample does twice alike, as for alpha and beta, it does on a [`Phased::Pair`]:
-//! two registers, or for one number both halves of one.
+//! Work that a sample does twice alike, as for alpha and beta, it does on a [`Phased::Pair`]: two
+//! registers, or for one number both halves of one.
 //!
 //! Not for: elementary functions of `libm`, or anything with a branch (what samples need of them
 //! is in `turns` and `hyperbolic`).
@@ -70,7 +70,7 @@ pub trait Phased: Lane + Number {
     type Pair: Pair<Self>;
 }
 
-/// What has the arithmetic of a number, in every lane, and its bits.
+/// A type with the arithmetic of a number, in every lane, and its bits.
 pub trait Number:
     Copy
     + Add<Output = Self>
@@ -83,7 +83,7 @@ pub trait Number:
 {
     /// The same number in every lane.
     fn same(value: f64) -> Self;
-    /// The nearest number of 26 bits; what is left has 26 as well. |this| < 2^1023.
+    /// The nearest number of 26 bits; the remainder has 26 as well. |this| < 2^1023.
     fn leading(self) -> Self;
     /// The negative where the last bit of `whole` is set.
     fn negative_if_odd(self, whole: Self) -> Self;
@@ -105,7 +105,7 @@ pub trait Pair<L>: Number {
     fn swapped(self) -> Self;
 }
 
-/// What a lane is filled with: one number for all of it, or one for each of [`WIDEST`] motions.
+/// The content of a lane: one number for all of it, or one for each of [`WIDEST`] motions.
 pub(crate) trait Constant: Copy {
     /// For a lane that starts with the motion number `first`.
     fn lane<L: Lane>(&self, first: usize) -> L;
@@ -138,7 +138,7 @@ impl Constant for Row {
     }
 }
 
-/// What several motions have, number by number.
+/// The data of several motions, number by number.
 pub(crate) trait Gathered: Copy {
     type Rows;
     fn gathered(each: [Self; WIDEST]) -> Self::Rows;
@@ -293,7 +293,7 @@ pub struct Both<L>(L, L);
 
 #[cfg(all(target_arch = "x86_64", not(target_feature = "fma")))]
 pub(crate) use x86::fused;
-/// Eight numbers in registers of AVX-512, and in those of AVX2: only where they are.
+/// Eight numbers in registers of AVX-512, and in registers of AVX2: only where they are.
 #[cfg(target_arch = "x86_64")]
 pub(crate) use x86::{Eight, FourTwice};
 /// Two numbers in what every processor of its kind has.

@@ -87,7 +87,7 @@ mod asked {
     const UNASKED: u8 = 0;
     const HALVES: u8 = 1;
     const FUSED: u8 = 2;
-    /// What the processor has.
+    /// The ways that the processor has.
     static WAY: AtomicU8 = AtomicU8::new(UNASKED);
 
     impl Exact for f64 {

@@ -1,8 +1,8 @@
 //! Sine and cosine of an angle given in turns, without a branch.
 //!
-//! A phase that is kept in turns is reduced exactly: whole turns and quarters
-//! drop out without rounding. What is left is arithmetic only, so a loop over
-//! lanes becomes vector code, with the same bits as one call.
+//! A phase that is kept in turns is reduced exactly: whole turns and quarters drop out without
+//! rounding. The rest is arithmetic only, so a loop over lanes becomes vector code, with the same
+//! bits as one call.
 
 use super::double_double::{DoubleDouble, two_sum};
 use super::lane::{Constant, Gathered, Lane, Number, Pair, Phased, WIDEST};

@@ -21,23 +21,21 @@ pub struct Delivered<P, const N: usize> {
     pub estimate: f64,
     /// The error of a step, as [`Dop853::new`] takes it, with which it was made.
     pub step_error: f64,
-    /// What all runs together cost.
+    /// The cost of all runs together.
     pub work: Work,
 }
 
 /// The motion of `scene` with an error of at most `tolerance` at every event and at the end.
 ///
-/// Errors are relative: of times to the time of the end, of coordinates and
-/// velocities to [`Phased::scale`]. The scene is simulated twice, the second time
-/// with the error of a step 32 times smaller; the second run is returned when the
-/// two agree within half the tolerance, else the comparison goes on with
-/// smaller errors of the step. What the two have in common, such as the rounding
-/// of a coordinate that the scene is sensitive to, this does not see.
+/// Errors are relative: of times to the time of the end, of coordinates and velocities to
+/// [`Phased::scale`]. The scene is simulated twice, the second time with the error of a step 32
+/// times smaller. The second run is returned when the two agree within half the tolerance; else the
+/// comparison goes on with smaller errors of the step. An error that the two have in common is not
+/// seen, such as the rounding of a coordinate that the scene is sensitive to.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for a tolerance below 3.2e-14 or above 0.1,
-/// [`Error::NotDelivered`] if doubles cannot hold the motion that closely;
-/// those of [`simulate`](super::simulate).
+/// [`Error::OutOfRange`] for a tolerance below 3.2e-14 or above 0.1, [`Error::NotDelivered`] if
+/// doubles cannot hold the motion that closely; the errors of [`simulate`](super::simulate).
 pub fn simulate_within<const N: usize, S: Phased<N>>(
     scene: &S,
     tolerance: f64,

@@ -69,7 +69,7 @@ pub use run::{PhaseRun, Rest, Run, Transition, simulate, simulate_so_far};
 /// # }
 /// ```
 pub trait Phased<const N: usize> {
-    /// What tells the phases apart.
+    /// The type that tells the phases apart.
     type Phase: Copy + PartialEq + core::fmt::Debug;
 
     /// The rates of coordinates and velocities in `phase`.
@@ -127,7 +127,7 @@ pub struct Condition<'s, P, const N: usize> {
 /// A function of the state.
 type Margin<'s, const N: usize> = Box<dyn Fn(&[f64; N]) -> f64 + 's>;
 
-/// How a condition behaves where its phase begins, and what it stands for.
+/// How a condition behaves where its phase begins, and its meaning.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     /// The force of a contact that can push and not pull.
@@ -208,13 +208,13 @@ impl<'s, P, const N: usize> Condition<'s, P, N> {
     }
 }
 
-/// What follows when a condition fails.
+/// The next step when a condition fails.
 pub enum Next<'s, P, const N: usize> {
     /// This phase, with the state as it is.
     Enter(P),
     /// This phase, with the state that an impact leaves.
     Jump(P, Impact<'s, N>),
-    /// What the scene decides on from time and state: phase and state after.
+    /// The decision of the scene from time and state: phase and state after.
     Decide(Decision<'s, P, N>),
     /// Nothing: the scene ends.
     End,

@@ -62,7 +62,7 @@ pub struct Run<P, const N: usize> {
     work: Work,
 }
 
-/// A scene of any type: what runs it is compiled once for all with its phases.
+/// A scene of any type: the code that runs it is compiled once for all with its phases.
 pub(super) type Scene<'s, P, const N: usize> = dyn Phased<N, Phase = P> + 's;
 
 /// A scene held in one phase.
@@ -83,8 +83,7 @@ impl<P: Copy + PartialEq + Debug, const N: usize> Ode<N> for InPhase<'_, P, N> {
 /// The motion of `scene` from `start` in `phase`, from time 0 to `t_end` or to the end
 /// of the scene. `t_end` may be negative where `phase` has no conditions.
 ///
-/// Accuracy: that of `method`; events are located by real steps, as accurately as the
-/// motion itself.
+/// Accuracy: as `method`; events are located by real steps, as accurately as the motion itself.
 ///
 /// # Errors
 /// [`Error::CannotHold`] if a phase begins although one of its conditions is negative by
@@ -381,8 +380,8 @@ fn failed_unseen<P, const N: usize>(
     Ok(None)
 }
 
-/// What round-off does to the margin of each condition where a phase begins: that of the state, and
-/// that of the time at which the phase before it ended.
+/// The round-off of the margin of each condition where a phase begins: from the state, and from the
+/// time at which the phase before it ended.
 fn noises<P: Copy + PartialEq + Debug, const N: usize>(
     scene: &Scene<'_, P, N>,
     conditions: &[Condition<'_, P, N>],
@@ -491,7 +490,7 @@ impl<P: Copy, const N: usize> Run<P, N> {
         self.pieces.last().map(|piece| piece.solution.end_state())
     }
 
-    /// What the run cost.
+    /// The cost of the run.
     pub fn work(&self) -> Work {
         self.work
     }

@@ -1,4 +1,4 @@
-//! What can be asked of a moment: velocities, forces, energies.
+//! The quantities of a moment: velocities, forces, energies.
 
 use super::{ContactMode, Phase, ResistingMoment, TipFriction, Top};
 use crate::attitude::Attitude;
@@ -52,14 +52,14 @@ impl Configuration {
     }
 }
 
-/// What the floor does.
+/// The forces of the floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Forces {
     /// The normal force (N).
     pub normal: f64,
     /// The friction, level (N).
     pub friction: SpaceVector,
-    /// Torque of the contact beside that of the forces: pivoting and resistances (N m).
+    /// Torque of the contact beside the torque of the forces: pivoting and resistances (N m).
     pub couple: SpaceVector,
     /// Torque of the effects on the body (N m).
     pub torque: SpaceVector,
@@ -68,11 +68,11 @@ pub struct Forces {
 /// The power (W) of each, negative where it takes energy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Powers {
-    /// Of the friction of slip.
+    /// The power of the friction of slip.
     pub sliding: f64,
     /// Of pivoting and resistances.
     pub couple: f64,
-    /// Of the effects on the body.
+    /// The power of the effects on the body.
     pub effects: f64,
 }
 
@@ -148,7 +148,7 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect> Top<F, R, E> {
         force / self.shape.mass + spun.cross(&at.arm)
     }
 
-    /// What the floor does to a top in this stance.
+    /// The forces of the floor on a top in this stance.
     #[inline]
     pub fn forces(&self, phase: Phase, at: &Configuration, coordinates: &Coordinates) -> Forces {
         let torque = if E::PROPERTIES.torque_free {

@@ -1,4 +1,4 @@
-//! What a floor does to a tip that slides, pivots and rolls on it.
+//! The forces of a floor on a tip that slides, pivots and rolls on it.
 //!
 //! Everything here is per newton of the normal force: a force is a pure number, a torque a
 //! length.
@@ -115,10 +115,10 @@ impl TipFriction for Dry {
 /// Coulomb friction on a round patch of contact, pressed as Hertz says: the Coulomb-Contensou
 /// law.
 ///
-/// Each piece of the patch rubs with mu times its pressure against its own velocity, which is
-/// that of the slip u and of the pivoting omega. Summed over the patch, with the radius a and
-/// v = u/(a omega), the force is mu N f(v) against the slip and the torque mu N a g(v) against
-/// the pivoting. For v <= 1
+/// Each piece of the patch rubs with mu times its pressure against its own velocity, which comes
+/// from the slip u and the pivoting omega. Summed over the patch, with the radius a and v = u/(a
+/// omega), the force is mu N f(v) against the slip and the torque mu N a g(v) against the pivoting.
+/// For v <= 1
 ///
 /// f = (3 pi/16)(2 v - v^3/2),  g = (3 pi/16)(1 - v^2 + 3 v^4/8);
 ///
@@ -126,9 +126,9 @@ impl TipFriction for Dry {
 /// slips but a viscous one, and it creeps where a point would stick; and one that slides is
 /// hardly braked in its pivoting. Without slip the torque is the (3 pi/16) mu N a of drilling.
 ///
-/// Accuracy, as measured: its three forms (a polynomial, arcs beyond v = 1, a series beyond 2)
-/// meet within 2 eps; a sum over 160,000 pieces of the patch agrees to its own 4e-6. The patch is that of the weight at rest: it does not grow with the normal force
-/// (a goes with the cube root of N).
+/// Accuracy, as measured: its three forms (a polynomial, arcs beyond v = 1, a series beyond 2) meet
+/// within 2 eps; a sum over 160,000 pieces of the patch agrees to its own 4e-6. The patch belongs
+/// to the weight at rest: it does not grow with the normal force (a goes with the cube root of N).
 ///
 /// ```
 /// use rotation_dynamics::frame::SpaceVector;
@@ -295,9 +295,9 @@ impl ResistingMoment for Drilling {
     }
 }
 
-/// Resistance to rolling, against the level part w of the angular velocity: the torque is
-/// N arm w/sqrt(w^2 + rate^2), dry for fast rolling and viscous below `rate`, as that of a
-/// material is which takes a time of about 1/rate to spring back.
+/// Resistance to rolling, against the level part w of the angular velocity. The torque is N arm
+/// w/sqrt(w^2 + rate^2), dry for fast rolling and viscous below `rate`, as in a material which
+/// takes a time of about 1/rate to spring back.
 ///
 /// Source of the viscous end: N. V. Brilliantov, T. Pöschel, Europhys. Lett. 42, 511 (1998).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,9 +1,9 @@
 //! Tops on a rounded tip that slides, creeps, rolls, and falls.
 //!
 //! A symmetric body ends in a ball of the radius r, whose centre lies on the axis, a distance l
-//! below the centre of mass. It stands on a level floor (or on one that slopes a little). Six
-//! coordinates and their momenta are carried; the floor pushes with a normal force N, rubs by
-//! a [law](TipFriction) of your choice, and lets go where N would have to pull. What is not
+//! below the centre of mass. It spins on a level floor (or on one that slopes a little). Six
+//! coordinates and their momenta are carried; the floor pushes with a normal force N, rubs by a
+//! [law](TipFriction) of your choice, and lets go where N would have to pull. An effect that is not
 //! asked for is not there: friction, [resistances](ResistingMoment) of the contact and
 //! [effects](crate::effects) on the body are types, and absent ones compile to nothing.
 //!
@@ -58,8 +58,8 @@ pub struct Shape {
 }
 
 impl Shape {
-    /// The body with this mass (kg), these moments of inertia across and along its axis about
-    /// its centre of mass (kg m^2), this `lever` (m) from the centre of the ball up to the
+    /// The body has this mass (kg), and these moments of inertia across and along its axis about
+    /// its centre of mass (kg m^2). It has this `lever` (m) from the centre of the ball up to the
     /// centre of mass (negative in a tippe top), and this radius of the `tip` (m).
     ///
     /// # Errors
@@ -161,7 +161,7 @@ pub struct Top<F = Smooth, R = (), E = ()> {
     marks: Vec<Mark>,
 }
 
-/// What is waited for on the way.
+/// The event that is waited for on the way.
 #[derive(Debug, Clone, Copy)]
 struct Mark {
     name: &'static str,

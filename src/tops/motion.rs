@@ -8,7 +8,7 @@ use crate::frame::SpaceVector;
 use crate::math::hypot;
 use crate::planar::{Condition, Next, Phased};
 
-/// What the tip does.
+/// The mode of the tip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ContactMode {
     /// It slides (or creeps) over the floor.
@@ -20,7 +20,7 @@ pub enum ContactMode {
 /// Which equations hold, and how many marks have been passed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Phase {
-    /// What the tip does.
+    /// The mode of the tip.
     pub contact: ContactMode,
     /// Marks passed.
     pub passed: usize,
@@ -211,7 +211,7 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect> Phased<14> for Scene<'_, F, 
     }
 }
 
-/// Checks that a start is one: what it says is finite.
+/// Checks that a start is one: all its numbers are finite.
 pub(super) fn checked(y: Coordinates) -> Result<Coordinates> {
     for c in y {
         crate::error::finite("start of a top", c)?;

@@ -64,16 +64,16 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect + Clone> Top<F, R, E> {
     /// The motion from this throw, until `t_end` (s) or until it falls or lifts off; the error
     /// of a step is held to `tolerance`, from 1e-15 to 0.1.
     ///
-    /// The events are `grips` (the tip stops sliding and rolls), `slips` (friction no longer
-    /// holds it), `falls` (the rim touches), `lifts off` (the floor would have to pull) and the
-    /// marks of [`Top::passing`]; all are located by real steps, as accurately as the motion.
-    /// A tip counts as stopped when it is slower than 10 tolerances of sqrt(g (l + r)), and
-    /// begins to slip with 1e-8 of that speed or 100 tolerances.
+    /// The events are `grips` (the tip stops sliding and rolls), `slips` (friction no longer holds
+    /// it), `falls` (the rim touches), `lifts off` (the floor would have to pull) and the marks of
+    /// [`Top::passing`]. All are located by real steps, as accurately as the motion. A tip counts
+    /// as stopped when it is slower than 10 tolerances of sqrt(g (l + r)), and begins to slip with
+    /// 1e-8 of that speed or 100 tolerances.
     ///
-    /// Accuracy, as measured at tolerance 1e-13: 5e-11 rad after 3 s of nutation, against the
-    /// heavy top in closed form; Jellett's integral, energy and momenta, where they are kept,
-    /// within 1.2e-14 of themselves over 2 s. After a slip from rest 2e-7 of the time of the
-    /// fall, by the speed with which it begins.
+    /// Accuracy, as measured at tolerance 1e-13: 5e-11 rad after 3 s of nutation, against the heavy
+    /// top in closed form. Jellett's integral, energy and momenta, where they are kept, are within
+    /// 1.2e-14 of themselves over 2 s. After a slip from rest 2e-7 of the time of the fall, by the
+    /// speed with which it begins.
     ///
     /// Cost: about 15 derivatives a step, and steps that follow the nutation, whose rate is
     /// I3 omega/I1, even where there is none to be seen. A tip on [`Dry`](super::Dry) friction
@@ -81,9 +81,8 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect + Clone> Top<F, R, E> {
     /// more steps than the method allows; a [`Patch`](super::Patch) creeps there instead.
     ///
     /// # Errors
-    /// A throw that is not finite; a start that the floor would have to hold down or with the
-    /// rim in the floor ([`CannotHold`](crate::Error::CannotHold)); those of
-    /// [`simulate`].
+    /// A throw that is not finite; a start that the floor would have to hold down or with the rim
+    /// in the floor ([`CannotHold`](crate::Error::CannotHold)); the errors of [`simulate`].
     pub fn simulate(
         &self,
         throw: &Throw,
@@ -149,7 +148,7 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect> TopMotion<F, R, E> {
         self.run.end_time()
     }
 
-    /// What it cost.
+    /// Its cost.
     pub fn work(&self) -> Work {
         self.run.work()
     }
@@ -186,7 +185,7 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect> TopMotion<F, R, E> {
         Ok(self.top.configuration(phase, &y))
     }
 
-    /// The top at the time `t`, and what the floor does to it.
+    /// The top at the time `t`, and the forces of the floor on it.
     pub fn forces(&self, t: f64) -> Result<(Configuration, Forces)> {
         let (phase, y) = self.run.at(t)?;
         let at = self.top.configuration(phase, &y);

@@ -25,13 +25,12 @@ const PART: u64 = 8;
 
 /// A motion whose states are known to a tolerance at every time of its span.
 ///
-/// Runs are compared, and the condition is measured, at up to 128 places. A state between two
-/// of them is found by stepping on from the one before with the method and the resolution of
-/// the run that was verified, so it is as good as its
-/// neighbours, and it is the same whatever other times are asked for. Many times
-/// ([`Motion::try_states`]) cost some steps for each, and those of the run once; one alone costs
-/// the steps from the place before it. [`Limits::budget`] counts them with what was solved, and
-/// [`Limits::cancel`] ends them.
+/// Runs are compared, and the condition is measured, at up to 128 places. A state between two of
+/// them is found by stepping on from the one before, with the method and the resolution of the run
+/// that was verified. So it is as good as its neighbours, and it is the same whatever other times
+/// are asked for. Many times ([`Motion::try_states`]) cost some steps for each, and the steps of
+/// the run once; one alone costs the steps from the place before it. [`Limits::budget`] counts them
+/// with what was solved, and [`Limits::cancel`] ends them.
 pub struct SolvedMotion<'s> {
     given: Given<'s>,
     solved: Solved,
@@ -49,7 +48,7 @@ pub(super) enum Form {
         precision: f64,
         /// The start, and the ends of the pieces of the run, with their times.
         passed: Vec<(f64, Stop)>,
-        /// What was asked for on each piece, and made.
+        /// The steps asked for on each piece, and made.
         steps: Vec<Steps>,
     },
 }
@@ -57,13 +56,13 @@ pub(super) enum Form {
 /// How far the states of a stepped motion have been found.
 #[derive(Clone)]
 pub(super) struct Found {
-    /// The part of a piece, by the numbers of both, and what its start is gone on from.
+    /// The part of a piece, by the numbers of both, and the state from which it starts.
     piece: usize,
     part: u64,
     stop: Stop,
     /// A part is so many steps.
     steps: u64,
-    /// What it has taken.
+    /// Its work.
     pub work: Work,
 }
 
@@ -203,13 +202,12 @@ impl Motion for SolvedMotion<'_> {
 }
 
 impl SolvedMotion<'_> {
-    /// What was solved: the state at the end, the method, estimates for the whole of the
-    /// way, work.
+    /// The solution: the state at the end, the method, estimates for the whole of the way, work.
     pub const fn solved(&self) -> &Solved {
         &self.solved
     }
 
-    /// The time of the start and that of the end (s).
+    /// The times of the start and of the end (s).
     pub const fn span(&self) -> [f64; 2] {
         self.given.span()
     }
@@ -237,7 +235,8 @@ impl SolvedMotion<'_> {
         self.given.limits.longest_step
     }
 
-    /// What the states may be off by, as [`Self::moved`] moves them: three turns (rad), three pushes.
+    /// The possible errors of the states, as [`Self::moved`] moves them: three turns (rad), three
+    /// pushes.
     pub(super) fn errors(&self) -> [f64; 6] {
         let Solved { estimate: turn, .. } = self.solved;
         let push = if self.given.problem().slender.is_some() {

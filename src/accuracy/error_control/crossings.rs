@@ -50,12 +50,12 @@ impl SolvedMotion<'_> {
     /// the function is left out. A function that is zero at the start has no crossing there. A
     /// jump over zero counts as a crossing.
     ///
-    /// Each state is stepped to its own time, so it is as good as the motion; it lies on the far side of
-    /// zero, and a motion that goes on from it does not meet the crossing again (one that goes back
-    /// does, at once). Under a [sampled](crate::effects::SampledControl) control a motion that goes on
-    /// from there is another one, as it calls the law anew at its start. The search takes some
-    /// ten times the torques of the run, within its [`budget`](super::Limits::budget): 10 times in
-    /// the median of `tests/accuracy/error_control/crossings.rs`, 30 at most.
+    /// Each state is stepped to its own time, so it is as good as the motion. It lies on the far
+    /// side of zero, and a motion that goes on from it does not meet the crossing again (one that
+    /// goes back does, at once). Under a [sampled](crate::effects::SampledControl) control a motion
+    /// that goes on from there is another one, as it calls the law anew at its start. The search
+    /// takes some ten times the torques of the run, within its [`budget`](super::Limits::budget):
+    /// 10 times in the median of `tests/accuracy/error_control/crossings.rs`, 30 at most.
     ///
     /// ```
     /// # use rotation_dynamics::{accuracy::Limits, attitude::Attitude, body::RigidBody};
@@ -97,7 +97,7 @@ struct Search<'m, 's> {
     motion: &'m SolvedMotion<'s>,
     name: &'m str,
     function: &'m Function<'m>,
-    /// What all states until now have taken.
+    /// The work of all states until now.
     work: Work,
 }
 
@@ -107,7 +107,7 @@ struct Look {
     value: f64,
     /// 1 above zero and -1 below; zero itself is beyond.
     side: f64,
-    /// What goes on from here.
+    /// The state from which the run goes on here.
     here: Found,
     rate: f64,
 }

@@ -54,7 +54,7 @@ impl ExactMotion {
 
     /// The state at the time `t` (s).
     ///
-    /// Errors: those of the closed form.
+    /// Errors: as for the closed form.
     pub fn at(&self, t: f64) -> Result<State> {
         (self.at)(t)
     }

@@ -1,4 +1,4 @@
-//! What is asked of `solve`, checked, and handed on.
+//! The request to `solve`, checked, and handed on.
 //!
 //! `solve` is compiled once, for effects behind a pointer: a program that solves ten scenes
 //! of its own compiles none of it.
@@ -36,13 +36,13 @@ pub(super) enum Places {
     Along { most: usize, apart: f64 },
 }
 
-/// What was solved, and what is needed to find any state on the way.
+/// The solution, and all that is needed to find any state on the way.
 pub(super) struct Answer {
     pub solved: Solved,
     pub form: Form,
 }
 
-/// What is asked: a scene, its start, its end, and within which limits.
+/// The request: a scene, its start, its end, and its limits.
 pub(super) struct Given<'s> {
     effects: &'s dyn AnyEffect,
     body: RigidBody,
@@ -53,13 +53,13 @@ pub(super) struct Given<'s> {
     checked: Checked<'s>,
     acting: Acting<'s>,
     damping: f64,
-    /// What the torque may be as large as, and where it jumps.
+    /// The largest torque, and where it jumps.
     torque: f64,
     breaks: Vec<f64>,
     /// True if the torque on the body as it starts was seen to change with the time.
     varies: bool,
     longest_step: f64,
-    /// What a trial run shows of a slender body, and what it took.
+    /// The result of a trial run of a slender body, and its work.
     slender: Option<Slender>,
     trial: Work,
 }
@@ -148,7 +148,7 @@ impl<'s> Given<'s> {
         Ok(given)
     }
 
-    /// What a trial shows of a slender body, and what it took.
+    /// The result of a trial of a slender body, and its work.
     fn slender(&self) -> Result<(Option<Slender>, Work)> {
         let mut trial = Work::default();
         let slender = Slender::of(&self.problem(), self.limits.budget, &mut trial)?;
@@ -159,7 +159,7 @@ impl<'s> Given<'s> {
         &self.body
     }
 
-    /// The time of the start and that of the end (s).
+    /// The times of the start and of the end (s).
     pub(super) const fn span(&self) -> [f64; 2] {
         [self.limits.t_start, self.t_end]
     }
@@ -182,7 +182,7 @@ impl<'s> Given<'s> {
         }
     }
 
-    /// What is asked for, in closed form unless it is to be stepped.
+    /// The requested motion, in closed form unless it is to be stepped.
     pub(super) fn answer(&self, places: Places, step: bool) -> Result<Answer> {
         let (mut problem, mut trial) = (self.problem(), self.trial);
         if step && problem.exact_motion().is_some() {

@@ -1,8 +1,8 @@
 //! Runs over effects that go on in pieces: sampled and held, or switched where a margin comes to zero.
 //!
-//! Between two samples and two switches the torque is smooth. What is held there is a part of where a
-//! run goes on from ([`Stop`]), so that a run may be cut anywhere. A changed run meets its own
-//! switches: the condition contains their shift.
+//! Between two samples and two switches the torque is smooth. The values held there are a part of
+//! where a run goes on from ([`Stop`]), so that a run may be cut anywhere. A changed run meets its
+//! own switches: the condition contains their shift.
 
 use super::method::{Stop, later};
 use super::problem::Problem;

@@ -1,4 +1,4 @@
-//! What a solution may take, beside its scene, start, end and tolerance.
+//! The limits of a solution, beside its scene, start, end and tolerance.
 
 use crate::effects::erased::AnyEffect;
 use crate::effects::{Checked, is_same};
@@ -7,7 +7,7 @@ use crate::frame::SpaceVector;
 use crate::math::sort_by_number;
 use core::sync::atomic::{AtomicBool, Ordering};
 
-/// Where a solution begins, what it must not step over, and what it may cost.
+/// Where a solution begins, which times it must not step over, and its largest cost.
 ///
 /// ```
 /// use rotation_dynamics::accuracy::Limits;
@@ -82,7 +82,7 @@ impl Limits<'_> {
         }
     }
 
-    /// What is left of the budget after so many torques, if the solution may go on.
+    /// The rest of the budget after so many torques, if the solution may go on.
     pub(super) fn left(&self, torques: u64) -> Result<u64> {
         if (self.cancel).is_some_and(|cancel| cancel.load(Ordering::Relaxed)) {
             return Err(Error::Cancelled { torques });

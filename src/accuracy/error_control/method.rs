@@ -37,8 +37,8 @@ pub(super) enum Method {
 
 use Method::{Adaptive, BodyGauss, FreeGauss, Gauss, Resisted6, Resisted14, SpinFreeGauss};
 
-/// What a method is expected to do: measured on random motions of every kind, as the medians of
-/// their errors on the first turn.
+/// The expected performance of a method: measured on random motions of every kind, as the medians
+/// of their errors on the first turn.
 struct Model {
     /// The error of a turn at level 0, as a power of 40,
     first: f64,
@@ -46,7 +46,7 @@ struct Model {
     with_torque: f64,
     /// By how many levels the error falls with each.
     falls: f64,
-    /// The time of a torque, in units of that of DOP853.
+    /// The time of a torque, in units of the torque of DOP853.
     cost: f64,
 }
 
@@ -92,7 +92,7 @@ impl Method {
         }
     }
 
-    /// What it carries.
+    /// The variables that it carries.
     const fn variables(self) -> Variables {
         match self {
             FreeGauss | BodyGauss => Variables::Body,
@@ -129,8 +129,8 @@ impl Method {
         self.model().falls
     }
 
-    /// The level at which this error (rad) is expected at the end: errors of a turn add up, and those
-    /// of the energy, which DOP853 does not keep, do so once more.
+    /// The level at which this error (rad) is expected at the end. Errors of a turn add up, and
+    /// errors of the energy, which DOP853 does not keep, do so once more.
     pub(super) fn level_for(self, problem: &Problem, error: f64) -> f64 {
         let model = self.model();
         let energy = problem.body.kinetic_energy(&problem.start);
@@ -200,9 +200,9 @@ impl Method {
         }
     }
 
-    /// What a run costs, in units of one derivative of DOP853: measured, as times of one
-    /// run of 50 turns after the other, optimised and with AVX-512. It enters the price that is
-    /// told, and no choice.
+    /// The cost of a run, in units of one derivative of DOP853: measured, as times of one run of 50
+    /// turns after the other, optimised and with AVX-512. It enters the price that is told, and no
+    /// choice.
     pub(super) fn cost(self, work: &Work) -> f64 {
         self.model().cost * work.torques() as f64
     }
@@ -261,8 +261,8 @@ impl Method {
         }
     }
 
-    /// The state at `t_end` that follows from `start` at `t`, cut where the torque jumps;
-    /// with how fine the run was: see [`Fine`]. What every piece took is added to `runs`.
+    /// The state at `t_end` that follows from `start` at `t`, cut where the torque jumps; with how
+    /// fine the run was: see [`Fine`]. The work of every piece is added to `runs`.
     pub(super) fn run(
         self,
         problem: &Problem,
@@ -427,7 +427,7 @@ impl Steps {
         self.sampled.ceil() as u64
     }
 
-    /// Of another run in the same steps; those of an adaptive method are its own.
+    /// The steps of another run in the same steps; an adaptive method takes its own.
     pub(super) fn again(self, method: Method) -> Self {
         Self {
             fewest: if method.is_adaptive() {
@@ -439,7 +439,7 @@ impl Steps {
         }
     }
 
-    /// Of a run that is finer by so many levels, on every piece: runs that took the same
+    /// The steps of a run that is finer by so many levels, on every piece. Runs that took the same
     /// steps over one of them would agree on it, and say nothing of its error.
     pub(super) fn finer(self, method: Method, levels: f64) -> Self {
         let asked = self.asked.max(FEW.min(self.made as f64)) * method.more_steps(levels);
@@ -469,8 +469,8 @@ pub(super) struct Fine<'f> {
     pub budget: u64,
 }
 
-/// What runs took on one piece after the other, and the work of all, also of those that came
-/// to no end.
+/// The work of runs on one piece after the other, and the work of all, also of those that came to
+/// no end.
 #[derive(Debug, Default)]
 pub(super) struct Runs {
     pub pieces: Vec<Steps>,
@@ -485,7 +485,7 @@ pub(super) struct Stop {
     pub state: State,
     /// The same as a slender body is stepped: a [`State`] would blur its rates.
     pub on_body: Option<[f64; 7]>,
-    /// What the laws held until here; nothing at the start.
+    /// The values that the laws held until here; nothing at the start.
     pub held: Vec<[f64; 3]>,
 }
 
@@ -499,7 +499,7 @@ impl Stop {
     }
 }
 
-/// Where a run has come, what it cost, and the level of the steps it took.
+/// Where a run has come, its cost, and the level of the steps it took.
 #[derive(Debug, Clone)]
 pub(super) struct Passed {
     pub stop: Stop,

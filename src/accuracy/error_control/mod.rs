@@ -49,22 +49,22 @@ use given::{Given, Places};
 use problem::Problem;
 use refine::Delivered;
 
-/// A state whose error was asked for, and what it cost.
+/// A state with an error as requested, and its cost.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solved {
     /// The state at the end.
     pub state: State,
     /// The method of the run returned, or the closed form.
     pub method: &'static str,
-    /// What the run cost that this state is from.
+    /// The cost of the run that this state is from.
     pub run: Work,
-    /// What all runs together cost: those that verified, those that measured the condition, and
+    /// The cost of all runs together: those that verified, those that measured the condition, and
     /// those that came to no end.
     pub work: Work,
-    /// What of that went into the condition alone: nothing where the first two runs show it.
+    /// The part of that cost for the condition alone: nothing where the first two runs show it.
     pub probes: Work,
-    /// What all runs cost over what the one cost that is returned, by the time that their
-    /// torques take.
+    /// The cost of all runs divided by the cost of the returned one, by the time that their torques
+    /// take.
     pub price: f64,
     /// An upper estimate of the angle (rad) between this attitude and the true one.
     pub estimate: f64,
@@ -73,18 +73,19 @@ pub struct Solved {
     pub momentum_estimate: f64,
     /// The same of the angular velocity.
     pub rates_estimate: f64,
-    /// The angle (rad) by which the end changes per relative change of the inputs. Where it leaves the
-    /// floor far below the tolerance it is measured by a single change of all inputs, with the error of
-    /// the coarser run in it: mostly too large, and at most 1.9 times too small, as measured
-    /// (`a_stepped_condition_covers_that_of_the_closed_form` in `tests/accuracy/error_control`). The moments of
-    /// a slender body count as exact: a relative change of two that are nearly equal turns it about
-    /// its thin axis by I_max/I_min times as much.
+    /// The angle (rad) by which the end changes per relative change of the inputs. Where it leaves
+    /// the floor far below the tolerance it is measured by a single change of all inputs, with the
+    /// error of the coarser run in it. So it is mostly too large, and at most 1.9 times too small,
+    /// as measured (`a_stepped_condition_covers_that_of_the_closed_form` in
+    /// `tests/accuracy/error_control`). The moments of a slender body count as exact: a relative
+    /// change of two that are nearly equal turns it about its thin axis by I_max/I_min times as
+    /// much.
     pub condition: f64,
     /// No step was longer (s; 0 for a closed form). A feature of the torque that is
     /// narrower, and that nothing names, may have been stepped over by every run.
     pub longest_step: f64,
-    /// A torque that depends on the time and names no width was looked at once in this time (s):
-    /// what is shorter, and named by no break point, may be unseen. `None` where nothing was looked
+    /// A torque that depends on the time and names no width was looked at once in this time (s). A
+    /// shorter feature that no break point names may be unseen. `None` where nothing was looked
     /// for.
     pub looked_every: Option<f64>,
 }
@@ -93,23 +94,24 @@ impl<E: AnyEffect> Scene<E> {
     /// The state at `t_end` (s; may be negative) that follows from `start` at t = 0,
     /// with an attitude that is off by `tolerance` (rad, above 0, at most pi) or less.
     ///
-    /// *The contract.* For torques that are smooth, or smooth between declared break points, samples
-    /// and located switches ([`Law`](crate::effects::Law)), and without features narrower than a declared width or the looks below, the attitude at the end is within the
-    /// error asked for, or the call is refused with the reason and, if runs bear one out, the error that
-    /// can be had. For a torque of which nothing is declared the answer carries an *estimate*: of
-    /// 36 100 over kinks, cusps and jumps one was above its request, by a sixth
-    /// (`benches/record/attack.txt`). If it depends on the time, a search looks for jumps
-    /// and kinks down to a 4096th of the span, on the body as it starts, and runs are cut at those that it
+    /// *The contract.* It holds for torques that are smooth, or smooth between declared break
+    /// points, samples and located switches ([`Law`](crate::effects::Law)), and without features
+    /// narrower than a declared width or the looks below. The attitude at the end is within the
+    /// error asked for, or the call is refused with the reason and, if runs bear one out, the error
+    /// that can be had. For a torque of which nothing is declared the answer carries an *estimate*:
+    /// of 36 100 over kinks, cusps and jumps one was above its request, by a sixth
+    /// (`benches/record/attack.txt`). If it depends on the time, a search looks for jumps and kinks
+    /// down to a 4096th of the span, on the body as it starts, and runs are cut at those that it
     /// finds. [`Solved::looked_every`] says how far the looks were apart and
-    /// [`Solved::longest_step`] how long the steps were; narrower features are not looked for. No step is
-    /// longer than half of what [`Effect::narrowest`] names.
+    /// [`Solved::longest_step`] how long the steps were; narrower features are not looked for. No
+    /// step is longer than half of what [`Effect::narrowest`] names.
     ///
-    /// Where the scene has a closed form, that is taken. Every other scene is stepped: mostly a run with all
-    /// its inputs a little changed, and a finer one, whose distance bounds the error and the condition at
-    /// once. Where that does not suffice the condition is measured by runs of their own, and finer runs
-    /// follow until twice the distance of the last two, with what rounding and the solution of implicit
-    /// steps leave, is within the tolerance. Nothing stepped is returned
-    /// unverified.
+    /// Where the scene has a closed form, that is taken. Every other scene is stepped: mostly a run
+    /// with all its inputs a little changed, and a finer one, whose distance bounds the error and
+    /// the condition at once. Where that does not suffice the condition is measured by runs of
+    /// their own. Finer runs follow until twice the distance of the last two, with the errors of
+    /// rounding and of the solution of implicit steps, is within the tolerance. Nothing stepped is
+    /// returned unverified.
     ///
     /// | what acts | method |
     /// |---|---|
@@ -130,19 +132,18 @@ impl<E: AnyEffect> Scene<E> {
     /// at most 3.8 times the cheapest two, one forty times coarser, that show as good an error, and 6.2
     /// times the cheapest one (`tests/traps/thin_bodies.rs`).
     ///
-    /// What resists in a known way counts as smooth where it is smooth along the motion: the drag
-    /// on a disc has a kink where the body does not spin about e3, and never brings the spin of a
-    /// symmetric body there. On a body with three different moments, whose spin about e3 passes
-    /// through 0, only a linear resistance is known. The run that is returned takes a small part of
-    /// what it would if nothing were said of the resistance (`what_resists_weakly_is_cheap` in
+    /// A known resistance counts as smooth where it is smooth along the motion. The drag on a disc
+    /// has a kink where the body does not spin about e3, and never brings the spin of a symmetric
+    /// body there. On a body with three different moments, whose spin about e3 passes through 0,
+    /// only a linear resistance is known. The run that is returned takes a small part of what it
+    /// would if nothing were said of the resistance (`what_resists_weakly_is_cheap` in
     /// `tests/accuracy/error_control`). A torque that is smooth and says so
     /// ([`Torque::smooth`](crate::effects::Torque::smooth)) is solved by less work.
     ///
-    /// The *condition* is the change of the attitude at the end (rad) per relative
-    /// change of the inputs: the root of the sum of squares over three turns of the
-    /// start (per rad), three pushes (per |L|), the strength of the torque, three
-    /// moments of inertia, and the time. Doubles hold inputs to eps; no method can
-    /// promise less than a few eps (1 + condition).
+    /// The *condition* is the change of the attitude at the end (rad) per relative change of the
+    /// inputs. It is the root of the sum of squares over three turns of the start (per rad), three
+    /// pushes (per |L|), the strength of the torque, three moments of inertia, and the time.
+    /// Doubles hold inputs to eps; no method can promise less than a few eps (1 + condition).
     ///
     /// ```
     /// use rotation_dynamics::attitude::Attitude;
@@ -172,11 +173,11 @@ impl<E: AnyEffect> Scene<E> {
     /// 1.4e-2 at 1e-13; the largest was 0.68. Refused are 0.2 % at 1e-3, 1.3 % at
     /// 1e-9, 13 % at 1e-12 and 47 % at 1e-13.
     ///
-    /// Price: two runs cost 1.4 to 2 times the one that is returned. Over the cheapest run that would
-    /// have sufficed, as hindsight knows it, all runs cost 2.4 to 3.2 times under a weight or without a
-    /// torque, and 3.5 to 6.7 times elsewhere (medians by kind of scene; `benches/record/price.txt`).
-    /// Where a motion passes near a separatrix, or the floor comes near to what is asked, the condition
-    /// is measured with more care, and that costs more.
+    /// Price: two runs cost 1.4 to 2 times the one that is returned. All runs are compared with the
+    /// cheapest run that would have sufficed, found afterwards. They cost 2.4 to 3.2 times as much
+    /// under a weight or without a torque, and 3.5 to 6.7 times elsewhere (medians by kind of
+    /// scene; `benches/record/price.txt`). Where a motion passes near a separatrix, or the floor
+    /// comes near to what is asked, the condition is measured with more care, and that costs more.
     ///
     /// # Errors
     /// A tolerance outside its range, anything not finite, an energy at the start beyond `f64`; a

@@ -1,4 +1,4 @@
-//! What is to be solved, as given and with every input a little changed.
+//! The problem to be solved, as given and with every input a little changed.
 
 use super::exact_motion::ExactMotion;
 use super::slender::Slender;
@@ -17,7 +17,8 @@ use crate::integrators::{BodyFixed, Integrator, Resisted, Work};
 use crate::math::{EPS, Lane, hypot};
 use crate::scene::Scene;
 
-/// What acts, as far as it matters to how it is stepped. Each kind is compiled once.
+/// The effects that act, as far as they matter to how the problem is stepped. Each kind is compiled
+/// once.
 #[derive(Clone, Copy)]
 pub(super) enum Acting<'e> {
     /// Nothing.
@@ -52,7 +53,7 @@ impl<'e> Acting<'e> {
 pub(super) struct Problem<'e> {
     pub body: RigidBody,
     pub acting: Acting<'e>,
-    /// What multiplies the torque: 1, but for a change of it.
+    /// The factor of the torque: 1, but for a change of it.
     pub strength: f64,
     /// The scale of the torque.
     pub torque: f64,
@@ -67,7 +68,7 @@ pub(super) struct Problem<'e> {
     pub damping: f64,
     pub checked: &'e Checked<'e>,
     pub known: IntegrableCase,
-    /// What a trial run shows of a slender body.
+    /// The result of a trial run of a slender body.
     pub slender: Option<Slender>,
 }
 
@@ -150,10 +151,10 @@ impl<const AXIS_ONLY: bool, const SLIPS: bool> Effect for Strengthened<'_, AXIS_
 /// of the torque and three moments of inertia.
 const INPUTS: usize = 10;
 
-/// Signs with which the inputs are changed, run by run: the twelve rows of a design in
-/// which every two columns are orthogonal. So the mean square of the changes that the
-/// rows make is the sum of the squares of those that each input would make alone; the
-/// mean over some of the rows is an estimate of it.
+/// Signs with which the inputs are changed, run by run: the twelve rows of a design in which every
+/// two columns are orthogonal. So the mean square of the changes that the rows make is the sum of
+/// squares over the inputs, each changed alone. The mean over some of the rows is an estimate of
+/// it.
 ///
 /// R. L. Plackett, J. P. Burman, Biometrika 33, 305 (1946); for the estimate M. F.
 /// Hutchinson, Commun. Stat. Simul. Comput. 19, 433 (1990).
@@ -203,8 +204,8 @@ impl Probe {
     }
 }
 
-/// Of two states: the angle between the attitudes (rad), and the differences of momentum
-/// and of rates, each as a part of its scale.
+/// The distances of two states: the angle between the attitudes (rad), and the differences of
+/// momentum and of rates, each as a part of its scale.
 pub(super) type Distances = [f64; 3];
 
 impl<'e> Problem<'e> {
@@ -283,8 +284,8 @@ impl<'e> Problem<'e> {
         Scene::new(self.body).with(self.strengthened(effects, span))
     }
 
-    /// Effects between two times without a jump. What steps lanes side by side sees them behind a
-    /// pointer, so that it is compiled once for these and for all others.
+    /// Effects between two times without a jump. The code that steps lanes side by side sees them
+    /// behind a pointer, so that it is compiled once for these and for all others.
     fn strengthened<'s, const AXIS_ONLY: bool, const SLIPS: bool>(
         &self,
         effects: &'s dyn AnyEffect,
@@ -339,8 +340,8 @@ impl<'e> Problem<'e> {
         self.resists(|resistance| symmetric || resistance.is_linear())
     }
 
-    /// True if the torque is smooth all along the motion, whatever it does elsewhere: what
-    /// resists has its kink where l_3 = 0, and never brings l_3 of a symmetric body there.
+    /// True if the torque is smooth all along the motion, whatever it does elsewhere. A resistance
+    /// has its kink where l_3 = 0, and never brings l_3 of a symmetric body there.
     pub(super) fn stays_smooth(&self) -> bool {
         let symmetric = self.body.moments().is_symmetric();
         self.resists(|resistance| resistance.is_linear() || symmetric && !resistance.is_dry())
@@ -377,7 +378,7 @@ impl<'e> Problem<'e> {
         self.checked.holding().has_laws()
     }
 
-    /// True if a symmetric body is stepped without its spin: what acts sees the axis only.
+    /// True if a symmetric body is stepped without its spin: the torque depends on the axis only.
     pub(super) fn is_spin_free(&self) -> bool {
         let on_axis = matches!(self.acting, Acting::Weight(_) | Acting::OnAxis(_));
         on_axis && self.body.moments().is_symmetric()
@@ -404,7 +405,7 @@ impl<'e> Problem<'e> {
         ((2.0 * energy + 4.0 * self.torque) / i1.min(i2).min(i3)).sqrt()
     }
 
-    /// The size against which a change of the momentum counts: its length, or what the
+    /// The size against which a change of the momentum counts: its length, or the momentum that the
     /// torques build up in the body's own time.
     pub(super) fn momentum_scale(&self, state: &State) -> f64 {
         let [i1, i2, i3] = self.body.moments().to_array();
@@ -433,8 +434,8 @@ impl<'e> Problem<'e> {
         ]
     }
 
-    /// The row of the design whose push turns the body fastest: of a single change of all inputs,
-    /// what a small moment of inertia makes of the three pushes must not cancel.
+    /// The row of the design whose push turns the body fastest. In a single change of all inputs,
+    /// the effects of the three pushes, large for a small moment of inertia, must not cancel.
     pub(super) fn most_sensitive_row(&self) -> Result<usize> {
         let mut most = (0, 0.0);
         for row in 0..ALL_ROWS {
@@ -486,8 +487,8 @@ impl<'e> Problem<'e> {
         })
     }
 
-    /// A state turned about the body's axes by `by` (rad), and its momentum pushed by as
-    /// much of its scale; that of a slender body turns along, and its rates are pushed.
+    /// A state turned about the body's axes by `by` (rad), and its momentum pushed by as much of
+    /// its scale. A slender body turns along, and its rates are pushed.
     pub(super) fn moved(
         &self,
         state: &State,
@@ -509,7 +510,7 @@ impl<'e> Problem<'e> {
     }
 
     /// The motion in intervals of equal time by `interval` (from a time and state to a time), with
-    /// the state moved before each of them: what rounding does on the way.
+    /// the state moved before each of them, as rounding does on the way.
     ///
     /// Moved by 0 it is the motion itself.
     pub(super) fn in_intervals(
@@ -531,7 +532,7 @@ impl<'e> Problem<'e> {
         Ok(state)
     }
 
-    /// A state moved before a interval, by its number and that of all.
+    /// A state moved before an interval, by its number and the number of all.
     pub(super) fn moved_before(
         &self,
         state: &State,
@@ -556,11 +557,10 @@ impl<'e> Problem<'e> {
         }
     }
 
-    /// The condition of the motion: by how much it changes per relative change of the
-    /// inputs, as the root of the sum of squares over all of them and the time, at that of
-    /// the places looked at where it changes most. `motions` tells where the motion is at
-    /// those places, and where it is with all inputs changed by so much, up or down by the
-    /// signs of some rows.
+    /// The condition of the motion: the change per relative change of the inputs, as the root of
+    /// the sum of squares over all of them and the time. It is taken at the place looked at where
+    /// the motion changes most. `motions` tells where the motion is at those places, and where it
+    /// is with all inputs changed by so much, up or down by the signs of some rows.
     ///
     /// Infinite if the smallest change that doubles hold is one too many.
     pub(super) fn condition(
@@ -657,10 +657,9 @@ const BLURRED: f64 = 2.0;
 /// Slopes of two changes are one slope if they differ by no more than this.
 const STRAIGHT: f64 = 10.0;
 
-/// An end that moves by more than this (rad) has gone far. If it hardly moves by a smaller
-/// change, that may be a slope; or the end is where all motions wait for a while, as a top
-/// does that has all but stopped on the vertical: they gather there, and part again. A
-/// finer change tells.
+/// An end that moves by more than this (rad) has gone far. If it hardly moves by a smaller change,
+/// that may be a slope. Or the end is where all motions wait for a while, as a top does that has
+/// all but stopped on the vertical: they gather there, and part again. A finer change tells.
 const FAR: f64 = 0.5;
 
 /// Where none is left: a slope by which the next larger change would have moved the end by

@@ -15,10 +15,11 @@ use crate::math::{EPS, exp, expm1, log};
 /// (DOP853: 13 times): where errors fall as they should the distance is 13 to 40 times the error.
 const SAFETY: f64 = 2.0;
 
-/// Over kinks that nothing names a run errs at each by what its steps happen to be off, and two may
-/// agree by chance: the distance of the last two counts as no less than that of the two before, fallen
-/// by this a level, and all of it [`SAFETY`] times. Over what is smooth DOP853 falls by 13 a level; with
-/// 8 one of 36 100 answers over kinks, cusps and jumps is above its request.
+/// Over kinks that nothing names, the error of a run depends on where its steps happen to fall, and
+/// two runs may agree by chance. The distance of the last two counts as no less than the distance
+/// of the two before, fallen by this a level, and all of it [`SAFETY`] times. Over what is smooth
+/// DOP853 falls by 13 a level; with 8 one of 36 100 answers over kinks, cusps and jumps is above
+/// its request.
 const KINKED: f64 = 8.0;
 
 /// Runs that are no further apart than this (rad) are of one motion.
@@ -39,17 +40,17 @@ const NEARER: f64 = 0.1;
 /// where it is measured with care.
 const SMALLER: f64 = 1e-3;
 
-/// The change of the inputs of the first run, as a part of the tolerance, for each radian that a motion
-/// is late: it moves the end of one that is only late by some hundredths of the tolerance.
+/// The change of the inputs of the first run, as a part of the tolerance, for each radian that a
+/// motion is late. It moves the end of one that is only late by some hundredths of the tolerance.
 const CHANGED: f64 = 0.05;
 
 /// A floor that is so many times below the tolerance need not be known well. A single change of all
-/// inputs moves the end by a sum with signs; in one direction that is below 1/30 of its root mean
+/// inputs moves the end by a sum with signs. In one direction that is below 1/30 of its root mean
 /// square in 27 cases of a thousand, in three alike in one of 20 000 (a normal distribution).
 const FAR_BELOW: f64 = 30.0;
 
-/// A motion whose condition is no more than so many times that of one which is only late counts as one
-/// that passes no saddle.
+/// A motion whose condition is at most this many times the condition of a motion that is only late
+/// counts as passing no saddle.
 const REGULAR: f64 = 6.0;
 
 /// A floor so many times above the tolerance is refused at once.
@@ -63,12 +64,12 @@ const INTERVALS: f64 = 512.0;
 /// The part of the tolerance that the sweeps of Gauss-Legendre may leave.
 const SWEEPS: f64 = 0.1;
 
-/// What the sweeps leave of n steps is the condition times n times this, in units of the
-/// precision: it is mostly on one side. Measured on 600 free bodies and tops over 30 to 30 000
-/// steps: 0.0038 at most, whatever their number.
+/// The error that the sweeps (iterations) of n steps leave is the condition times n times this, in
+/// units of the precision: it is mostly on one side. Measured on 600 free bodies and tops over 30
+/// to 30 000 steps: 0.0038 at most, whatever their number.
 const SWEPT: f64 = 0.004;
 
-/// What rounding adds to the attitude in a step of DOP853, in units of eps. Measured on
+/// The error that rounding adds to the attitude in a step of DOP853, in units of eps. Measured on
 /// runs of up to a million steps: 0.15. Of Gauss-Legendre over 155 000 steps of a pulse: 0.11.
 const ROUNDED: f64 = 0.5;
 
@@ -76,14 +77,14 @@ const ROUNDED: f64 = 0.5;
 /// took one more at 1e-11.
 const LATER: f64 = 4.0;
 
-/// What runs come no nearer than, and is no more than so many times the floor, is round-off.
+/// A distance that runs do not get below, no more than so many times the floor, is round-off.
 const ROUND_OFF: f64 = 16.0;
 
-/// Where a run was at the places looked at, at which level, and what it cost.
+/// Where a run was at the places looked at, at which level, and its cost.
 pub(super) struct Run {
     pub level: f64,
     places: Vec<State>,
-    /// What it took on the pieces of the way to each place.
+    /// Its work on the pieces of the way to each place.
     pub steps: Vec<Vec<Steps>>,
     pub work: Work,
     pub longest_step: f64,
@@ -91,7 +92,7 @@ pub(super) struct Run {
     pub passed: Vec<(f64, Stop)>,
 }
 
-/// What a run delivers.
+/// The result of a run.
 pub(super) struct Delivered {
     pub method: Method,
     pub precision: f64,
@@ -121,9 +122,9 @@ pub(super) struct Refinement<'p> {
     /// Where the motion is looked at, from the start to the end.
     times: Vec<f64>,
     work: Work,
-    /// What of that went into the condition.
+    /// The part of it for the condition.
     probes: Work,
-    /// What all of it cost, in units of one derivative of DOP853.
+    /// The cost of all of it, in units of one derivative of DOP853.
     cost: f64,
 }
 
@@ -150,7 +151,8 @@ impl<'p> Refinement<'p> {
     /// The run of the first method that delivers.
     ///
     /// # Errors
-    /// What no method mends; else the least error that was reached, or why the last came to no end.
+    /// A fault that no method mends; else the least error that was reached, or why the last came to
+    /// no end.
     pub(super) fn solve(mut self) -> Result<Delivered> {
         let methods = Method::candidates(self.problem, self.tolerance);
         self.affordable(methods)?;
@@ -286,12 +288,13 @@ impl<'p> Refinement<'p> {
         (SWEEPS * self.tolerance / (self.swept(steps) * (1.0 + condition))).min(1e-6)
     }
 
-    /// What the sweeps of so many steps leave, in units of the precision and of 1 + condition.
+    /// The error that the sweeps of so many steps leave, in units of the precision and of 1 +
+    /// condition.
     fn swept(&self, steps: f64) -> f64 {
         1.0 + SWEPT * steps
     }
 
-    /// What rounding and sweeps leave, whatever the distance of two runs is.
+    /// The error of rounding and sweeps, whatever the distance of two runs is.
     fn left(
         &self,
         method: Method,
@@ -332,8 +335,8 @@ impl<'p> Refinement<'p> {
         }
     }
 
-    /// The distance of two runs as it counts, the second finer by so many levels: what is left of an
-    /// error that falls by x is x/(1 - x) of the distance, all of it at most where x is a half. Over what
+    /// The distance of two runs as it counts, the second finer by so many levels. If an error falls
+    /// by x, its rest is x/(1 - x) of the distance: all of it at most where x is a half. Over what
     /// may have kinks, with the distance of the two before.
     fn counted(
         &self,
@@ -501,7 +504,7 @@ impl<'p> Refinement<'p> {
         condition
     }
 
-    /// What is delivered, unless an effect was seen to be another than it says.
+    /// The answer, unless an effect was seen to be another than it says.
     fn delivered(
         &self,
         method: Method,

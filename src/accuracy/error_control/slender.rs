@@ -15,9 +15,9 @@ use crate::integrators::{Dop853, Integrator, Work};
 use crate::math::order_of_three;
 
 /// Moments further apart than this by a factor make a slender body. Tumbling under the gravity
-/// gradient and a motor, to 1e-3, 1e-6 and 1e-9, DOP853 took with L on the fixed axes 1.3 to 2.0 times
-/// the derivatives that it took on the body's where moments are 2 to 8 apart, 2.2 to 3.9 times at 16,
-/// 6 to 17 times at 64.
+/// gradient and a motor was tried to 1e-3, 1e-6 and 1e-9. With L on the fixed axes DOP853 took more
+/// derivatives than on the body's: 1.3 to 2.0 times where moments are 2 to 8 apart, 2.2 to 3.9
+/// times at 16, 6 to 17 times at 64.
 const APART: f64 = 16.0;
 
 /// A motion whose energy allows no rate that is so many times the one that occurs is stepped with L on
@@ -30,7 +30,7 @@ const TRIAL: f64 = 6e-3;
 /// The part of the budget that the trial may take.
 const TRIAL_PART: u64 = 10;
 
-/// What a trial run shows of the motion of a slender body.
+/// The result of a trial run of a slender body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Slender {
     /// The fastest rate (rad/s).
@@ -43,8 +43,8 @@ pub(super) struct Slender {
 }
 
 impl Slender {
-    /// What the trial shows, if the body is slender and its motion too. `None` also where it comes to
-    /// no end within its part of this budget of torques.
+    /// The result of the trial, if the body is slender and its motion too. `None` also where it
+    /// comes to no end within its part of this budget of torques.
     pub(super) fn of(problem: &Problem, budget: u64, work: &mut Work) -> Result<Option<Self>> {
         let moments = problem.body.moments().to_array();
         let [least, most] = [f64::min, f64::max].map(|of| moments.into_iter().fold(moments[0], of));
@@ -89,7 +89,7 @@ fn fastest(problem: &Problem, method: &Dop853, work: &mut Work) -> Result<[f64; 
 }
 
 /// Two rows of the design that push the rates about the outer axes with equal and with opposite
-/// signs: beside the middle axis of a plate one of the two dies away where the other grows.
+/// signs. Beside the middle axis of a plate one of the two dies away where the other grows.
 pub(super) fn opposite_rows(moments: [f64; 3]) -> [usize; 2] {
     let axes = order_of_three(moments);
     let with = |sign: f64| {

@@ -17,10 +17,10 @@ const STEPS: u64 = 20_000;
 /// Torques in an accepted step, and one less in a rejected one.
 const TORQUES: u64 = 12;
 
-/// Jumps in a step of the whole run from which on the motion slides if it comes to a stand, too: if
-/// the second half of the steps covers less than this part of the time that the first half covers.
-/// (Measured: at least 0.27 jumps in a step where a motion slides late, and up to 0.28 where jumps are
-/// crossed a hundred times in a turn: the number alone does not tell.)
+/// Jumps in a step of the whole run from which on the motion slides. It counts as sliding, too, if
+/// it comes to rest: if the second half of the steps covers less than this part of the time that
+/// the first half covers. (Measured: at least 0.27 jumps in a step where a motion slides late, and
+/// up to 0.28 where jumps are crossed a hundred times in a turn: the number alone does not tell.)
 const SOME: f64 = 0.1;
 const STAND: f64 = 0.1;
 

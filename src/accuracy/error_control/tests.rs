@@ -1,4 +1,4 @@
-//! What a problem makes of its span and of changed inputs.
+//! The effect of a problem on its span and on changed inputs.
 
 use super::Limits;
 use super::problem::{Acting, Problem};

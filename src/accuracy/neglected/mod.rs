@@ -1,4 +1,4 @@
-//! Which effects a scene calls for: what leaving one out would cost.
+//! Which effects a scene needs: the error of leaving one out.
 //!
 //! The error of leaving a small effect out is the linear response of the motion to it. With
 //! y = (q, L) the motion without the effect and f its rates, the difference d obeys
@@ -52,10 +52,10 @@ const STAGES: u64 = 12;
 /// The prediction of a small effect is right within this factor.
 pub const MARGIN: f64 = 2.0;
 
-/// What leaving an effect out of a scene would cost.
+/// The error of leaving an effect out of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PredictedError {
-    /// What the effect is called.
+    /// The name of the effect.
     pub name: &'static str,
     /// Its dimensionless number, as given.
     pub number: f64,
@@ -70,11 +70,11 @@ pub struct PredictedError {
     /// True if the effect must be in: twice the predicted error exceeds the tolerance, or the
     /// prediction is beyond the linear.
     pub called_for: bool,
-    /// What the prediction cost.
+    /// The cost of the prediction.
     pub work: Work,
 }
 
-/// What leaving an effect out costs, from two motions, each solved.
+/// The error of leaving an effect out, from two motions, each solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measured {
     /// The largest angle (rad) between the attitudes with and without it, at 200 times of the
@@ -82,7 +82,7 @@ pub struct Measured {
     pub error: f64,
     /// By how much it and a prediction may differ by their own errors (rad).
     pub within: f64,
-    /// What the motion costs without the effect and with it, at the tolerance of the list.
+    /// The cost of the motion without the effect and with it, at the tolerance of the list.
     pub work: [Work; 2],
 }
 
@@ -93,7 +93,7 @@ pub struct NeglectedEffects<'s, E> {
     asked: Asked<'s>,
 }
 
-/// What is asked of the scene, and what has been answered.
+/// The question put to the scene, and the answers so far.
 #[derive(Debug, Clone)]
 struct Asked<'s> {
     start: State,
@@ -108,9 +108,9 @@ struct Asked<'s> {
 }
 
 impl<E: Effect> Scene<E> {
-    /// Which effects the motion from `start` at t = 0 to `t_end` (s; may be negative) calls
-    /// for, if its attitude is wanted to `tolerance` (rad, above 0, at most pi); from another
-    /// time and within limits by [`Scene::neglected_effects_with`].
+    /// Which effects the motion from `start` at t = 0 to `t_end` (s; may be negative) needs, if its
+    /// attitude is wanted to `tolerance` (rad, above 0, at most pi).
+    /// [`Scene::neglected_effects_with`] starts at another time and within limits.
     ///
     /// The scene is the one that leaves the candidates out.
     ///
@@ -142,8 +142,8 @@ impl<E: Effect> Scene<E> {
     /// may be unstable with it.
     ///
     /// # Errors
-    /// A tolerance outside its range, an end or a start that is not finite, or what
-    /// [`check`] finds wrong with the scene's own effects.
+    /// A tolerance outside its range, an end or a start that is not finite, or a fault that
+    /// [`check`] finds in the scene's own effects.
     pub fn neglected_effects(
         &self,
         start: &State,
@@ -228,11 +228,10 @@ impl<E: Effect> NeglectedEffects<'_, E> {
         Ok(self)
     }
 
-    /// What leaving out this effect would cost, whose dimensionless number is `number`.
+    /// The error of leaving out this effect, whose dimensionless number is `number`.
     ///
     /// # Errors
-    /// A number that is NaN; what [`check`] finds wrong with the effect; what stepping
-    /// refuses.
+    /// A number that is NaN; a fault that [`check`] finds in the effect; a refusal of the stepping.
     pub fn predict<C: Effect>(&self, effect: &C, number: f64) -> Result<PredictedError> {
         if number.is_nan() {
             return Err(Error::NotFinite {
@@ -256,10 +255,10 @@ impl<E: Effect> NeglectedEffects<'_, E> {
         })
     }
 
-    /// What leaving out this effect costs, measured: the motion is solved with it and without
-    /// it, to a thousandth of the difference that is predicted or as close as doubles allow (but
-    /// no closer than 1e-11 rad, and at first no coarser than 1e-6), and once more each to the
-    /// tolerance, for what that costs.
+    /// The error of leaving out this effect, measured. The motion is solved with it and without it,
+    /// to a thousandth of the difference that is predicted or as close as doubles allow (but no
+    /// closer than 1e-11 rad, and at first no coarser than 1e-6). It is solved once more each to
+    /// the tolerance, to find that cost.
     ///
     /// ```
     /// # use rotation_dynamics::{attitude::Attitude, body::RigidBody, frame::BodyVector};
@@ -336,14 +335,14 @@ impl<E: Effect> NeglectedEffects<'_, E> {
         })
     }
 
-    /// What has been weighed, in order.
+    /// The effects weighed so far, in order.
     pub fn rows(&self) -> &[PredictedError] {
         &self.asked.rows
     }
 }
 
 impl Asked<'_> {
-    /// The largest angle (rad) of the linear response, its time (s), and what it cost.
+    /// The largest angle (rad) of the linear response, its time (s), and its cost.
     fn response(&self, scene: AnyScene<'_>, effect: &dyn AnyEffect) -> Result<([f64; 2], Work)> {
         let mut y = [0.0; 14];
         y[..7].copy_from_slice(&components(&self.start));

@@ -30,7 +30,7 @@ pub(super) fn leaned(y: &[f64; 14]) -> f64 {
     2.0 * hypot(about_1, about_2) / (w * w + x * x + v * v + z * z)
 }
 
-/// A scene behind pointers: what is written for it is compiled once for all scenes.
+/// A scene behind pointers: code written for it is compiled once for all scenes.
 #[derive(Clone, Copy)]
 pub(super) struct AnyScene<'s> {
     pub(super) body: &'s RigidBody,
@@ -63,7 +63,7 @@ pub(super) struct Variation<'s> {
 }
 
 impl Variation<'_> {
-    /// What the effect alone adds to the rates of q and L.
+    /// The contribution of the effect alone to the rates of q and L.
     fn added(&self, t: f64, y: &[f64; 7]) -> Result<[f64; 7]> {
         let at = state(y)?;
         let [a, b, c] = self.effect.torque(t, self.scene.body, &at).to_array();
@@ -121,8 +121,8 @@ impl Ode<14> for Variation<'_> {
         core::array::from_fn(|i| if i < 7 { rates[i] } else { response[i - 7] })
     }
 
-    /// Of the motion as ever. Of the response its own size, and at the start, where it is
-    /// 0, a small part of what the effect does while the body turns by a radian.
+    /// For the motion as ever. For the response its own size, and at the start, where it is 0, a
+    /// small part of the effect while the body turns by a radian.
     fn scale(&self, y: &[f64; 14]) -> [f64; 14] {
         let (y, d) = halves(y);
         let scale = self.sizes(&y);

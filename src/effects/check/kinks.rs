@@ -3,19 +3,19 @@
 use super::{Checked, ROUNDING};
 use crate::frame::SpaceVector;
 
-/// So many halvings of the time between two looks show what bends the torque, after some that come
-/// before: a kink is then bent less by 2^8, a root by 2^4, a power 3/2 by 2^12, what is smooth by 2^16,
-/// and what jumps, or rounding, by no factor.
+/// So many halvings of the time between two looks show the feature that bends the torque, after
+/// some that come before. A kink is then bent less by 2^8, a root by 2^4, a power 3/2 by 2^12, a
+/// smooth torque by 2^16, and a jump, or rounding, by no factor.
 const HALVINGS: usize = 8;
 const BEFORE: usize = 2;
 
-/// What is bent less by so much, at the least and at the most, is a kink or a cusp. (In the middle of
-/// a piece it is bent twice as much as at its quarter.)
+/// A bend that falls by so much, at the least and at the most, is a kink or a cusp. (In the middle
+/// of a piece it is bent twice as much as at its quarter.)
 const LEAST: f64 = 4.0;
 const MOST: f64 = 16_384.0;
 
-/// Where halving ends because doubles hold no times between, rounding of the times is what bends the
-/// last pieces, of so many; what is bent by no more than so many times that does not count.
+/// Where halving ends because doubles hold no times between, rounding of the times bends the last
+/// pieces, of so many. A bend by no more than so many times that does not count.
 const LAST: usize = 8;
 const ROUNDED: f64 = 16.0;
 
@@ -71,8 +71,9 @@ impl Piece {
             .max_by(|one, other| one.bend().total_cmp(&other.bend()))
     }
 
-    /// What is left of it when it is halved until rounding is all that bends it: if each time it was
-    /// bent less by about the same, and by less than what is smooth, there is a kink, at this time.
+    /// The bend that is left when the time is halved until rounding alone bends it. If each time it
+    /// was bent less by about the same, and by less than a smooth torque is, there is a kink, at
+    /// this time.
     fn kink(mut self, rounding: f64, halved: impl Fn(&Self) -> Option<Self>) -> Option<f64> {
         let mut bends = Vec::new();
         let rounded = loop {
@@ -221,7 +222,7 @@ mod tests {
         assert_eq!(found, [54, 19]);
     }
 
-    /// A known time is that of the kink beside it.
+    /// A known time is the time of the kink beside it.
     #[test]
     fn a_known_time_is_taken_as_it_is() {
         let t1 = 3.7;
@@ -230,7 +231,7 @@ mod tests {
         assert_ne!(found(&[]), [t1]);
     }
 
-    /// What is smooth has none, however its argument is rounded; nor has what jumps.
+    /// A smooth torque has none, however its argument is rounded; nor has a jump.
     #[test]
     fn what_is_smooth_or_jumps_has_no_kinks() {
         let mut ran = 0;

@@ -33,7 +33,7 @@ impl Effect for Stronger {
     }
 }
 
-/// Of a body that turns about the torque all of it is power: it may be off by 1e-5 of itself and
+/// For a body that turns about the torque all of it is power: it may be off by 1e-5 of itself and
 /// by no more, in either sense.
 #[test]
 fn a_power_may_be_off_by_what_is_said() {

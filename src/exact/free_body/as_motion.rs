@@ -78,7 +78,7 @@ fn with(mut numbers: [f64; 3], i: usize, value: f64) -> [f64; 3] {
     numbers
 }
 
-/// What is wrong with the first of the times that is not known; else the reason as it is.
+/// The fault of the first of the times that is not known; else the reason as it is.
 pub(crate) fn first_bad(times: &[f64], latest: f64, reason: Error) -> Error {
     let bad = |(index, t): (usize, &f64)| known(*t, latest).err().map(|error| (index, error));
     match times.iter().enumerate().find_map(bad) {

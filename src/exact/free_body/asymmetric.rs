@@ -18,7 +18,7 @@ use crate::math::{DoubleDouble as Dd, ilogb, order_of_three};
 pub(super) struct Asymmetric {
     /// 2K in time; None on the separatrix.
     pub(super) half_period: Option<Dd>,
-    /// What the azimuth of the third axis gains in a period of the rates (rad).
+    /// The gain of the azimuth of the third axis in a period of the rates (rad).
     pub(super) precession: f64,
     pub(super) form: Form,
 }
@@ -222,7 +222,7 @@ impl Small {
     }
 }
 
-/// Where each index stands in a permutation.
+/// The place of each index in a permutation.
 fn invert(order: [usize; 3]) -> [usize; 3] {
     let mut place = [0; 3];
     for (r, i) in order.into_iter().enumerate() {

@@ -16,8 +16,8 @@ use crate::math::lane::Row;
 /// Bodies that are asked for their states at one time after the other: side by side in vector
 /// registers, each kind of motion with its own.
 ///
-/// Of 512 tumbling bodies one by one, a state takes 2.7 times as long as together with AVX-512 and
-/// 2.1 times as long as with AVX2; beside their middle axes it is 2.9 and 2.3 times (`benches`,
+/// For 512 tumbling bodies one by one, a state takes 2.7 times as long as together with AVX-512 and
+/// 2.1 times as long as with AVX2. Beside their middle axes it is 2.9 and 2.3 times (`benches`,
 /// binary `batch`). Bodies that a cache does not hold, some 400 bytes each, take the time in which
 /// memory brings them.
 ///
@@ -43,7 +43,7 @@ pub struct FreeBodies<'a> {
     symmetric: Blocks<Symmetric<Row>>,
     tumbling: Blocks<Sampler<Row>>,
     late: Blocks<Late<Row>>,
-    /// Where each body's axes stand on the axes on which its rates are found.
+    /// The place of each body's axes on the axes on which its rates are found.
     places: Vec<[usize; 3]>,
     /// The greatest |t| at which the phases of all are known.
     latest: f64,

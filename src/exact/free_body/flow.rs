@@ -88,8 +88,8 @@ impl FreeFlow {
     /// its distance from 1 (78 cases of `tests/exact/free_flow.rs`, needles, discs, spheres,
     /// axes and the separatrix among them); longer, by 9 eps a radian at most.
     ///
-    /// Cost: that of 1.3 derivatives of a [`Scene`](crate::scene::Scene) up to 0.6 rad of
-    /// (1/I_min - 1/I_max) |L| dt, of 2 up to 2.4 rad.
+    /// Cost: as 1.3 derivatives of a [`Scene`](crate::scene::Scene) up to 0.6 rad of (1/I_min -
+    /// 1/I_max) |L| dt, of 2 up to 2.4 rad.
     pub fn turn(&self, momentum: BodyVector, dt: f64) -> Attitude {
         let fastest = self
             .inverse
@@ -150,8 +150,8 @@ impl FreeFlow {
         })
     }
 
-    /// The increment over a piece; `square` is that of the length of `l`. The functions
-    /// of the step are those of a shorter one, doubled.
+    /// The increment over a piece; `square` is the square of the length of `l`. The functions of
+    /// the step are those for a shorter one, doubled.
     #[inline]
     fn piece(&self, &[l1, l2, l3]: &[f64; 3], square: f64, dt: f64, doublings: u32) -> [f64; 4] {
         if square == 0.0 {
@@ -344,8 +344,8 @@ const POWERS: [[f64; 8]; 4] = {
     powers
 };
 
-/// The quaternion product, what is subtracted from the first part summed first: the last bit of
-/// long steps is better so.
+/// The quaternion product, with the terms subtracted from the first part summed first: the last bit
+/// of long steps is better so.
 fn product([a, b, c, d]: [f64; 4], [w, x, y, z]: [f64; 4]) -> [f64; 4] {
     [
         a * w - (b * x + c * y + d * z),

@@ -1,9 +1,9 @@
 //! Attitude and rates at a time, without a branch, near the separatrix, where the hyperbolic
 //! series converges and a period is long.
 //!
-//! The series runs from the nearest turning point, and the phase along L then lags by a step
-//! at each passage half-way between them: it is what a clock of the time shows less what a
-//! clock of their number does.
+//! The series runs from the nearest turning point, and the phase along L then lags by a step at
+//! each passage half-way between them. It is the reading of a clock of the time, less the reading
+//! of a clock of their number.
 
 use super::sample::{Columns, Rates, Sample, columns, reduced};
 use super::series::Hyperbolic;
@@ -34,7 +34,7 @@ pub(super) struct Late<V = f64> {
     until: f64,
 }
 
-/// So many units of w stand for a half-period where there is none.
+/// So many units of w count as a half-period where there is none.
 const ENDLESS: f64 = 1_152_921_504_606_846_976.0; // 2^60
 
 impl Late {

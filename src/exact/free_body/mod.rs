@@ -48,9 +48,9 @@ use symmetric::Symmetric;
 
 /// A rigid body on which nothing acts: the whole motion, at any time.
 ///
-/// Accuracy: with inputs and time taken as the doubles that they are, the attitude stays within
-/// 8.7 eps rad up to 1e12 periods of the rates, the rates within 3.4 eps of themselves
-/// (`tests/exact/late.rs`); later than 2^48 turns [nothing is known](crate::exact#how-late).
+/// Accuracy: with inputs and time taken as the doubles that they are, the attitude stays within 8.7
+/// eps rad up to 1e12 periods of the rates, the rates within 3.4 eps of themselves
+/// (`tests/exact/late.rs`). Later than 2^48 turns [nothing is known](crate::exact#how-late).
 ///
 /// ```
 /// use rotation_dynamics::{attitude::Attitude, exact::free_body::FreeBody};

@@ -18,7 +18,7 @@ pub(super) struct Sampler<V = f64> {
     /// times sin z cos z and cos z the imaginary ones.
     re: Cubics<V>,
     im: Cubics<V>,
-    /// What each of Re alpha, Re beta, Im beta, Im alpha adds to the quaternion.
+    /// The contribution of each of Re alpha, Re beta, Im beta, Im alpha to the quaternion.
     columns: Columns<V>,
     pub(super) rates: Rates<V>,
     /// The greatest |t|.
@@ -28,7 +28,7 @@ pub(super) struct Sampler<V = f64> {
 /// Four quaternions, each as its first two and its last two components.
 pub(super) type Columns<V> = [[[V; 2]; 2]; 4];
 
-/// What becomes of 1, i, j and k.
+/// The images of 1, i, j and k.
 pub(super) fn columns(turned: impl Fn([f64; 4]) -> [f64; 4]) -> Columns<f64> {
     core::array::from_fn(|n| {
         let mut unit = [0.0; 4];
@@ -41,7 +41,7 @@ pub(super) fn columns(turned: impl Fn([f64; 4]) -> [f64; 4]) -> Columns<f64> {
 /// The body rates from the direction of L on the ordered axes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rates<V = f64> {
-    /// L/J on the ordered axes, with the sign; and where each body axis stands in that order.
+    /// L/J on the ordered axes, with the sign; and the place of each body axis in that order.
     pub(super) rate: [V; 3],
     pub(super) place: [usize; 3],
     /// l3 = c dn, dn^2 = m1 + m (l1/l1max)^2: the small l3 next to the separatrix
@@ -67,7 +67,7 @@ impl<V: Constant> Rates<V> {
     }
 }
 
-/// On the body's own axes what stands on ordered ones.
+/// Components on ordered axes, put on the body's own axes.
 #[inline(always)]
 pub(super) fn placed<L: Copy>([x, y, z]: [usize; 3], ordered: [L; 3]) -> [L; 3] {
     [ordered[x], ordered[y], ordered[z]]
@@ -177,8 +177,8 @@ impl<V: Constant> Sampler<V> {
 }
 
 impl<L: Phased> Sample<L> {
-    /// Of the sums for alpha and beta, and sine and cosine of the phase; `twice` is
-    /// 2/(|alpha|^2 + |beta|^2) from that sum and one over its root.
+    /// From the sums for alpha and beta, and sine and cosine of the phase; `twice` is 2/(|alpha|^2
+    /// + |beta|^2) from that sum and one over its root.
     #[inline(always)]
     pub(super) fn new(
         [re, im]: [L::Pair; 2],

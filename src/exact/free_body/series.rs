@@ -35,9 +35,9 @@ pub(super) struct Hyperbolic {
 }
 
 impl Series {
-    /// The series for these periods and this zero, tau = `p` t, with |beta|/|alpha| =
-    /// `ratio` at tau = 0; also the rate of arg theta_4 there, and what the linear phase
-    /// dropped by the hyperbolic form adds over 2K.
+    /// The series for these periods and this zero, tau = `p` t, with |beta|/|alpha| = `ratio` at
+    /// tau = 0. Also the rate of arg theta_4 there, and the growth over 2K of the linear phase that
+    /// the hyperbolic form drops.
     pub(super) fn new(periods: &Periods, zero: &Zero, p: Dd, ratio: Dd) -> (Self, Dd, Dd) {
         let Periods { quarter, nome, .. } = periods;
         let angle = match zero {

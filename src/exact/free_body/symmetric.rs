@@ -18,10 +18,10 @@ pub(super) struct Symmetric<V = f64> {
     pub(super) body_rate: V,
     /// Half of either angle, in quarter turns.
     clocks: Clock<[V; 2]>,
-    /// What cos cos, sin cos, cos sin and sin sin of the half angles add to the
+    /// The contributions of cos cos, sin cos, cos sin and sin sin of the half angles to the
     /// quaternion, the precession's first.
     columns: Columns<V>,
-    /// The rates on three axes, the body's own the last; and where each axis stands there.
+    /// The rates on three axes, the body's own the last; and the place of each axis there.
     omega: [V; 3],
     pub(super) place: [usize; 3],
     /// The greatest |t|.

@@ -8,10 +8,10 @@ use crate::exact::free_body::first_bad;
 use crate::frame::{BodyVector, SpaceVector};
 use crate::motion::{Kept, Motion, condition_by_difference, condition_of_each, pushed};
 
-/// The inputs of the condition are, for a body, three turns of the start (per rad), three
-/// pushes (per |L|: each rate changed by a part of |L|/I), both moments, the torque of gravity,
-/// and the time; for a dimensionless top a, b, c, the energy or the start in theta, phi0 and
-/// zeta0 (per rad), and the time.
+/// The inputs of the condition are, for a body, three turns of the start (per rad), three pushes
+/// (per |L|: each rate changed by a part of |L|/I), both moments, the torque of gravity, and the
+/// time. For a dimensionless top they are a, b, c, the energy or the start in theta, phi0 and zeta0
+/// (per rad), and the time.
 impl Motion for HeavyTop {
     type State = State;
 

@@ -39,7 +39,7 @@ impl HeavyTop {
         Ok(())
     }
 
-    /// What is sampled without a branch, if the axis moves.
+    /// The form that is sampled without a branch, if the axis moves.
     fn form(&self) -> Option<&Form> {
         match &self.course {
             Course::Fixed { .. } => None,

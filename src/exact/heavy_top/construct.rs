@@ -507,8 +507,8 @@ struct HalfAngle {
 
 pub(super) const UP: f64 = 2.037_035_976_334_486e90; // 2^300
 
-/// The largest square of a rate whose products with the others are looked into: not far above,
-/// some are infinite and others are not, and what comes of it may look like a motion.
+/// The largest square of a rate whose products with the others are looked into. Not far above, some
+/// are infinite and others are not, and the result may look like a motion.
 const MOST: f64 = 1e299;
 
 /// An angle of no more turns than leave its last bit a meaning: at 1e15 rad that is 1/8 rad.

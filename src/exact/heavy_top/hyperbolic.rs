@@ -29,8 +29,8 @@ pub(super) struct Late<V = f64> {
     halves: Clock<V>,
     /// w in a half-period.
     width: V,
-    /// The phases of alpha and beta in quarter turns, by the time, and what they lag, by the
-    /// number of half-periods.
+    /// The phases of alpha and beta in quarter turns, by the time, and their lag, by the number of
+    /// half-periods.
     phases: Clock<[V; 2]>,
     lags: Clock<[V; 2]>,
     /// 2 q' and 4 q': k = 2 q' cosh 2w = 2 q' + 4 q' sinh^2 w.
@@ -52,10 +52,10 @@ pub(super) struct Late<V = f64> {
     until: f64,
 }
 
-/// So many units of w stand for a half-period where there is none.
+/// So many units of w count as a half-period where there is none.
 const ENDLESS: f64 = 1_152_921_504_606_846_976.0; // 2^60
 
-/// What the series are made of at a place.
+/// The factors of the series at a place.
 struct Place<L: Phased> {
     sinh: L,
     cosh: L,

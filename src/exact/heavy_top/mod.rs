@@ -85,21 +85,20 @@ pub enum Start {
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
 ///
-/// Accuracy, measured against 90-digit values in 400 cases (fast and needle-shaped
-/// tops, |b| within 1e-15 of 1, energies within 1e-15 of U_min and of the cusps, 1 - m
-/// down to 1e-30, poles passed and started from, gravity down to c = 1e-60, times up to
-/// 1e6 periods): every angle, rate and matrix element is within K eps (|value| +
-/// condition), the condition being the change per relative change of the inputs and
-/// per radian of the initial angles; K has median 0.73 and maximum 2.5. Turning
-/// points, period, m and U_min are within 2 eps of themselves, m within 8 eps where it
-/// is below 1e-16; an advance of phi per period within 1 eps or 1e-31 rad.
-/// With inputs and time taken as the doubles that they are, the attitude stays within 6.3 eps
-/// rad up to 1e12 periods (`tests/exact/late.rs`).
+/// Accuracy, measured against 90-digit values in 400 cases: every angle, rate and matrix element is
+/// within K eps (|value| + condition). The condition is the change per relative change of the
+/// inputs and per radian of the initial angles; K has median 0.73 and maximum 2.5. The cases are
+/// fast and needle-shaped tops, |b| within 1e-15 of 1, energies within 1e-15 of U_min and of the
+/// cusps, 1 - m down to 1e-30, poles passed and started from, gravity down to c = 1e-60, and times
+/// up to 1e6 periods. Turning points, period, m and U_min are within 2 eps of themselves, m within
+/// 8 eps where it is below 1e-16; an advance of phi per period within 1 eps or 1e-31 rad. With
+/// inputs and time taken as the doubles that they are, the attitude stays within 6.3 eps rad up to
+/// 1e12 periods (`tests/exact/late.rs`).
 ///
-/// Cost: about 85 sine-cosine pairs of `libm` for the set-up, 120 for m > 0.8, where the
-/// processor has a fused multiplication, half as much again where not; 2.1 for attitude and angular
-/// velocity, whatever the time, in a batch ([`HeavyTop::kinematics_at`]) 0.5 with AVX-512 and
-/// 0.6 with AVX2; for m > 0.8 2.5 to 2.7, 0.6 and 0.9. Many tops at one time: [`HeavyTops`].
+/// Cost: about 85 sine-cosine pairs of `libm` for the set-up, 120 for m > 0.8, where the processor
+/// has a fused multiplication, half as much again where not. Attitude and angular velocity cost
+/// 2.1, whatever the time, and in a batch ([`HeavyTop::kinematics_at`]) 0.5 with AVX-512 and 0.6
+/// with AVX2; for m > 0.8 2.5 to 2.7, 0.6 and 0.9. Many tops at one time: [`HeavyTops`].
 /// (`benches`, binary `batch`.)
 #[derive(Debug, Clone)]
 pub struct HeavyTop {
@@ -126,7 +125,7 @@ pub struct HeavyTop {
     latest: f64,
 }
 
-/// What it was made from, beside phi0 and zeta0: what its condition changes.
+/// The inputs it was made from, beside phi0 and zeta0: its condition changes them.
 #[derive(Debug, Clone, Copy)]
 enum Given {
     Energy {
@@ -139,14 +138,14 @@ enum Given {
         theta0: f64,
         theta_rate0: f64,
     },
-    /// The attitude is that of t = 0.
+    /// The attitude is taken at t = 0.
     Body {
         body: SymmetricTop,
         omega_body: BodyVector,
     },
 }
 
-/// What the axis does.
+/// The motion of the axis.
 #[derive(Debug, Clone)]
 enum Course {
     /// The axis stays at this angle; the body spins about it.

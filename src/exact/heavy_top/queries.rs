@@ -1,4 +1,4 @@
-//! What can be asked of a motion at a time: angles, attitude, rates.
+//! The questions to a motion at a time: angles, attitude, rates.
 
 use super::construct::UP;
 use super::motion::{Motion, Place};

@@ -15,10 +15,10 @@ pub(super) struct RateWave {
     pub(super) factor: Factor,
 }
 
-/// The same after Jacobi's imaginary transformation: theta_3(d + iw | q') around the lower
-/// turning point, times 1 and q' 2 sinh 2w real and imaginary part, and theta_2(d + iw | q')
-/// around the upper one, times cosh w and sinh w, with d = y'_b - y'_a. What turned by +-z is
-/// dropped with the phases of the others.
+/// The same after Jacobi's imaginary transformation: theta_3(d + iw | q') around the lower turning
+/// point, times 1 and q' 2 sinh 2w real and imaginary part, and theta_2(d + iw | q') around the
+/// upper one, times cosh w and sinh w, with d = y'_b - y'_a. The turn by +-z is dropped with the
+/// phases of the others.
 #[derive(Debug, Clone)]
 pub(super) struct RateRipple(pub [Factor; 2]);
 
@@ -67,8 +67,8 @@ impl RateWave {
 /// The sense and the zero: y = y_b - y_a - `sense` pi K'/2K, as theta_4 times the rate's
 /// series must have the quasi-periods of conj(alpha) beta.
 ///
-/// The sense is that of y_b - y_a, so |y| <= pi K'/2K. The quotients may be 0/0 where
-/// q = 0; then q beside them drops them.
+/// The sense is the one of y_b - y_a, so |y| <= pi K'/2K. The quotients may be 0/0 where q = 0;
+/// then q beside them drops them.
 fn zero(a: &Zero, b: &Zero) -> (f64, Zero) {
     let [(decay_a, rest_a), (decay_b, rest_b)] = [a, b].map(|zero| {
         let Across { decay, rest, .. } = zero.across();

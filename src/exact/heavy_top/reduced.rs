@@ -241,8 +241,8 @@ impl ReducedTop {
         self.a / 4.0
     }
 
-    /// How far E~ may lie below U_min and still mean U_min: what rounding U_min to a
-    /// double, by any sound route, may do.
+    /// How far E~ may lie below U_min and still mean U_min: the error that rounding U_min to a
+    /// double, by any sound route, may make.
     pub(super) fn energy_slack(size: f64) -> f64 {
         8.0 * EPS * size
     }

@@ -7,18 +7,17 @@
 //!   v'^2 = F(v) = (1 - v^2)(alpha - beta v) - (A - B v)^2
 //!        = beta (v - v1)(v - v2)(v - v3),   -1 <= v1 <= v2 <= 1 <= v3,
 //!
-//! A = L_Z/I1, B = +-L_z/I1. What the motion depends on are differences: 1 - v2
-//! near the upper pole, v3 - v2 near the homoclinic motion, v2 - v1 near steady
-//! precession. Subtracting computed roots would lose them. F is therefore
-//! expanded about v = 1, about v = -1 and about the initial state, where its
-//! coefficients are known without cancellation, and the products of roots
-//! (Vieta) give the small ones from the large ones.
+//! A = L_Z/I1, B = +-L_z/I1. The motion depends on differences: 1 - v2 near the upper pole, v3 - v2
+//! near the homoclinic motion, v2 - v1 near steady precession. Subtracting computed roots would
+//! lose them. F is therefore expanded about v = 1, about v = -1 and about the initial state, where
+//! its coefficients are known without cancellation. The products of roots (Vieta) give the small
+//! ones from the large ones.
 //!
 //! Source: the notes, 16.2 (4)-(6); E. T. Whittaker, *Analytical Dynamics*, 71.
 
 use crate::math::{DoubleDouble as Dd, ilogb, ldexp};
 
-/// What the motion conserves, in the variable v.
+/// The conserved quantities, in the variable v.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Conserved {
     /// B = +-L_z/I1.
@@ -177,7 +176,7 @@ impl Roots {
     }
 
     /// The parameter m = (v2 - v1)/(v3 - v1), and 1 - m = (v3 - v2)/(v3 - v1): a sum of gaps,
-    /// nothing cancels. `span` is that of the roots.
+    /// nothing cancels. `span` is the span of the roots.
     pub(super) fn parameters(&self, span: Dd) -> [Dd; 2] {
         [
             self.gravity * self.gap / span,
@@ -213,8 +212,8 @@ fn turning_points_around(state: &State, outer: Dd, gravity: Dd) -> (Dd, Dd) {
 
 /// beta (v3 - 1): the one root >= 0 of s^3 + c2 s^2 - c1 beta s - (d beta)^2.
 ///
-/// Its relative error is that of the coefficients: the other two roots,
-/// -beta X1 and -beta X2, lie on the other side of zero.
+/// Its relative error is the one of the coefficients: the other two roots, -beta X1 and -beta X2,
+/// lie on the other side of zero.
 fn outer_root(gravity: Dd, difference: Dd, c1: Dd, c2: Dd) -> Dd {
     if gravity == 0.0 {
         return (-c2).max(Dd::ZERO);

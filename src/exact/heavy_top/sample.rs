@@ -38,7 +38,7 @@ pub(super) struct Sampler<V = f64> {
     until: f64,
 }
 
-/// alpha and beta, normalised, and what the rates need of them.
+/// alpha and beta, normalised, and the parts of them that the rates need.
 pub(super) struct Axis<L: Phased> {
     re: L::Pair,
     im: L::Pair,

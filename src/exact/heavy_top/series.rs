@@ -5,10 +5,10 @@
 //!   sqrt((1+v)/2) e^{i..} ~ H(tau - i eta_a)/Theta(tau) e^{i nu_a t},
 //!   sqrt((1-v)/2) e^{i..} ~ H1(tau - i eta_b)/Theta(tau) e^{i nu_b t}
 //!
-//! (Jacobi's H, H1, Theta = theta_1, theta_2, theta_4 of z and nome q). Theta is
-//! common and real: it drops out on normalising. Around the upper turning point,
-//! tau = K + x, H becomes H1(x) and H1 becomes -H(x), so |x| <= K/2 is enough and
-//! the zeros, where the axis passes near a pole, keep relative accuracy.
+//! (Jacobi's H, H1, Theta = theta_1, theta_2, theta_4 of z and nome q). Theta is common and real:
+//! it drops out on normalising. Around the upper turning point, tau = K + x, H becomes H1(x) and H1
+//! becomes -H(x). So |x| <= K/2 is enough and the zeros, where the axis passes near a pole, keep
+//! relative accuracy.
 //!
 //! For m <= 0.8 the series runs in q, for m > 0.8, after Jacobi's imaginary
 //! transformation, in q' = exp(-pi K/K') with hyperbolic functions of w = pi x/2K';

@@ -12,8 +12,8 @@ use crate::math::lane::Row;
 /// Tops that are asked for their states at one time after the other: side by side in vector
 /// registers, each form of the motion with its own. An axis that stays goes by itself.
 ///
-/// Of 512 tops one by one, a state takes 2.8 times as long as together with AVX-512 and 3.6 times
-/// as long as with AVX2; for m > 0.8 it is 3.6 and 3.2 times (`benches`, binary `batch`). Tops that
+/// For 512 tops one by one, a state takes 2.8 times as long as together with AVX-512 and 3.6 times
+/// as long as with AVX2. For m > 0.8 it is 3.6 and 3.2 times (`benches`, binary `batch`). Tops that
 /// a cache does not hold, some 350 or 660 bytes each, take the time in which memory brings them.
 ///
 /// ```

@@ -19,8 +19,8 @@ pub(super) struct Zero {
     pub(super) place: theta::Zero,
 }
 
-/// What the set-up learns besides the series: the phase rates d arg/dz that the two
-/// series have where they are matched.
+/// The by-products of the set-up besides the series: the phase rates d arg/dz that the two series
+/// have where they are matched.
 pub(super) struct Matched {
     pub(super) series: Series,
     /// d arg a/dz at the upper turning point, d arg b/dz at the lower one.

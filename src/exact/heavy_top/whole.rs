@@ -1,5 +1,5 @@
-//! What can be asked of a motion as a whole: its kind, turning points, period,
-//! advances, conserved quantities.
+//! The questions to a motion as a whole: its kind, turning points, period, advances, conserved
+//! quantities.
 
 use super::{Course, HeavyTop, ReducedTop, SymmetricTop};
 use crate::math::{self, DoubleDouble as Dd, EPS};

@@ -153,7 +153,7 @@ pub const A: [Weights; ALL_STAGES] = [
     ],
 ];
 
-/// The last weight of a stage is that of the stage before it.
+/// The last weight of a stage is the weight of the stage before it.
 const _: () = {
     let mut i = 1;
     while i < ALL_STAGES {

@@ -26,10 +26,10 @@ const COARSE: f64 = 1e5;
 /// Exponent of the present error: 1/8, less what the memory takes.
 const RESPONSE: f64 = 0.125 - 0.75 * MEMORY;
 
-/// What is done after an accepted step: go on, or end with this state.
+/// The decision after an accepted step: go on, or end with this state.
 type Verdict<const N: usize> = ControlFlow<[f64; N]>;
 
-/// What looks at every accepted step, with the derivative at its end.
+/// The observer of every accepted step, with the derivative at its end.
 type Accepted<'a, const N: usize> =
     &'a mut dyn FnMut(&Trial<N>, [f64; N], &mut Work) -> Result<Verdict<N>>;
 

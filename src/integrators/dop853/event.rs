@@ -1,10 +1,10 @@
 //! Events: places where a function of time and state goes through zero.
 //!
-//! A crossing is found by the sign of the function at the ends of a step, at
-//! seven times between and where it comes nearest to zero, on the interpolant.
-//! Its time is then polished with real steps from the start of the step, so that
-//! it has the accuracy of the run and not that of the interpolant, and taken on the far side of
-//! zero, so that a run that goes on from there does not meet it again.
+//! A crossing is found by the sign of the function at the ends of a step, at seven times between
+//! and where it comes nearest to zero, on the interpolant. Its time is then polished with real
+//! steps from the start of the step, so that it has the accuracy of the run and not of the
+//! interpolant. It is taken on the far side of zero, so that a run that goes on from there does not
+//! meet it again.
 
 use super::segment::Segment;
 use super::trial::Trial;
@@ -28,22 +28,22 @@ type Function<'f, const N: usize> = dyn Fn(f64, &[f64; N]) -> f64 + 'f;
 
 /// A function of time and state whose zeros are to be located.
 ///
-/// What counts is a change of sign between two of nine equidistant times in a
-/// step, or between one of them and the point where the function comes nearest to zero:
-/// a graze of the interpolant that is deeper than round-off is met. One that goes beyond zero
-/// by less than the interpolant errs, or only touches it, is met or missed as interpolant and
-/// round-off have it, and of three zeros within an eighth of a step two hide each
-/// other: [`Dop853::with_longest_step`](super::Dop853::with_longest_step).
+/// An event is a change of sign between two of nine equidistant times in a step, or between one of
+/// them and the point where the function comes nearest to zero. So a graze of the interpolant that
+/// is deeper than round-off is met. One that goes beyond zero by less than the interpolant errs, or
+/// only touches it, may be found or missed, depending on round-off and the interpolant. Of three
+/// zeros within an eighth of a step two hide each other:
+/// [`Dop853::with_longest_step`](super::Dop853::with_longest_step).
 ///
 /// A located event lies on its far side: the function is zero there or has the sign it came to,
-/// unless no step that was tried goes beyond zero. So a run may go on from there, whatever is
-/// done to the state. A function that is zero at the very start of a run has no event there; one
-/// that may cross either way has none either where it comes to zero within a round-off of the time.
+/// unless no step that was tried goes beyond zero. So a run may go on from there, whatever is done
+/// to the state. A function that is zero at the very start of a run has no event there. One that
+/// may cross either way has none either where it comes to zero within a round-off of the time.
 ///
-/// Accuracy: but for such a graze the state at the located time satisfies the event to its
-/// rounding (3.9e-15 measured on speeds of order 1), and the time is as good as the run:
-/// 6.2e-11 at tolerance 1e-12 where the run itself is off by 6.7e-11, 6.4e-14 at
-/// 1e-15 (`tests/integrators/convergence/events.rs`).
+/// Accuracy: but for such a graze the state at the located time satisfies the event to its rounding
+/// (3.9e-15 measured on speeds of order 1), and the time is as good as the run. It is 6.2e-11 at
+/// tolerance 1e-12 where the run itself is off by 6.7e-11, 6.4e-14 at 1e-15
+/// (`tests/integrators/convergence/events.rs`).
 ///
 /// Solve, handle, solve on:
 ///
@@ -193,8 +193,8 @@ const GRAZE: f64 = 16.0 * EPS;
 /// Corrections of an event's time by real steps, at most.
 const CORRECTIONS: u32 = 6;
 /// A function that after all corrections stays above this part of what it is a thousandth of a step
-/// beside its zero jumps there. Of smooth ones the corrections leave less: of those of the book's pages
-/// some leave 1e-9, none this much.
+/// beside its zero jumps there. For smooth functions the corrections leave less: some on the book's
+/// pages leave 1e-9, none this much.
 const JUMP: f64 = 1e-6;
 /// From stride to stride towards the far side of a zero.
 const LONGER: f64 = 4.0;
@@ -346,11 +346,11 @@ fn with_grazes<const N: usize>(
     Ok(all)
 }
 
-/// The step from the same start to the zero itself: the time is corrected with
-/// real steps until the event function no longer shrinks, then moved on by strides that start at
-/// round-off until the function is zero or beyond. If it is not within `reach`, where it only
-/// touches zero, the nearest is what there is. Where the function jumps over zero it does not shrink:
-/// there the time is halved in, by real steps too.
+/// The step from the same start to the zero itself. The time is corrected with real steps until the
+/// event function no longer shrinks, then moved on by strides that start at round-off until the
+/// function is zero or beyond. If it is not within `reach`, where it only touches zero, the nearest
+/// is what there is. Where the function jumps over zero it does not shrink: there the time is
+/// halved in, by real steps too.
 fn polish<const N: usize>(
     ode: &dyn Ode<N>,
     event: &Event<'_, N>,

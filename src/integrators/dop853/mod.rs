@@ -83,7 +83,7 @@ pub struct Dop853 {
     tolerance: f64,
     longest_step: f64,
     step_limit: u64,
-    /// What is tried first; 0 if that is to be found.
+    /// The step that is tried first; 0 if it is to be found.
     first_step: f64,
 }
 

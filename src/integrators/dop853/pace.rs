@@ -1,4 +1,4 @@
-//! Steps in another time than that of the motion, for motions that are now slow, now fast.
+//! Steps in another time than the motion's, for motions that are now slow, now fast.
 
 use super::event::Watch;
 use super::system::ByRef;
@@ -31,10 +31,10 @@ impl Dop853 {
     /// The state at `t_end` of a system whose last component is the time, by steps in the time s
     /// of dt = `pace`(y) ds, and the work.
     ///
-    /// `ode` gives the rates by t, that of the last component being 1; `pace` is greater than 0.
-    /// In units of a pace that follows the distance from a singular point (an angle from the
-    /// pole, a planet from its sun) the motion is slow beside that point too: the steps stay
-    /// alike, and none has to be found too long first. `t_end` may lie before the start.
+    /// `ode` gives the rates by t, with 1 for the last component; `pace` is greater than 0. In
+    /// units of a pace that follows the distance from a singular point (an angle from the pole, a
+    /// planet from its sun) the motion is slow beside that point too. So the steps stay alike, and
+    /// none has to be found too long first. `t_end` may lie before the start.
     ///
     /// Accuracy: the time is stepped to like all else, and the last step ends at `t_end` as at an
     /// [event](Event). Measured on a top that passes the pole in 1e-4 rad, twenty times, with
@@ -63,8 +63,8 @@ impl Dop853 {
     ///
     /// # Errors
     /// A time that is not finite; a pace that is not greater than 0, where that is met on the way
-    /// as a derivative that is not finite; [`Error::NotReached`] where the time comes to a stand
-    /// before `t_end`; those of [`Dop853::solve`], which tell s for t.
+    /// as a derivative that is not finite; [`Error::NotReached`] where the time stops before
+    /// `t_end`; the errors of [`Dop853::solve`], which tell s for t.
     pub fn advance_at_pace<const N: usize>(
         &self,
         ode: &(impl Ode<N> + ?Sized),

@@ -1,4 +1,4 @@
-//! What [`Dop853::solve`](super::Dop853::solve) returns.
+//! The result of [`Dop853::solve`](super::Dop853::solve).
 
 use super::event::LocatedEvent;
 use super::segment::Segment;
@@ -59,7 +59,7 @@ impl<const N: usize> Solution<N> {
         &self.start
     }
 
-    /// Where the run ended: the time asked for, or that of a terminal event.
+    /// Where the run ended: the time asked for, or the time of a terminal event.
     pub fn end_time(&self) -> f64 {
         self.segments.last().map_or(self.start_time, |s| s.t_end)
     }
@@ -99,7 +99,7 @@ impl<const N: usize> Solution<N> {
         self.segments.iter().map(|s| s.t_end)
     }
 
-    /// What the run cost, interpolant and events included.
+    /// The cost of the run, interpolant and events included.
     pub const fn work(&self) -> Work {
         self.work
     }

@@ -17,9 +17,9 @@ pub(super) struct Trial<const N: usize> {
     pub(super) start: Compensated<N>,
     pub(super) end: Compensated<N>,
     pub(super) k: [[f64; N]; STAGES],
-    /// What was added to the start.
+    /// The increment of the start.
     made: [f64; N],
-    /// What was added to the end to put it back, where it had drifted.
+    /// The correction of the end, where it had drifted.
     back: Option<[f64; N]>,
     /// The drift that is left where it is, in parts of what drifts.
     within: f64,

@@ -22,7 +22,7 @@ impl Dop853 {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotReached`] if it has not happened until `until`; those of [`Dop853::solve`].
+    /// [`Error::NotReached`] if it has not happened until `until`; the errors of [`Dop853::solve`].
     pub fn zero<const N: usize>(
         &self,
         ode: &impl Ode<N>,
@@ -80,12 +80,11 @@ pub fn after<const N: usize>(
 /// The angular frequency of the smallest oscillations, measured: two zeros of `f` make a
 /// period, and the periods of two sizes are extrapolated to size 0.
 ///
-/// `start(size)` is the start of an oscillation of this size, 1e-3 and 2e-3, whose period is
-/// even in it, as that of a kick at the place of rest is; `until` is a time by which both
-/// are over.
+/// `start(size)` is the start of an oscillation of this size, 1e-3 and 2e-3, whose period is even
+/// in it, as after a kick at the place of rest. `until` is a time by which both are over.
 ///
-/// Accuracy, on pendulums: 1e-10, what the fourth power of the size and the location of the
-/// zeros leave.
+/// Accuracy, on pendulums: 1e-10, the error that the fourth power of the size and the location of
+/// the zeros leave.
 ///
 /// # Errors
 /// Those of [`Dop853::zero`].

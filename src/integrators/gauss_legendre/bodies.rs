@@ -1,5 +1,5 @@
-//! What the method carries of a body under effects: any scene, symmetric bodies
-//! without their spin, and any body on its own axes.
+//! The variables of the method for a body under effects: any scene, symmetric bodies without their
+//! spin, and any body on its own axes.
 
 use super::free_rotation::{inverse_moments, rates, rates_of};
 use super::{GaussLegendre, StageOde};
@@ -152,7 +152,7 @@ fn turned_back<L: Lane>([w, x, y, z]: [L; 4], [a, b, c]: [L; 3]) -> [L; 3] {
 
 /// S and m = L/(2 I1): S' = (0, m) S, m' = torque/(2 I1). With six components m_Z is kept.
 ///
-/// The torque is that of an axis of length |S|^2; Gauss's methods keep that length.
+/// The torque belongs to an axis of length |S|^2; Gauss's methods keep that length.
 struct Precession<'s, E> {
     scene: &'s Scene<E>,
     half: f64,
@@ -261,9 +261,9 @@ impl<'s, E: Effect, const STEADY: bool> Integrator<SpinFree<'s, E>, State>
 /// q' = q (0, omega) / 2,   l' = l x omega + R^T torque(e3),   omega = I^-1 l.
 /// ```
 ///
-/// The kinetic energy is quadratic in l, and so is the potential of gravity in q:
-/// Gauss's methods keep the energy of a heavy body but for round-off, and the error
-/// grows with the time, not with its square as it does in the variables of [`Scene`].
+/// The kinetic energy is quadratic in l, and so is the potential of gravity in q. So Gauss's
+/// methods keep the energy of a heavy body but for round-off, and the error grows with the time,
+/// not with its square as it does in the variables of [`Scene`].
 ///
 /// ```
 /// use rotation_dynamics::attitude::{Attitude, EulerAngles};
@@ -317,7 +317,7 @@ impl<'s, E: Effect> BodyAxes<'s, E> {
         [w, x, y, z, l1, l2, l3]
     }
 
-    /// The state that these components stand for; the quaternion is normalised.
+    /// The state that these components describe; the quaternion is normalised.
     ///
     /// Errors: a component that is not finite; a quaternion of length 0.
     pub fn state(&self, &[w, x, y, z, l1, l2, l3]: &[f64; 7]) -> Result<State> {

@@ -118,7 +118,7 @@ pub const STAGES: [Lanes; 8] = [
     ],
 ];
 
-/// What the rounding of [`WEIGHTS`] leaves out.
+/// The part that the rounding of [`WEIGHTS`] leaves out.
 pub const WEIGHTS_REST: Lanes = [
     2.4319e-19,
     -5.7537e-18,
@@ -130,7 +130,7 @@ pub const WEIGHTS_REST: Lanes = [
     2.4319e-19,
 ];
 
-/// What the rounding of [`STAGES`] leaves out.
+/// The part that the rounding of [`STAGES`] leaves out.
 ///
 /// Without it the quadratic invariants drift by 1e-18 a step, always to the same side.
 pub const STAGES_REST: [Lanes; 8] = [

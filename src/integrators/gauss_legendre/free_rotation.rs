@@ -24,12 +24,11 @@ use crate::scene::Scene;
 /// q' = q (0, omega) / 2,   l' = l x omega,   omega = I^-1 l.
 /// ```
 ///
-/// Energy and |L| are quadratic in l, and Gauss's methods keep what is quadratic:
-/// the error grows with the time, not with its square as it does in the variables
-/// of [`Scene`]. In units that make Euler's equations a' = b c, b' = -c a, c' = a b a
-/// sweep is three products and three sums; with n = l/|L| and a direction u nearby, the
-/// angle about L grows by omega (n + u)/(1 + n u) beyond the shortest way from n to u,
-/// which is integrated to the same order 16.
+/// Energy and |L| are quadratic in l, and Gauss's methods keep what is quadratic: the error grows
+/// with the time, not with its square as it does in the variables of [`Scene`]. In units that make
+/// Euler's equations a' = b c, b' = -c a, c' = a b a sweep is three products and three sums. With n
+/// = l/|L| and a direction u nearby, the angle about L grows by omega (n + u)/(1 + n u) beyond the
+/// shortest way from n to u, which is integrated to the same order 16.
 ///
 /// ```
 /// use rotation_dynamics::attitude::Attitude;
@@ -138,7 +137,7 @@ impl Ode<7> for FreeRotation {
         rates(&self.inverse, y)
     }
 
-    /// The length of the quaternion and that of the momentum.
+    /// The lengths of the quaternion and of the momentum.
     fn scale(&self, &[w, x, y, z, l1, l2, l3]: &[f64; 7]) -> [f64; 7] {
         let q = (w * w + x * x + y * y + z * z).sqrt();
         let l = SpaceVector::new(l1, l2, l3).norm().max(f64::MIN_POSITIVE);
@@ -168,7 +167,7 @@ impl StageOde<3> for Euler {
     }
 }
 
-/// The axes in the order of their moments, and what a momentum is measured in along each.
+/// The axes in the order of their moments, and the unit of a momentum along each.
 struct Units {
     /// Which of the body's axes is the first, second, third; the third is turned round
     /// if that order is left-handed.
@@ -388,7 +387,7 @@ fn unit_quaternion([w, x, y, z]: Quaternion) -> Quaternion {
     [w * by, x * by, y * by, z * by]
 }
 
-/// The attitude moves; the momentum in space is that of the start.
+/// The attitude moves; the momentum in space stays as at the start.
 impl<const STEADY: bool> Integrator<FreeRotation, State> for GaussLegendre<STEADY> {
     advance_by_counting!(FreeRotation, State);
 

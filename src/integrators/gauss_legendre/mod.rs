@@ -1,9 +1,9 @@
 //! The Gauss-Legendre method with eight stages: order 16, symplectic, symmetric.
 //!
-//! Implicit, and still the fastest way to step smooth rotation to many digits:
-//! its eight stages are evaluated side by side in the lanes of a vector register,
-//! the stage equations are solved by a few sweeps that begin at the previous
-//! step's polynomial, and a step spans a good part of a revolution.
+//! Implicit, and still the fastest way to step smooth rotation to many digits. Its eight stages are
+//! evaluated side by side in the lanes of a vector register. The stage equations are solved by a
+//! few sweeps that begin at the previous step's polynomial, and a step spans a good part of a
+//! revolution.
 //!
 //! Lanes do what scalar code would do, in its order and without contraction, so
 //! the bits do not depend on what the processor has.
@@ -40,11 +40,11 @@ pub type Lanes = [f64; 8];
 /// The registers that a run may use; it takes the best of them that there are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Registers {
-    /// What every processor of its kind has.
+    /// The registers that every processor of its kind has.
     Common,
-    /// Up to those of AVX2: four numbers each.
+    /// Up to the registers of AVX2: four numbers each.
     Avx2,
-    /// Up to those of AVX-512: eight numbers.
+    /// Up to the registers of AVX-512: eight numbers.
     Avx512,
 }
 
@@ -119,20 +119,20 @@ impl<const N: usize, O: Ode<N>> StageOde<N> for LaneByLane<O> {
 /// | 8 | 14.1 | 7.9e-11 | 1 | 14.5 | 1.0e-12 |
 /// | 10 | 12.8 | 1.3e-11 | | | |
 ///
-/// Over 1e5 steps the energy of the tumbling body stays within 2.5e-15 of its first
-/// value, that of the top within 6.0e-15; |L|, and L_Z of the top, are kept exactly.
-/// What a step costs in accuracy: with theta = h |L|/I, the angle that a step turns
-/// through (I the smallest moment, or I1 where the spin is taken out), it adds
-/// 6e-22 theta^17 rad on the tumbling body and 3e-20 theta^17 rad on the top. Stages need
-/// not be solved better than that: as [`precision`](Self::with_precision) take the error
-/// allowed for a step, on the free body a thirtieth of it. Over a thousand periods that
-/// saves two fifths of the sweeps for 1e-6 and a quarter for 1e-9 on the top, a third
-/// and an eighth on the free body. [`steady`](Self::steady), sweeps are cheaper, and so is what a
-/// step takes besides: with seven components 27 ns and 29 ns instead of 33 ns and 57 ns in registers
-/// of AVX-512, 32 ns and 44 ns instead of 53 ns and 71 ns in those of AVX2 (Zen 4 at 3.7 GHz).
-/// On a tumbling body, a top in two kinds of variables and an oscillator that is not steady,
-/// what is left after n = 50 to 100 steps stays below 1.7 sqrt(n) times the precision. It is
-/// mostly on one side: on long runs it goes with the square of n.
+/// Over 1e5 steps the energy of the tumbling body stays within 2.5e-15 of its first value, the
+/// energy of the top within 6.0e-15; |L|, and L_Z of the top, are kept exactly. The error of a
+/// step: with theta = h |L|/I, the angle that a step turns through (I the smallest moment, or I1
+/// where the spin is taken out), it adds 6e-22 theta^17 rad on the tumbling body. On the top it
+/// adds 3e-20 theta^17 rad. Stages need not be solved better than that: as
+/// [`precision`](Self::with_precision) take the error allowed for a step, on the free body a
+/// thirtieth of it. Over a thousand periods that saves two fifths of the sweeps for 1e-6 and a
+/// quarter for 1e-9 on the top, a third and an eighth on the free body. [`steady`](Self::steady),
+/// sweeps are cheaper, and so is the rest of a step. With seven components they take 27 ns and 29
+/// ns instead of 33 ns and 57 ns in registers of AVX-512, 32 ns and 44 ns instead of 53 ns and 71
+/// ns in registers of AVX2 (Zen 4 at 3.7 GHz). On a tumbling body, a top in two kinds of variables
+/// and an oscillator that is not steady, the error that n = 50 to 100 steps leave stays below 1.7
+/// sqrt(n) times the precision. It is mostly on one side: on long runs it goes with the square of
+/// n.
 ///
 /// Longer steps than 4 a period do not pay: the sweeps gain too little, and at 3 a
 /// period they diverge ([`Error::NoConvergence`]).
@@ -153,9 +153,9 @@ impl GaussLegendre {
         Self::with_precision(steps, 0.0)
     }
 
-    /// The same with the stages of each step solved to `precision` (0: to
-    /// round-off), relative to the scale of the state: a run that needs nine
-    /// digits need not sweep for 16. What the steps leave adds up over the run.
+    /// The same with the stages of each step solved to `precision` (0: to round-off), relative to
+    /// the scale of the state: a run that needs nine digits need not sweep for 16. The errors of
+    /// the steps add up over the run.
     ///
     /// Errors: no steps; a precision outside [0, 0.1].
     pub fn with_precision(steps: u64, precision: f64) -> Result<Self> {
@@ -176,9 +176,9 @@ impl GaussLegendre {
         })
     }
 
-    /// The same where each step needs about as many sweeps as the one before, to a precision
-    /// above 1e-15: cheaper sweeps, and 0 to 2 in a hundred more of them on long
-    /// steps, up to 15 in a hundred more on short ones.
+    /// The same where each step needs about as many sweeps as the one before, to a precision above
+    /// 1e-15. Its sweeps are cheaper; it takes 0 to 2 in a hundred more of them on long steps, up
+    /// to 15 in a hundred more on short ones.
     pub const fn steady(self) -> GaussLegendre<true> {
         let Self {
             steps,

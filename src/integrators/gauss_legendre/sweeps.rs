@@ -1,7 +1,7 @@
 //! The steps of the method, and the sweeps that solve the stages of each.
 //!
-//! Written once over [lanes](crate::math::lane) of eight. What is inside a sweep must be
-//! inlined, or it is compiled for registers that are not there: plain loops, no closures.
+//! Written once over [lanes](crate::math::lane) of eight. The code inside a sweep must be inlined,
+//! or it is compiled for registers that are not there: plain loops, no closures.
 
 #[cfg(target_arch = "x86_64")]
 use super::Registers;
@@ -21,13 +21,13 @@ const MOST_SWEEPS: u32 = 60;
 /// Stages that need not be better than this are not solved to round-off.
 const LOOSE: f64 = 1e-15;
 
-/// What the sweeps of another step gained is not trusted to be better.
+/// The gain of the sweeps of another step is not trusted to be better.
 const LEAST_GAIN: f64 = 0.1;
 
 /// Changes below this, relative to the scale, may be nothing but round-off.
 const ROUND_OFF: f64 = 1e-12;
 
-/// What is done with each step once its stages are known: a quadrature along the way.
+/// The action on each step once its stages are known: a quadrature along the way.
 pub(super) trait Companion<const N: usize> {
     /// The step by `h` (in two parts) led from one state through the stages to another.
     fn follow<L: Lane>(&mut self, h: [f64; 2], from: &[f64; N], stages: &[L; N], to: &[f64; N]);
@@ -44,8 +44,8 @@ impl<const N: usize> Companion<N> for () {
 #[repr(align(64))]
 struct Rows<const N: usize>([Lanes; N]);
 
-/// The stages' coefficients times the step, in two parts, and what the slopes of the step before
-/// give for the stages.
+/// The stages' coefficients times the step, in two parts, and the slopes of the step before as a
+/// start for the stages.
 struct Tableau {
     stages: Rows<8>,
     rest: Rows<8>,
@@ -207,7 +207,7 @@ struct Equations<const N: usize> {
     precision: f64,
 }
 
-/// How many sweeps the step before took, and what the last of them gained.
+/// How many sweeps the step before took, and the gain of the last of them.
 struct Pace {
     sweeps: u32,
     gain: f64,
@@ -274,9 +274,9 @@ impl<const N: usize> Equations<N> {
         }
     }
 
-    /// To no more than the precision: what is of the order of round-off is left out, the first
-    /// sweep takes the slopes of the step before as they are, and the changes are looked at only
-    /// where, by the step before, the sweeps may end.
+    /// To no more than the precision. Terms of the order of round-off are left out, and the first
+    /// sweep takes the slopes of the step before as they are. The changes are looked at only where,
+    /// by the step before, the sweeps may end.
     #[inline(always)]
     fn solve_loosely<L: Lane, O: StageOde<N>>(
         &self,

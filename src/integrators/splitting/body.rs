@@ -1,11 +1,9 @@
 //! Any body under effects that see only its axis.
 //!
-//! The parts are the free rotation, exact, and the kick of the torque. From a
-//! symmetric body the spin is taken out, as in
-//! [`SpinFree`](crate::integrators::SpinFree), and applied once at the end; what is
-//! left of the free rotation is a turn about L. Any other body turns by
-//! [`FreeFlow`]. An effect that sees more than the axis (a drag, a torque about the
-//! axis) is refused by its type.
+//! The parts are the free rotation, exact, and the kick of the torque. From a symmetric body the
+//! spin is taken out, as in [`SpinFree`](crate::integrators::SpinFree), and applied once at the
+//! end; the rest of the free rotation is a turn about L. Any other body turns by [`FreeFlow`]. An
+//! effect that sees more than the axis (a drag, a torque about the axis) is refused by its type.
 
 use super::Separable;
 use crate::attitude::Attitude;
@@ -128,7 +126,7 @@ impl<E: Effect> Separable for Scene<E> {
     }
 }
 
-/// What a turn about L, by the angle |L| `per_moment`, adds to q.
+/// The change of q by a turn about L, by the angle |L| `per_moment`.
 fn turned_about(momentum: [f64; 3], per_moment: f64, quaternion: [f64; 4]) -> [f64; 4] {
     let [a, b, c] = momentum.map(|l| 0.5 * per_moment * l);
     let square = a * a + b * b + c * c;

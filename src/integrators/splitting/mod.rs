@@ -1,12 +1,11 @@
 //! Splittings: exact flow and exact kick in turn.
 //!
-//! A problem that splits into two parts, each solvable exactly, is carried by
-//! steps of one and the other. For a body in a potential the parts are free
-//! rotation (of any body, exact: [`FreeFlow`](crate::exact::free_body::FreeFlow)) and
-//! the kick of the torque. Each part keeps the geometry (unit quaternion, L_Z, for
-//! a symmetric body L_z, symplecticity, reversibility), so every composition
-//! does; the coefficients only choose the order. What resists the rotation joins the kick,
-//! exact too ([`Resisted`]).
+//! A problem that splits into two parts, each solvable exactly, is carried by steps of one and the
+//! other. For a body in a potential the parts are free rotation (of any body, exact:
+//! [`FreeFlow`](crate::exact::free_body::FreeFlow)) and the kick of the torque. Each part keeps the
+//! geometry (unit quaternion, L_Z, for a symmetric body L_z, symplecticity, reversibility), so
+//! every composition does; the coefficients only choose the order. A resistance to the rotation
+//! joins the kick, exact too ([`Resisted`]).
 
 mod body;
 mod resisted;
@@ -43,7 +42,7 @@ pub trait Separable {
     /// The second part for the time `dt`: the kick without motion.
     fn kick(&self, point: &mut Self::Point, dt: f64);
 
-    /// What round-off has done to the geometry is undone, once a step.
+    /// The error that round-off has made in the geometry is undone, once a step.
     fn settle(&self, point: &mut Self::Point);
 }
 
@@ -63,10 +62,10 @@ pub trait Separable {
 /// | (10, 4) | ABA | 2.1e-7 | (8, 4) | 1.4e-6 |
 /// | (8, 2) | ABA | 4.0e-5 | | |
 ///
-/// Which scheme for which motion: the cheapest one measured that reaches the error of
-/// the attitude at the end, its kicks, and its time as a fraction of that of DOP853 and
-/// of Gauss-Legendre 16 (with AVX-512) at the same error, in one run on one machine.
-/// Where a fraction exceeds 1, do not split.
+/// Which scheme for which motion: the cheapest one measured that reaches the error of the attitude
+/// at the end, and its kicks. Its time is given as a fraction of the times of DOP853 and of
+/// Gauss-Legendre 16 (with AVX-512) at the same error, in one run on one machine. Where a fraction
+/// exceeds 1, do not split.
 ///
 /// | motion | 1e-6 | 1e-9 | 1e-11 |
 /// |---|---|---|---|
@@ -82,13 +81,12 @@ pub trait Separable {
 /// of them (spin-2: 72 against 91). Errors at equal price are locked in
 /// `tests/integrators/convergence/splitting.rs`.
 ///
-/// Accuracy: on the reference cases of the tops at 0.08 rad a step, SRKN 14a is off
-/// by K <= 2 in units of eps (|value| + condition), as a closed form would be (7.8 on
-/// the spherical pendulum, where I1/I3 = 50); on 49 heavy bodies with three different
-/// moments at 0.16 rad a step, by K <= 6.8. Over a million kicks L_Z is kept
-/// exactly, of a symmetric body L_z to 10 eps, and the length of the quaternion to
-/// 3 eps; the energy swings without drift. A run there and back ends within 2.6e-15 of
-/// its start.
+/// Accuracy: on the reference cases of the tops at 0.08 rad a step, SRKN 14a is off by K <= 2 in
+/// units of eps (|value| + condition), as a closed form would be (7.8 on the spherical pendulum,
+/// where I1/I3 = 50). On 49 heavy bodies with three different moments at 0.16 rad a step it is off
+/// by K <= 6.8. Over a million kicks L_Z is kept exactly, of a symmetric body L_z to 10 eps, and
+/// the length of the quaternion to 3 eps; the energy swings without drift. A run there and back
+/// ends within 2.6e-15 of its start.
 ///
 /// Sources: with each [`Scheme`]; the splitting of the top: exact free rotation
 /// and gravity kick, as in E. Hairer, C. Lubich, G. Wanner, *Geometric Numerical

@@ -1,9 +1,9 @@
 //! Bodies that lose momentum to what resists them, weakly or not.
 //!
-//! The parts are the free rotation, exact as without resistance, and what happens to L at a
-//! fixed attitude: resistance and kick together, exact as well
-//! ([`Resistance`](crate::effects::Resistance)). However strong the resistance is, it costs
-//! no steps of its own; a spin that dry friction stops is stopped at 0 and not beyond.
+//! The parts are the free rotation, exact as without resistance, and the change of L at a fixed
+//! attitude: resistance and kick together, exact as well
+//! ([`Resistance`](crate::effects::Resistance)). However strong the resistance is, it costs no
+//! steps of its own; a spin that dry friction stops is stopped at 0 and not beyond.
 
 use super::Separable;
 use super::body::{BodyPoint, Free};
@@ -18,16 +18,15 @@ use crate::scene::Scene;
 /// A scene whose effects see the axis only or resist the rotation, as a problem for
 /// [`Splitting`](super::Splitting).
 ///
-/// The spin of a symmetric body is taken out as in [`SpinFree`](crate::integrators::SpinFree):
-/// L_z goes its own way, L_z' = -k L_z or its law, and the angle of the spin is the integral of
-/// that in closed form.
+/// The spin of a symmetric body is taken out as in [`SpinFree`](crate::integrators::SpinFree). L_z
+/// goes its own way, L_z' = -k L_z or its law, and the angle of the spin is the integral of that in
+/// closed form.
 ///
-/// Which scheme: all keep their order but SRKN 14a, whose order 6 rests on kicks that depend on
-/// the attitude only; it falls to 4 where the resistance is strong (measured 4.0 with a rate
-/// of 3/s on a body that turns by 2 rad/s), and is the cheapest all the same where it is weak.
-/// Where dry friction stops the spin on the way, take one without negative parts, Strang or
-/// ABA(8,2), or cut the run at the stop. [`Scene::solve`]
-/// cuts there by itself.
+/// Which scheme: all keep their order but SRKN 14a, whose order 6 rests on kicks that depend on the
+/// attitude only. It falls to 4 where the resistance is strong (measured 4.0 with a rate of 3/s on
+/// a body that turns by 2 rad/s), and is the cheapest all the same where it is weak. Where dry
+/// friction stops the spin on the way, take one without negative parts, Strang or ABA(8,2), or cut
+/// the run at the stop. [`Scene::solve`] cuts there by itself.
 ///
 /// Cost: for the gyroscope of the example below, off by 9.4e-7 rad after ten seconds, SRKN 14a
 /// takes 2800 kicks, DOP853 nearly 14 times as many derivatives.

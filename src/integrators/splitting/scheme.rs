@@ -12,13 +12,13 @@ pub enum Outer {
 /// A symmetric splitting: a step is flows and kicks in turn, each over a
 /// fraction of the step, the same read backwards.
 ///
-/// Those by Blanes and Moan need an energy of motion quadratic in the momentum and a
-/// kick that depends on the position only (Runge-Kutta-Nyström), as a body in a
-/// potential has them; the others have their order for any flow and kick.
+/// Those by Blanes and Moan need an energy of motion quadratic in the momentum and a kick that
+/// depends on the position only (Runge-Kutta-Nyström), as a body in a potential has them. The
+/// others have their order for any flow and kick.
 ///
-/// The methods (10, 6, 4), (10, 4) and (8, 2) are for weak kicks: with a torque of
-/// relative size e the error of the first is of the size e h^10 + e^2 h^6 + e^3 h^4.
-/// Their order is the last number.
+/// The methods (10, 6, 4), (10, 4) and (8, 2) are for weak kicks. With a torque of relative size e
+/// the error of the first is of the size e h^10 + e^2 h^6 + e^3 h^4. Their order is the last
+/// number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scheme {
     /// The name the literature uses.
@@ -27,7 +27,7 @@ pub struct Scheme {
     pub order: u32,
     /// Paper, with the table in it.
     pub source: &'static str,
-    /// What a step begins and ends with.
+    /// The first and last part of a step.
     pub outer: Outer,
     /// Fractions of the step for the outer operation, one more than the inner ones.
     pub outer_parts: &'static [f64],

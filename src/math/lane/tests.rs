@@ -3,7 +3,7 @@
 use super::*;
 use crate::math::{STEEPEST, sincos_turns, sinh_cosh_of};
 
-/// Every operation of a lane, and those of its pairs.
+/// Every operation of a lane, and every operation of its pairs.
 struct Probe;
 
 impl Sampler<6> for Probe {
@@ -83,7 +83,7 @@ fn in_wider_registers(_: &impl Sampler<6>, _: &[f64]) -> Vec<Vec<Bits>> {
     Vec::new()
 }
 
-/// Whatever the length of the list.
+/// For any length of the list.
 #[test]
 fn every_width_gives_the_scalar_bits() {
     let mut compared = 0;
@@ -116,7 +116,7 @@ impl Sampler<6> for Kept {
     }
 }
 
-/// What is no number is none within any bound either, in whatever lane.
+/// A value that is no number is none within any bound either, in whatever lane.
 #[test]
 fn no_number_stays_none_within_bounds() {
     let mut compared = 0;

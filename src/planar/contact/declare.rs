@@ -1,4 +1,4 @@
-//! What a scene says about its contacts.
+//! The declarations of a scene about its contacts.
 
 /// Coordinates and velocities.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,7 +48,7 @@ impl Sense {
     }
 }
 
-/// What a contact does.
+/// The mode of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
     /// It does not act.
@@ -82,7 +82,7 @@ pub struct Row<const N: usize> {
 }
 
 impl<const N: usize> Row<N> {
-    /// Of a surface at rest.
+    /// A row for a surface at rest.
     pub const fn new(along: [f64; N], bias: f64) -> Self {
         Self {
             along,
@@ -106,7 +106,7 @@ pub(super) fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// What makes a contact push.
+/// The cause of the push of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Press {
     /// The gap must not become negative.
@@ -246,7 +246,7 @@ impl Surface {
     }
 }
 
-/// Contacts of one rigid body with the coordinates `[x, y, angle]`: those of its centre of
+/// Contacts of one rigid body with the coordinates `[x, y, angle]`: the place of its centre of
 /// mass, and its rotation counterclockwise.
 impl Contact<3> {
     /// A corner of the body, at `arm` from the centre in space axes, on a surface.
@@ -275,15 +275,15 @@ impl Contact<3> {
     /// |M| <= C_rr N R,
     /// ```
     ///
-    /// equal to it and against the rotation while the body turns; at rest it takes any value up
-    /// to that, so that a body at rest stays where less would move it, and one that comes to
-    /// rest stops, at an event ("stops"; "starts" and "reverses" are the others).
+    /// equal to it and against the rotation while the body turns. At rest it takes any value up to
+    /// that, so that a body at rest stays where a smaller torque would move it. A body that comes
+    /// to rest stops, at an event ("stops"; "starts" and "reverses" are the others).
     ///
-    /// `radius` R (m); `coefficient` C_rr (not negative; 0.002 for steel on a rail, 0.01 for a
-    /// tyre on a road). The number that it is judged by is C_rr itself: on the level a body
-    /// with I = k m R^2 that rolls loses C_rr g/(1 + k) of speed a second, and on an incline of
-    /// less than C_rr it does not begin to roll. Range of validity: a resistance that
-    /// does not depend on the speed, and speeds at which the surfaces creep back in time.
+    /// `radius` R (m); `coefficient` C_rr (not negative; 0.002 for steel on a rail, 0.01 for a tyre
+    /// on a road). It is judged by the number C_rr itself. On the level a body with I = k m R^2
+    /// that rolls loses C_rr g/(1 + k) of speed a second, and on an incline of less than C_rr it
+    /// does not begin to roll. Range of validity: a resistance that does not depend on the speed,
+    /// and speeds at which the surfaces creep back in time.
     ///
     /// A mechanism without it has one contact less: there is nothing to be called.
     ///

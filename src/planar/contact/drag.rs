@@ -142,9 +142,9 @@ drags! {
     /// Drag on the centre with the square of the speed, F = -c |v| v, c = rho C_d A/2: of what
     /// moves through air ([`in_air`](QuadraticDrag::in_air)).
     ///
-    /// Range of validity: Reynolds numbers from 1e3 to 1e5, where C_d of a ball is 0.4 to 0.5
-    /// and that of a cylinder across 1.0 to 1.2. The number that it is judged by: Pi_D =
-    /// rho C_d A v^2/2 over the driving force ([`number`](QuadraticDrag::number)).
+    /// Range of validity: Reynolds numbers from 1e3 to 1e5, where C_d is 0.4 to 0.5 for a ball and
+    /// 1.0 to 1.2 for a cylinder across. The number that it is judged by: Pi_D = rho C_d A v^2/2
+    /// over the driving force ([`number`](QuadraticDrag::number)).
     ///
     /// Source: H. Schlichting, K. Gersten, *Boundary-Layer Theory*, 1.
     QuadraticDrag, "kg/m", |c, v| {
@@ -178,9 +178,9 @@ impl QuadraticDrag {
         Self::new(0.5 * density * coefficient * area)
     }
 
-    /// Time (s) and speed (m/s) at the end of this way (m), from rest, of what would get faster by
-    /// `acceleration` (m/s^2) without the drag and has this inertia (kg) along the way:
-    /// `cosh(t sqrt(a d)) = exp(d s)` and `v^2 = (1 - exp(-2 d s)) a/d` with `d` = c/inertia.
+    /// Time (s) and speed (m/s) at the end of this way (m), from rest, for a body that would get
+    /// faster by `acceleration` (m/s^2) without the drag and has this inertia (kg) along the way.
+    /// With `d` = c/inertia, `cosh(t sqrt(a d)) = exp(d s)` and `v^2 = (1 - exp(-2 d s)) a/d`.
     ///
     /// ```
     /// use rotation_dynamics::planar::contact::QuadraticDrag;

@@ -1,12 +1,12 @@
 //! Several contacts with dry friction: which of them push, stick, slip or let go.
 //!
-//! A [`Mechanism`] says its mass matrix, its forces and its [`Contact`]s: the gap of each,
-//! its friction, its restitution. What each contact does at a time is its [`Mode`]. The
-//! solver finds the modes by trying all of them: the motion that a set of modes gives must
-//! agree with what they claim (normal forces push, friction holds within its cone or
-//! opposes the slip, open gaps do not close). Where a mode stops agreeing is an event,
-//! located by real steps like every event of [`planar`](super). What a step has drifted off the
-//! contacts that act is put back at its end, by least action on the masses.
+//! A [`Mechanism`] says its mass matrix, its forces and its [`Contact`]s: the gap of each, its
+//! friction, its restitution. The mode of each contact at a time is its [`Mode`]. The solver finds
+//! the modes by trying all of them. The motion that a set of modes gives must agree with its
+//! claims: normal forces push, friction holds within its cone or opposes the slip, open gaps do not
+//! close. Where a mode stops agreeing is an event, located by real steps like every event of
+//! [`planar`](super). The drift of a step off the contacts that act is put back at its end, by
+//! least action on the masses.
 //!
 //! | item | what it is |
 //! |---|---|
@@ -88,8 +88,8 @@ pub type Modes<const C: usize> = [Mode; C];
 /// # }
 /// ```
 pub trait Mechanism<const N: usize, const C: usize> {
-    /// The mass matrix M(q), symmetric and positive definite: what is not is refused at the start
-    /// and wherever the modes change.
+    /// The mass matrix M(q), symmetric and positive definite: another matrix is refused at the
+    /// start and wherever the modes change.
     fn mass(&self, q: &[f64; N]) -> [[f64; N]; N];
 
     /// The generalized forces f in M(q) q'' = f + contacts, with the velocity terms of the
@@ -99,7 +99,7 @@ pub trait Mechanism<const N: usize, const C: usize> {
     /// The contacts in this state, always in the same order.
     fn contacts(&self, state: &MechanismState<N>) -> [Contact<N>; C];
 
-    /// What ends the scene: a name, and a margin that is positive until then.
+    /// The end of the scene: a name, and a margin that is positive until then.
     fn end(&self, _state: &MechanismState<N>) -> Option<(&'static str, f64)> {
         None
     }
@@ -114,10 +114,10 @@ pub trait Mechanism<const N: usize, const C: usize> {
 
     /// The size against which errors count, as [`super::Phased::scale`]: coordinates first.
     ///
-    /// A gap or a speed smaller than 1e-12 of what this makes of it is none. What is written here
-    /// takes 1 for the least size of each. A mechanism whose lengths or speeds are far from 1 in
-    /// its units says its own sizes: with these, gaps of 1e-13 all count as shut and speeds of
-    /// 1e-13 as 0, and no error tells; what is 1e5 long cannot be held to 1e-12 of 1. The
+    /// A gap or a speed smaller than 1e-12 of what this makes of it is none. The default written
+    /// here takes 1 for the least size of each. A mechanism whose lengths or speeds are far from 1
+    /// in its units says its own sizes. With these defaults, gaps of 1e-13 all count as shut and
+    /// speeds of 1e-13 as 0, and no error tells; a length of 1e5 cannot be held to 1e-12 of 1. The
     /// equations want lengths from 1e-6 to 1e6 in any case; of masses only ratios count.
     fn scale(&self, state: &MechanismState<N>) -> MechanismState<N> {
         let size = |c: f64| c.abs().max(1.0);

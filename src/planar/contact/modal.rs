@@ -107,19 +107,19 @@ impl<M: Mechanism<N, C>, const N: usize, const C: usize> Modal<M, N, C> {
         })
     }
 
-    /// What the gap of contact `i` is measured by.
+    /// The measure of the gap of contact `i`.
     pub(super) fn gap_size(&self, i: usize, state: &MechanismState<N>) -> f64 {
         let row = self.0.contacts(state)[i].normal;
         row.size(&self.0.scale(state).q)
     }
 
-    /// What its normal speed is measured by.
+    /// The measure of its normal speed.
     pub(super) fn normal_size(&self, i: usize, state: &MechanismState<N>) -> f64 {
         let row = self.0.contacts(state)[i].normal;
         row.size(&self.0.scale(state).v) + row.surface.abs()
     }
 
-    /// What its slip speed is measured by.
+    /// The measure of its slip speed.
     pub(super) fn slip_size(&self, i: usize, state: &MechanismState<N>) -> f64 {
         let row = self.0.contacts(state)[i].tangent;
         row.size(&self.0.scale(state).v) + row.surface.abs()

@@ -14,10 +14,10 @@ use core::fmt;
 /// Something that happened to a contact, or the end of the scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactEvent<const N: usize, const C: usize> {
-    /// The name of the contact and what it did: "floor touches", "floor bounces",
-    /// "floor rests", "floor sticks", "floor slips", "floor reverses", "floor lets go"; of a
-    /// [rolling resistance](super::Contact::rolling) "wheel stops", "wheel starts", "wheel
-    /// reverses"; or that of the end. "sticks" is the end of a slip in contact: a slip that ends
+    /// The name of the contact and its change: "floor touches", "floor bounces", "floor rests",
+    /// "floor sticks", "floor slips", "floor reverses", "floor lets go". For a [rolling
+    /// resistance](super::Contact::rolling) it is "wheel stops", "wheel starts", "wheel reverses";
+    /// at the end, the name of the end. "sticks" is the end of a slip in contact: a slip that ends
     /// within an impact has no event of its own, and [`ContactMotion::modes`] tell what follows.
     pub name: String,
     /// When.
@@ -33,29 +33,29 @@ pub struct ContactEvent<const N: usize, const C: usize> {
 /// A motion through modes.
 ///
 /// A body that bounces ever lower rests after infinitely many bounces. The first that is no higher
-/// than 1e-12 of the size of its gap ([`Mechanism::scale`]) is the event "floor touches", and all that
-/// follow are taken together with it; "floor rests" is the event at the time when they are over. (An
-/// impact that does not bounce, as with the restitution 0, is "floor touches" alone.) For a body with
-/// the restitution e, which leaves this impact at `t` with the speed u and is brought back by the
-/// acceleration a, that is
+/// than 1e-12 of the size of its gap ([`Mechanism::scale`]) is the event "floor touches". All that
+/// follow are taken together with it; "floor rests" is the event at the time when they are over.
+/// (An impact that does not bounce, as with the restitution 0, is "floor touches" alone.) A body
+/// with the restitution e leaves this impact at `t` with the speed u and is brought back by the
+/// acceleration a. For it that time is
 ///
 /// ```text
 /// t + 2 u/(a (1 - e)).
 /// ```
 ///
-/// Between the two the velocity is not resolved: the one given is that of a body that rests on the
-/// contact already, and the true one is within u of it, some 4e-6 m/s for a gap of the size 1 m. From
-/// then on state and forces are as accurate as elsewhere, but for 1e-12 of the size of the gap. A run
-/// that ends between the two is refused.
+/// Between the two the velocity is not resolved: the given velocity is the one of a body that rests
+/// on the contact already. The true one is within u of it, some 4e-6 m/s for a gap of the size 1 m.
+/// From then on state and forces are as accurate as elsewhere, but for 1e-12 of the size of the
+/// gap. A run that ends between the two is refused.
 ///
 /// Accuracy: the state after to 16 eps, whatever bounced and slipped before. The time of rest to
-/// 1e-13 of itself where the coordinate is the gap, for e up to 0.99; for a ball of 0.1 m, whose
-/// height is rounded to its own digits, to 1.4e-11 (9e-11 in 400 throws from 1 mm to 10 m), and for one
-/// of 1 m to 2.1e-9. Where contacts hit
-/// in turn and keep the same part of the speed each time, as the corners of a rocking block, to 1e-9 s;
-/// for a rod whose ends rattle, to 2.4e-15 s (`tests/planar/rest.rs`). Where contacts hit in turn to the
-/// end and the part changes from hit to hit, it may be off by some of the last 1e-6 s.
-/// [`motion_within`] refuses an error below that to which the times are rounded.
+/// 1e-13 of itself where the coordinate is the gap, for e up to 0.99. For a ball of 0.1 m, whose
+/// height is rounded to its own digits, it is to 1.4e-11 (9e-11 in 400 throws from 1 mm to 10 m),
+/// and for one of 1 m to 2.1e-9. Where contacts hit in turn and keep the same part of the speed
+/// each time, as the corners of a rocking block, to 1e-9 s; for a rod whose ends rattle, to 2.4e-15
+/// s (`tests/planar/rest.rs`). Where contacts hit in turn to the end and the part changes from hit
+/// to hit, it may be off by some of the last 1e-6 s. [`motion_within`] refuses an error below that
+/// to which the times are rounded.
 ///
 /// ```
 /// use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState, motion_within};
@@ -86,7 +86,7 @@ pub struct ContactMotion<M, const N: usize, const C: usize> {
     done: Done<N, C>,
 }
 
-/// What is known of a motion beside its mechanism.
+/// The part of a motion that is known beside its mechanism.
 pub struct Done<const N: usize, const C: usize> {
     run: Box<dyn AnyRun<N, C>>,
     events: Vec<ContactEvent<N, C>>,
@@ -158,7 +158,7 @@ macro_rules! solvable {
 
 solvable!(1 2 3 4 5 6 7 8 9 10 11 12 13 14);
 
-/// A mechanism of any type: what solves it is compiled once for all of its size.
+/// A mechanism of any type: the code that solves it is compiled once for all of its size.
 type AnyMechanism<'m, const N: usize, const C: usize> = dyn Mechanism<N, C> + 'm;
 
 /// How a motion is solved.
@@ -321,7 +321,7 @@ impl<const N: usize, const C: usize> Done<N, C> {
 }
 
 impl<M: Mechanism<N, C>, const N: usize, const C: usize> ContactMotion<M, N, C> {
-    /// What happened, in order.
+    /// The events, in order.
     pub fn events(&self) -> &[ContactEvent<N, C>] {
         &self.done.events
     }
@@ -349,7 +349,7 @@ impl<M: Mechanism<N, C>, const N: usize, const C: usize> ContactMotion<M, N, C> 
         Ok(self.done.run.at(t)?.1)
     }
 
-    /// What each contact does at `t`; at an event, what it did before.
+    /// The mode of each contact at `t`; at an event, the mode before.
     ///
     /// # Errors
     /// Those of [`at`](Self::at).
@@ -381,13 +381,13 @@ impl<M: Mechanism<N, C>, const N: usize, const C: usize> ContactMotion<M, N, C> 
         self.done.estimate
     }
 
-    /// What all of it cost.
+    /// The cost of all of it.
     pub fn work(&self) -> Work {
         self.done.work
     }
 }
 
-/// What happened to the contacts at a change of modes.
+/// The change of the contacts at a change of modes.
 fn events<const N: usize, const S: usize, const C: usize>(
     mechanism: &AnyMechanism<'_, N, C>,
     at: &Transition<Modes<C>, S>,

@@ -11,7 +11,7 @@ use crate::planar::{Entry, Rest};
 /// Corrections of coordinates that are brought back onto their contacts, at most.
 const CORRECTIONS: usize = 3;
 
-/// What ended the modes before.
+/// The event that ended the modes before.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Trigger {
     /// A normal force came down to 0.
@@ -27,7 +27,7 @@ pub(super) enum Trigger {
 /// Where the modes before ended: they, and why.
 type Before<const C: usize> = Option<(Modes<C>, Trigger)>;
 
-/// What follows an event.
+/// The consequence of an event.
 pub(super) struct Entered<const N: usize, const C: usize> {
     pub modes: Modes<C>,
     pub state: MechanismState<N>,
@@ -112,7 +112,7 @@ pub(super) fn enter<M: Mechanism<N, C>, const N: usize, const C: usize>(
     }
 }
 
-/// What contact `i` may do next.
+/// The modes that contact `i` may have next.
 fn choices<M: Mechanism<N, C>, const N: usize, const C: usize>(
     scene: &Modal<M, N, C>,
     i: usize,
@@ -263,8 +263,8 @@ fn momentum<const N: usize>(mass: &[[f64; N]; N], v: &[f64; N]) -> [f64; N] {
     core::array::from_fn(|j| dot(&mass[j], v))
 }
 
-/// Moves coordinates and velocities onto the contacts that act, by least action on the
-/// masses: what the integration has drifted away.
+/// Moves coordinates and velocities onto the contacts that act, by least action on the masses: this
+/// takes back the drift of the integration.
 pub(super) fn put_on<M: Mechanism<N, C>, const N: usize, const C: usize>(
     scene: &Modal<M, N, C>,
     modes: &Modes<C>,

@@ -5,8 +5,8 @@ use super::Modes;
 use super::declare::{Contact, Mode, Press, Sense, dot};
 use super::linear::{Equations, Root, SIZE, unit};
 
-/// What is smaller than this part of its size is none: the round-off that equations of
-/// sixteen unknowns may leave.
+/// A number smaller than this part of its size counts as none: it is the round-off that equations
+/// of sixteen unknowns may leave.
 pub(super) const ZERO: f64 = 1e-12;
 
 /// How far a rate may be from 0 where an event says that it is 0. Where a force has come
@@ -22,7 +22,7 @@ pub struct Force {
     pub tangential: f64,
 }
 
-/// The sum of all contact forces: what their round-off is measured by.
+/// The sum of all contact forces, the measure of their round-off.
 pub(super) fn total<const C: usize>(forces: &[Force; C]) -> f64 {
     let sizes = forces.iter().map(|f| f.normal.abs() + f.tangential.abs());
     sizes.sum()
@@ -107,8 +107,8 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
         })
     }
 
-    /// Units of the unknowns: those of the forces go with the mass that is nearest to ordinary, so
-    /// that masses may be given in any unit.
+    /// Units of the unknowns: the units of the forces go with the mass that is nearest to ordinary,
+    /// so that masses may be given in any unit.
     fn units(&self) -> [f64; SIZE] {
         let masses = (0..N).map(|j| unit(self.mass[j][j]));
         let far = |unit: f64| unit.max(1.0 / unit);
@@ -140,7 +140,7 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
         core::array::from_fn(|j| root.x[j] + step * freedom[j])
     }
 
-    /// What must not be negative in a contact: its normal force, and what is left to either
+    /// The numbers that must not be negative in a contact: its normal force, and the room to either
     /// side of the friction cone.
     fn margins(&self, i: usize, mode: Mode, normal: f64, tangential: f64) -> [f64; 3] {
         let contact = &self.contacts[i];
@@ -163,7 +163,7 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
         }
     }
 
-    /// The size of the forces: what round-off in them is measured by.
+    /// The size of the forces, the measure of round-off in them.
     fn force_size(&self, i: usize, response: &Response<N, C>) -> f64 {
         let row = &self.contacts[i].normal.along;
         let square = dot(row, row);
@@ -172,7 +172,7 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
         load + total(&response.force)
     }
 
-    /// The size of a rate: what all forces together could make of it.
+    /// The size of a rate, as large as all forces together could make it.
     fn rate_size(&self, response: &Response<N, C>, j: usize) -> f64 {
         let rows = self
             .contacts
@@ -224,9 +224,9 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
         })
     }
 
-    /// The modes whose response agrees with them, and that response: all sets are tried, in
-    /// order. Where two agree and move differently, the error has both. Where none does, what
-    /// an event has decided may be off by [`DECIDED`].
+    /// The modes whose response agrees with them, and that response: all sets are tried, in order.
+    /// Where two agree and move differently, the error has both. Where none does, the decision of
+    /// an event may be off by [`DECIDED`].
     pub(super) fn search(
         &self,
         choices: &[Choices; C],
@@ -351,8 +351,8 @@ impl Choices {
         Self::of(&all[..closed + usize::from(may_open)], friction)
     }
 
-    /// The same where an event has decided: what is left of the rates there is the error of
-    /// the run, which was put back onto its contacts since.
+    /// The same where an event has decided: the rest of the rates there is the error of the run,
+    /// which was put back onto its contacts since.
     pub(super) fn decided(self) -> Self {
         Self {
             decided: true,
