@@ -117,9 +117,11 @@ macro_rules! groups {
 }
 
 groups! {
+    accuracy_races "accuracy_races";
     accuracy "accuracy";
     ch15 "ch15";
     ch16 "ch16";
+    effects_studies "effects_";
     effects "effects";
     further "further";
     hard_cases "hard_cases";
