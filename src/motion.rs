@@ -1,4 +1,4 @@
-//! The questions to every motion, whether it is known in closed form or was solved.
+//! The interface of every motion, whether it is known in closed form or was solved.
 //!
 //! A motion has a name, a state at a time, states at many times, numbers that it keeps, and a
 //! *condition*: by how much the state changes when the inputs change a little. Code that

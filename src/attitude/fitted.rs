@@ -31,7 +31,7 @@ impl Attitude {
     /// the whole matrix changes nothing but the distance.
     ///
     /// Errors: an element that is not finite; [`Error::OutOfRange`] with the smallest singular
-    /// value. It is returned if that value is not above 16 eps of the largest (a singular matrix),
+    /// value. That is returned if the value is not above 16 eps of the largest (a singular matrix),
     /// or is negative (a reflection: it has the sign of the determinant), or if with the middle one
     /// it is too small for one rotation to be nearer than all others. Accuracy: rotation error 5.9
     /// eps for matrices up to 0.45 off, and the distance to 16 eps, measured against polar

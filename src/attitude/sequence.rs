@@ -143,7 +143,7 @@ impl Attitude {
     /// The attitude after these three turns (rad), of any finite size.
     ///
     /// The double nearest to the angle of a Tait-Bryan lock counts as the lock: the quaternion is
-    /// then the one of the lock, and [`Attitude::angles`] finds it again.
+    /// then the quaternion of the lock, and [`Attitude::angles`] finds it again.
     ///
     /// Errors: an angle that is not finite.
     /// Cost: as [`Attitude::from_euler`].

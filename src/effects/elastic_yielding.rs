@@ -160,7 +160,7 @@ impl ElasticYielding {
     }
 
     /// The state of this body with an attitude and an angular velocity on its own axes (rad/s): the
-    /// one of its axes, as [`Scene::angular_velocity`] gives it.
+    /// state of its axes, as [`Scene::angular_velocity`] gives it.
     ///
     /// # Errors
     /// Components that are not finite, or a momentum beyond `f64`.

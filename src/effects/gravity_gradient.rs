@@ -19,9 +19,9 @@ use core::f64::consts::TAU;
 /// at the mean motion n0. U leaves out -G M m/r; its mean over all directions is 0.
 ///
 /// The moving n does work: kinetic energy plus U changes by dU/dt at a fixed attitude
-/// ([`Effect::power`]). Conserved is that energy less n0 times the component of L along the normal
-/// (Jacobi's integral). A direction that is [`fixed`](Self::fixed) is a type of its own, which
-/// keeps the energy.
+/// ([`Effect::power`]). The conserved quantity is that energy less n0 times the
+/// component of L along the normal (Jacobi's integral). A direction that is
+/// [`fixed`](Self::fixed) is a type of its own, which keeps the energy.
 ///
 /// Range of validity: a satellite small against r (the next term is smaller by size/r, for a body
 /// that is even in its axes by the square of that). It must be light against the attracting body,

@@ -1,4 +1,4 @@
-//! Effects: the torques on a body, one file per effect.
+//! Effects on the rotation of a body, one file per effect.
 //!
 //! An [`Effect`] says its torque once, from time, body and state. Its other claims (its
 //! [`Properties`], its potential, the times at which it jumps) open faster roads, and all of it is

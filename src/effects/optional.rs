@@ -8,9 +8,9 @@ use crate::math::Lane;
 
 /// An effect that is there or not, as a flag says. `None` is no effect: a scene of one known effect
 /// and of others that are `None` has its closed form. But the type no longer tells which effects
-/// act, so each torque asks whether it is there. The promise of a scene
-/// ([`Scene::invariants`](crate::scene::Scene::invariants)) is then the one that the effect allows
-/// if it is there. Where the effects are known, leave out what is not there.
+/// act, so each torque asks whether it is there. A scene then promises
+/// ([`Scene::invariants`](crate::scene::Scene::invariants)) only what holds if the effect is there.
+/// Where the effects are known, leave out what is not there.
 ///
 /// ```
 /// use rotation_dynamics::attitude::{Attitude, EulerAngles};

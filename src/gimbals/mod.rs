@@ -128,10 +128,10 @@ impl Pose {
 }
 
 impl Gimbals {
-    /// The `rotor` has its moments about the pivot. The `ring` has moments about the line of nodes,
-    /// across it and the axle, and along the axle, and the `fork` has this moment about the
-    /// vertical (kg m^2). Ring and fork balance about their own bearings: only the rotor has a
-    /// weight.
+    /// Gimbals that carry this `rotor`, whose moments are about the pivot. The `ring` has
+    /// moments about the line of nodes, across it and the axle, and along the axle, and the `fork`
+    /// has this moment about the vertical (kg m^2). Ring and fork balance about their own bearings:
+    /// only the weight of the rotor counts.
     ///
     /// # Errors
     /// A moment that is negative or not finite; [`Error::NotABody`] for moments

@@ -23,8 +23,8 @@ pub trait Ode<const N: usize> {
     fn scale(&self, y: &[f64; N]) -> [f64; N];
 
     /// How far `y`, the end of a step, is off a quantity that the solution keeps (a shut contact, a
-    /// norm) and a method does not. None if by no more than the part `within` of its size, or if
-    /// nothing is kept.
+    /// norm) and a method does not. None if it is off by no more than the part `within`
+    /// of its size, or if nothing is kept.
     ///
     /// [`Dop853`](super::Dop853) takes it away at the end of a step, with a tenth of the error
     /// of a step for `within`: small as it is, it would grow for as long as nothing happens.

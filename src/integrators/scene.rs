@@ -9,7 +9,7 @@
 //!
 //! (with what effects add to omega that slip, [`Scene::angular_velocity`]).
 //!
-//! *The length of q.* The derivative is the one of q/|q|, times |q|: it is homogeneous of degree
+//! *The length of q.* The derivative is the rate of q/|q|, times |q|: it is homogeneous of degree
 //! one. So |q| has no influence on the motion, is not corrected on the way (which would break steps
 //! and interpolants), and is divided out once, when the state is read.
 

@@ -83,7 +83,8 @@ impl<P: Copy + PartialEq + Debug, const N: usize> Ode<N> for InPhase<'_, P, N> {
 /// The motion of `scene` from `start` in `phase`, from time 0 to `t_end` or to the end
 /// of the scene. `t_end` may be negative where `phase` has no conditions.
 ///
-/// Accuracy: as `method`; events are located by real steps, as accurately as the motion itself.
+/// Accuracy: the accuracy of `method`; events are located by real steps, as accurately as
+/// the motion itself.
 ///
 /// # Errors
 /// [`Error::CannotHold`] if a phase begins although one of its conditions is negative by

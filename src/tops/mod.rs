@@ -58,7 +58,7 @@ pub struct Shape {
 }
 
 impl Shape {
-    /// The body has this mass (kg), and these moments of inertia across and along its axis about
+    /// A top with this mass (kg), and these moments of inertia across and along its axis about
     /// its centre of mass (kg m^2). It has this `lever` (m) from the centre of the ball up to the
     /// centre of mass (negative in a tippe top), and this radius of the `tip` (m).
     ///

@@ -1,4 +1,4 @@
-//! The questions to a motion at a time: angles, attitude, rates.
+//! The motion at a given time: angles, attitude, rates.
 
 use super::construct::UP;
 use super::motion::{Motion, Place};

@@ -67,7 +67,7 @@ impl RateWave {
 /// The sense and the zero: y = y_b - y_a - `sense` pi K'/2K, as theta_4 times the rate's
 /// series must have the quasi-periods of conj(alpha) beta.
 ///
-/// The sense is the one of y_b - y_a, so |y| <= pi K'/2K. The quotients may be 0/0 where q = 0;
+/// The sense is the sense of y_b - y_a, so |y| <= pi K'/2K. The quotients may be 0/0 where q = 0;
 /// then q beside them drops them.
 fn zero(a: &Zero, b: &Zero) -> (f64, Zero) {
     let [(decay_a, rest_a), (decay_b, rest_b)] = [a, b].map(|zero| {

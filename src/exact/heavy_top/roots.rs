@@ -212,7 +212,7 @@ fn turning_points_around(state: &State, outer: Dd, gravity: Dd) -> (Dd, Dd) {
 
 /// beta (v3 - 1): the one root >= 0 of s^3 + c2 s^2 - c1 beta s - (d beta)^2.
 ///
-/// Its relative error is the one of the coefficients: the other two roots, -beta X1 and -beta X2,
+/// It is known as well as the coefficients are: the other two roots, -beta X1 and -beta X2,
 /// lie on the other side of zero.
 fn outer_root(gravity: Dd, difference: Dd, c1: Dd, c2: Dd) -> Dd {
     if gravity == 0.0 {

@@ -1,5 +1,4 @@
-//! The questions to a motion as a whole: its kind, turning points, period, advances, conserved
-//! quantities.
+//! The motion as a whole: its kind, turning points, period, advances, conserved quantities.
 
 use super::{Course, HeavyTop, ReducedTop, SymmetricTop};
 use crate::math::{self, DoubleDouble as Dd, EPS};

@@ -143,8 +143,8 @@ drags! {
     /// moves through air ([`in_air`](QuadraticDrag::in_air)).
     ///
     /// Range of validity: Reynolds numbers from 1e3 to 1e5, where C_d is 0.4 to 0.5 for a ball and
-    /// 1.0 to 1.2 for a cylinder across. The number that it is judged by: Pi_D = rho C_d A v^2/2
-    /// over the driving force ([`number`](QuadraticDrag::number)).
+    /// 1.0 to 1.2 for a cylinder across the flow. The number that it is judged by: Pi_D =
+    /// rho C_d A v^2/2 over the driving force ([`number`](QuadraticDrag::number)).
     ///
     /// Source: H. Schlichting, K. Gersten, *Boundary-Layer Theory*, 1.
     QuadraticDrag, "kg/m", |c, v| {

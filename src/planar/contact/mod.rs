@@ -1,7 +1,7 @@
 //! Several contacts with dry friction: which of them push, stick, slip or let go.
 //!
 //! A [`Mechanism`] says its mass matrix, its forces and its [`Contact`]s: the gap of each, its
-//! friction, its restitution. The mode of each contact at a time is its [`Mode`]. The solver finds
+//! friction, its restitution. At each time a contact is in one [`Mode`]. The solver finds
 //! the modes by trying all of them. The motion that a set of modes gives must agree with its
 //! claims: normal forces push, friction holds within its cone or opposes the slip, open gaps do not
 //! close. Where a mode stops agreeing is an event, located by real steps like every event of

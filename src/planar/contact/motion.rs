@@ -43,7 +43,7 @@ pub struct ContactEvent<const N: usize, const C: usize> {
 /// t + 2 u/(a (1 - e)).
 /// ```
 ///
-/// Between the two the velocity is not resolved: the given velocity is the one of a body that rests
+/// Between the two the velocity is not resolved: the given velocity is for a body that rests
 /// on the contact already. The true one is within u of it, some 4e-6 m/s for a gap of the size 1 m.
 /// From then on state and forces are as accurate as elsewhere, but for 1e-12 of the size of the
 /// gap. A run that ends between the two is refused.
