@@ -97,19 +97,7 @@ impl<E: AnyEffect> Scene<E> {
         tolerance: f64,
         limits: &Limits<'s>,
     ) -> Result<SolvedMotion<'s>> {
-        let given = self.given(start, t_end, tolerance, limits)?;
-        let answer = given.answer(ALONG, false)?;
-        Ok(SolvedMotion {
-            given,
-            solved: answer.solved,
-            form: answer.form,
-            kept: (self.invariants())
-                .map(|invariant| {
-                    let (name, unit) = invariant.name_and_unit();
-                    Kept::new(name, unit, self.value(invariant, start))
-                })
-                .collect(),
-        })
+        along(self, start, t_end, tolerance, limits)
     }
 
     /// The states at these times (s), each with an attitude that is off by `tolerance`
@@ -124,17 +112,49 @@ impl<E: AnyEffect> Scene<E> {
         tolerance: f64,
         limits: &Limits,
     ) -> Result<Vec<State>> {
-        let Some(&t_end) = times.last() else {
-            return Err(Error::Lengths {
-                name: "times",
-                found: 0,
-                expected: 1,
-            });
-        };
-        in_order(limits.t_start, times)?;
-        let motion = self.solve_along(start, t_end, tolerance, limits)?;
-        motion.try_states(times)
+        at(self, start, times, tolerance, limits)
     }
+}
+
+/// [`Scene::solve_along`].
+fn along<'s>(
+    scene: &'s Scene<dyn AnyEffect + 's>,
+    start: &State,
+    t_end: f64,
+    tolerance: f64,
+    limits: &Limits<'s>,
+) -> Result<SolvedMotion<'s>> {
+    let given = Given::new(scene, start, t_end, tolerance, limits)?;
+    let answer = given.answer(ALONG, false)?;
+    let kept = scene.invariants().map(|invariant| {
+        let (name, unit) = invariant.name_and_unit();
+        Kept::new(name, unit, scene.value(invariant, start))
+    });
+    Ok(SolvedMotion {
+        given,
+        solved: answer.solved,
+        form: answer.form,
+        kept: kept.collect(),
+    })
+}
+
+/// [`Scene::solve_at`].
+pub(in crate::accuracy) fn at(
+    scene: &Scene<dyn AnyEffect + '_>,
+    start: &State,
+    times: &[f64],
+    tolerance: f64,
+    limits: &Limits,
+) -> Result<Vec<State>> {
+    let Some(&t_end) = times.last() else {
+        return Err(Error::Lengths {
+            name: "times",
+            found: 0,
+            expected: 1,
+        });
+    };
+    in_order(limits.t_start, times)?;
+    along(scene, start, t_end, tolerance, limits)?.try_states(times)
 }
 
 /// Times that lead away from the start, each no nearer than the one before.

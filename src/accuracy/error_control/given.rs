@@ -17,6 +17,7 @@ use crate::effects::{Checked, NEAR};
 use crate::error::{Error, Result, finite};
 use crate::integrators::Work;
 use crate::math::EPS;
+use crate::scene::Scene;
 
 /// The error of a closed form, in units of eps (1 + condition). Measured over the reference
 /// cases: 5.6, of which the rates cost most, read from a state that holds L in space.
@@ -66,13 +67,13 @@ pub(super) struct Given<'s> {
 
 impl<'s> Given<'s> {
     pub(super) fn new(
-        effects: &'s dyn AnyEffect,
-        body: &RigidBody,
+        scene: &'s Scene<dyn AnyEffect + 's>,
         start: &State,
         t_end: f64,
         tolerance: f64,
         limits: &Limits<'s>,
     ) -> Result<Self> {
+        let (body, effects) = (scene.body(), scene.effects());
         tolerance_of_attitude(tolerance)?;
         limits.checked(t_end)?;
         State::new(start.attitude, start.angular_momentum)?;

@@ -34,6 +34,7 @@ mod sliding;
 mod tests;
 
 pub use along::SolvedMotion;
+pub(super) use along::at;
 pub use crossings::Crossing;
 pub use exact_motion::ExactMotion;
 pub use limits::Limits;
@@ -207,8 +208,7 @@ impl<E: AnyEffect> Scene<E> {
         tolerance: f64,
         limits: &Limits,
     ) -> Result<Solved> {
-        let given = self.given(start, t_end, tolerance, limits)?;
-        Ok(given.answer(Places::End, false)?.solved)
+        solve(self, start, t_end, tolerance, limits, false)
     }
 
     /// As [`Scene::solve`], but by stepping, whether there is a closed form or not: so a
@@ -217,20 +217,21 @@ impl<E: AnyEffect> Scene<E> {
     /// # Errors
     /// As [`Scene::solve`].
     pub fn solve_by_stepping(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Solved> {
-        let limits = Limits::default();
-        let given = self.given(start, t_end, tolerance, &limits)?;
-        Ok(given.answer(Places::End, true)?.solved)
+        solve(self, start, t_end, tolerance, &Limits::default(), true)
     }
+}
 
-    fn given<'s>(
-        &'s self,
-        start: &State,
-        t_end: f64,
-        tolerance: f64,
-        limits: &Limits<'s>,
-    ) -> Result<Given<'s>> {
-        Given::new(self.effects(), self.body(), start, t_end, tolerance, limits)
-    }
+/// [`Scene::solve_with`], or [`Scene::solve_by_stepping`] with limits.
+pub(super) fn solve(
+    scene: &Scene<dyn AnyEffect + '_>,
+    start: &State,
+    t_end: f64,
+    tolerance: f64,
+    limits: &Limits,
+    by_stepping: bool,
+) -> Result<Solved> {
+    let given = Given::new(scene, start, t_end, tolerance, limits)?;
+    Ok(given.answer(Places::End, by_stepping)?.solved)
 }
 
 impl Solved {

@@ -16,6 +16,7 @@
 
 mod variation;
 
+use crate::accuracy::error_control;
 use crate::accuracy::{Limits, larger, tolerance_of_attitude};
 use crate::attitude::Attitude;
 use crate::body::State;
@@ -286,9 +287,27 @@ impl<E: Effect> NeglectedEffects<'_, E> {
     where
         E: Clone,
     {
-        let PredictedError {
+        let predicted = self.predict(effect, 0.0)?;
+        let with = self.scene.clone().with(effect.clone());
+        self.asked.measured(self.scene, &with, &predicted)
+    }
+
+    /// The effects weighed so far, in order.
+    pub fn rows(&self) -> &[PredictedError] {
+        &self.asked.rows
+    }
+}
+
+impl Asked<'_> {
+    /// [`NeglectedEffects::measure`], by the scene without an effect and with it.
+    fn measured(
+        &self,
+        without: &Scene<dyn AnyEffect + '_>,
+        with: &Scene<dyn AnyEffect + '_>,
+        &PredictedError {
             predicted, time, ..
-        } = self.predict(effect, 0.0)?;
+        }: &PredictedError,
+    ) -> Result<Measured> {
         let Asked {
             start,
             t_end,
@@ -296,18 +315,15 @@ impl<E: Effect> NeglectedEffects<'_, E> {
             limits,
             apart,
             ..
-        } = &self.asked;
+        } = self;
         let (from, span) = (limits.t_start, t_end - limits.t_start);
         let times = (1..=COMPARED).map(|n| from + span * (f64::from(n) / f64::from(COMPARED)));
         let mut times: Vec<f64> = times.collect();
         let before = times.partition_point(|t| (t - from).abs() < (time - from).abs());
         times.insert(before, time);
-        let with = self.scene.clone().with(effect.clone());
         let motions = |fine: f64| -> Result<[Vec<State>; 2]> {
-            Ok([
-                (self.scene).solve_at(start, &times, fine, limits)?,
-                with.solve_at(start, &times, fine, limits)?,
-            ])
+            let motion = |scene| error_control::at(scene, start, &times, fine, limits);
+            Ok([motion(without)?, motion(with)?])
         };
         let mut fine = (1e-3 * predicted).clamp(1e-11, 1e-6);
         let [a, b] = loop {
@@ -323,10 +339,8 @@ impl<E: Effect> NeglectedEffects<'_, E> {
             let apart = (a.iter().zip(&b)).map(|(a, b)| angle(&a.attitude, &b.attitude));
             apart.fold(0.0, larger)
         };
-        let cost = [
-            (self.scene).solve_with(start, *t_end, *tolerance, limits)?,
-            with.solve_with(start, *t_end, *tolerance, limits)?,
-        ];
+        let cost = |scene| error_control::solve(scene, start, *t_end, *tolerance, limits, false);
+        let cost = [cost(without)?, cost(with)?];
         Ok(Measured {
             error: largest(*apart),
             // The prediction is a part of the response of the whole attitude.
@@ -335,13 +349,6 @@ impl<E: Effect> NeglectedEffects<'_, E> {
         })
     }
 
-    /// The effects weighed so far, in order.
-    pub fn rows(&self) -> &[PredictedError] {
-        &self.asked.rows
-    }
-}
-
-impl Asked<'_> {
     /// The largest angle (rad) of the linear response, its time (s), and its cost.
     fn response(&self, scene: AnyScene<'_>, effect: &dyn AnyEffect) -> Result<([f64; 2], Work)> {
         let mut y = [0.0; 14];
