@@ -2,11 +2,8 @@
 //! stops the build at its file and line. The pages themselves are checked by the
 //! builder (`book/builder`), which is run here as a reader runs it.
 
-#[path = "book/inventory.rs"]
 mod inventory;
-#[path = "book/prose.rs"]
 mod prose;
-#[path = "book/sample.rs"]
 mod sample;
 
 use kit::parse;
@@ -208,7 +205,7 @@ fn every_test_is_run() {
         found != run,
         "the damaged twin: this file is not in that package"
     );
-    run.insert("book.rs".to_owned());
+    run.insert("book/main.rs".to_owned());
     assert_eq!(listed("book/builder/Cargo.toml").len(), 1);
     assert_eq!(found, run);
     assert_eq!(found.len(), 17);
