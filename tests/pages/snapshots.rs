@@ -76,8 +76,11 @@ fn entries(directory: &str, wanted: impl Fn(&FileType) -> bool) -> BTreeSet<Stri
         .collect()
 }
 
+/// The files that are there, without those that insta puts beside what differs.
 fn files(directory: &str) -> BTreeSet<String> {
-    entries(directory, FileType::is_file)
+    let mut files = entries(directory, FileType::is_file);
+    files.retain(|name| !name.contains(".snap.new"));
+    files
 }
 
 #[test]
