@@ -17,6 +17,27 @@ macro_rules! assert_largest {
     };
 }
 
+/// Asserts a table of errors: what they are of, the largest as in [`assert_largest!`], and how many
+/// they are.
+#[macro_export]
+macro_rules! assert_table {
+    ($errors:expr, @$table:literal) => {
+        $crate::table_is($errors, $table)
+    };
+}
+
+/// What [`assert_table!`] calls.
+#[doc(hidden)]
+#[track_caller]
+pub fn table_is<'a>(all: impl IntoIterator<Item = &'a Errors>, printed: &str) {
+    let mut table = String::new();
+    for errors in all {
+        let (what, cases) = (&errors.what, errors.cases);
+        table += &format!("{what}: {} of {cases}\n", errors.measured(cases));
+    }
+    locked(&table, printed, "the largest errors");
+}
+
 /// The errors of many cases, of which the largest is asserted.
 ///
 /// It must be judged, by [`assert_largest!`](crate::assert_largest), [`attain`](Self::attain),
@@ -99,13 +120,19 @@ impl Errors {
     #[doc(hidden)]
     #[track_caller]
     pub fn largest_is(&self, cases: usize, printed: &str) {
+        let origin = format!("{}, at {}", self.what, self.at);
+        locked(&self.measured(cases), printed, &origin);
+    }
+
+    #[track_caller]
+    fn measured(&self, cases: usize) -> String {
         self.count(cases);
         let (what, largest, at) = (&self.what, self.largest(), &self.at);
         assert!(
             largest.is_finite(),
             "{what}: the largest of {cases} errors is {largest}, at {at}"
         );
-        locked(&three_digits(largest), printed, &format!("{what}, at {at}"));
+        three_digits(largest)
     }
 
     /// Asserts that there are this many errors and that the largest lies in the range: for

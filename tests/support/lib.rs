@@ -16,6 +16,7 @@
 //! ```
 //!
 //! The last of these numbers is an inline snapshot: `cargo insta` writes it when it has changed.
+//! `assert_table!` asserts many such errors, a row each.
 //!
 //! Damaged twins of all of this are in `tests/teeth/errors.rs`.
 
@@ -24,7 +25,7 @@ mod locked;
 mod random;
 mod single;
 
-pub use collected::Errors;
+pub use collected::{Errors, table_is};
 pub use locked::three_digits;
 pub use random::Random;
 pub use single::attained;

@@ -3,7 +3,9 @@
 use insta::{Comparator, Settings, Snapshot};
 use rotation_dynamics::math;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use support::{EPS, Errors, assert_error, assert_largest, attained, relative, three_digits};
+use support::{
+    EPS, Errors, assert_error, assert_largest, assert_table, attained, relative, three_digits,
+};
 
 /// What the assertion says when it fails; none if it passes.
 fn complaint(judge: impl FnOnce()) -> Option<String> {
@@ -69,6 +71,8 @@ fn a_damaged_collection_fails() {
             "0 cases ran",
             Box::new(|| assert_largest!(of(&[]), 0, @"0")),
         ),
+        ("0 cases ran", Box::new(|| assert_table!(&[of(&[])], @""))),
+        ("NaN", Box::new(move || assert_table!(&[of(&[nan])], @""))),
         ("0 cases ran", Box::new(|| of(&[]).exceed(5.0, 0))),
         ("1 cases ran", Box::new(|| of(&[2.34]).attain(2.3..=2.4, 2))),
         (
@@ -132,7 +136,7 @@ fn a_damaged_collection_fails() {
         assert!(told.contains(words), "twin {i}: {told}");
         failed += 1;
     }
-    assert_eq!(failed, 28);
+    assert_eq!(failed, 30);
 }
 
 #[test]
@@ -183,7 +187,15 @@ fn a_wrong_last_digit_is_seen() {
     settings.set_comparator(Box::new(Stops));
     settings.bind(|| {
         assert_largest!(of(&[2.34]), 1, @"2.34");
-        let twins: [fn(); 4] = [
+        let two = || [of(&[2.344, 1.0]), of(&[7.0])];
+        assert_table!(&two(), @"
+        the twin: 2.34 of 2
+        the twin: 7 of 1
+        ");
+        let twins: [fn(); 7] = [
+            || assert_table!(&[of(&[2.34])], @"the twin: 2.35 of 1"),
+            || assert_table!(&[of(&[2.34])], @"the twin: 2.34 of 2"),
+            || assert_table!(&[of(&[2.34]), of(&[7.0])], @"the twin: 2.34 of 1"),
             || assert_largest!(of(&[2.34]), 1, @"2.35"),
             || assert_largest!(of(&[2.34]), 1, @"2.33"),
             || assert_largest!(of(&[2.0 + EPS * 4.0]), 1, @"2"),
