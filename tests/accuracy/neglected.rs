@@ -11,7 +11,7 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::math::{log, sin};
 use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::Scene;
-use support::Errors;
+use support::{Errors, assert_largest};
 
 /// Times at which the motions are compared.
 const TIMES: i32 = 200;
@@ -182,7 +182,7 @@ fn predictions_hold_for_small_effects() {
             prices.push(price);
         }
     }
-    ratios.attain(3.5e-3..=3.6e-3, 21);
+    assert_largest!(ratios, 21, @"3.54e-3");
     twins.exceed(log(2.0), 21);
     prices.sort_by(f64::total_cmp);
     println!(
@@ -234,7 +234,7 @@ fn a_body_at_rest_has_a_response() {
         errors.add(called.rows()[0].predicted, angle, angle);
         assert!(called.rows()[0].linear && !called.rows()[0].called_for);
     }
-    errors.attain(2.0e-15..=2.1e-15, 2);
+    assert_largest!(errors, 2, @"2.10e-15");
 }
 
 /// In or out by the tolerance, in the order in which they are given.

@@ -6,7 +6,7 @@ use rotation_dynamics::accuracy::{
 };
 use rotation_dynamics::integrators::Work;
 use rotation_dynamics::math::{exp2, pow};
-use support::Errors as Collected;
+use support::{Errors as Collected, assert_largest};
 
 fn curve(points: &[(f64, f64)]) -> WorkPrecision {
     let points = points.iter().map(|&(work, error)| Point { work, error });
@@ -41,9 +41,9 @@ fn price_of_a_digit_is_that_of_the_order() {
         scatters.push_at(price.scatter, p);
         assert!(price.runs >= 4, "{price:?}");
     }
-    orders.attain(3.3e-16..=3.4e-16, 6);
-    lines.attain(2.6e-15..=2.7e-15, 3 * 6);
-    scatters.attain(7.1e-15..=7.2e-15, 6);
+    assert_largest!(orders, 6, @"3.33e-16");
+    assert_largest!(lines, 3 * 6, @"2.66e-15");
+    assert_largest!(scatters, 6, @"7.11e-15");
     assert!(DigitPrice::predicted(0).is_err());
     // The damaged twin: with the floor inside the window the order is not the method's.
     let price = ideal(4.0, 1e3, 1e-14).price_of_a_digit(1e-13, 1.0).unwrap();

@@ -224,9 +224,9 @@ impl Sample {
             ("book/src/two.md", TWO),
             ("examples/sample.rs", EXAMPLE),
             ("tests/snapshots/sample.snap", OUTPUT),
-            ("tests/snapshots/figures/sample__swing.snap.svg", FIGURE),
-            ("tests/snapshots/figures/sample__frame_1.snap.svg", FIGURE),
-            ("tests/snapshots/figures/sample__frame_2.snap.svg", FIGURE),
+            ("tests/snapshots/sample/swing.snap.svg", FIGURE),
+            ("tests/snapshots/sample/frame_1.snap.svg", FIGURE),
+            ("tests/snapshots/sample/frame_2.snap.svg", FIGURE),
             ("benches/record/races.txt", RACES),
             ("tests/sample_tests.rs", "#[test]\nfn it_swings() {}\n"),
         ];

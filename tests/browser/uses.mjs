@@ -135,8 +135,8 @@ const downloads = (browser, address, how) => opened(browser, address, how, async
     const files = await terminal.evaluate((terminal) => Promise.all([...terminal.querySelectorAll("a[download]")].map(async (file) =>
         ({ name: file.download, text: await fetch(file.href).then((answer) => answer.text()) }))));
     const of = (ending) => files.filter(({ name }) => name.endsWith(ending));
-    const drawings = readdirSync(new URL("figures/", LOCKED)).filter((name) => name.startsWith(`${stem}__`) && name.endsWith(".svg"));
-    const locked = drawings.map((name) => readFileSync(new URL(`figures/${name}`, LOCKED), "utf8").trim());
+    const drawings = readdirSync(new URL(`${stem}/`, LOCKED)).filter((name) => name.endsWith(".svg"));
+    const locked = drawings.map((name) => readFileSync(new URL(`${stem}/${name}`, LOCKED), "utf8").trim());
     const strange = of(".svg").filter(({ text }) => !locked.includes(text.trim()));
     if (of(".svg").length < 4 || strange.length > 0) faults.push(`of ${of(".svg").length} figures these are not locked: ${strange.map(({ name }) => name)}`);
     const { claims } = JSON.parse(of(".json")[0]?.text ?? '{"claims": []}');

@@ -7,7 +7,7 @@ use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::math::EPS;
 use rotation_dynamics::{Error, Result};
-use support::Errors;
+use support::{Errors, assert_largest};
 
 type States = Vec<Kinematics>;
 
@@ -152,7 +152,7 @@ fn any_time_has_a_unit_quaternion_or_none() -> Result<()> {
         }
     }
     assert_eq!(known + lost, 12 * 281 * 2);
-    norms.attain(8.0..=8.0, known);
+    assert_largest!(norms, known, @"8");
     Ok(())
 }
 

@@ -14,7 +14,7 @@ use rotation_dynamics::gimbals::{
 };
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode, small_frequency};
 use rotation_dynamics::math::{EPS, cos, log, sin, sincos};
-use support::{Errors, assert_error};
+use support::{Errors, assert_error, assert_largest};
 
 fn rotor() -> SymmetricTop {
     SymmetricTop::new(5.45e-3, 9e-4, 4.903325, 0.1).expect("a rotor")
@@ -81,7 +81,7 @@ fn without_gimbals_a_nod_is_that_of_the_heavy_top() {
             }
         }
     }
-    errors.attain(5.12..=5.13, 320);
+    assert_largest!(errors, 320, @"5.12");
     damaged.exceed(1e-6, 64);
 }
 
@@ -134,7 +134,7 @@ fn with_gimbals_a_nod_is_that_of_the_equations() {
         }
     }
     assert!(ways.iter().all(|&count| count > 0), "{ways:?}");
-    errors.attain(9.41e-14..=9.42e-14, 3 * 18);
+    assert_largest!(errors, 3 * 18, @"9.41e-14");
     damaged.exceed(1e-3, 18);
 }
 
@@ -201,7 +201,7 @@ fn energy_and_momenta_are_those_of_rotor_ring_and_fork() {
             kinetic(on(0.0, of_ring)),
         );
     }
-    errors.attain(4.83..=4.84, 6);
+    assert_largest!(errors, 6, @"4.84");
     damaged.exceed(1e-6, 3);
 }
 
@@ -229,7 +229,7 @@ fn without_friction_energy_and_momentum_stay() {
             g.vertical_momentum(&at),
         );
     }
-    errors.attain(1.69e-14..=1.7e-14, 4);
+    assert_largest!(errors, 4, @"1.70e-14");
     damaged.exceed(1e-3, 2);
 }
 
@@ -249,7 +249,7 @@ fn small_nods_have_the_frequency_of_the_formula() {
             damaged.push(fast / measured - 1.0);
         }
     }
-    errors.attain(1.3e-12..=1.31e-12, 6);
+    assert_largest!(errors, 6, @"1.30e-12");
     damaged.exceed(1e-3, 6);
 }
 
@@ -294,7 +294,7 @@ fn energy_lost_is_heat() {
         }
         errors
     };
-    off(1e-12, 1.0).attain(5.87e-13..=5.88e-13, 30);
+    assert_largest!(off(1e-12, 1.0), 30, @"5.87e-13");
     off(1e-12, 0.9).exceed(1e-5, 30);
 }
 
@@ -319,7 +319,7 @@ fn no_reversal_is_missed() {
             errors.push(a.t - b.t);
         }
     }
-    errors.attain(3.25e-13..=3.26e-13, 82);
+    assert_largest!(errors, 82, @"3.25e-13");
     assert_eq!(count, 82);
 }
 
@@ -378,7 +378,7 @@ fn a_locking_axle_leaves_the_vertical_momentum() {
         errors.add(g.vertical_momentum(&at), g.vertical_momentum(&start), 9e-2);
         damaged.add(at.axial_momentum, start.axial_momentum, 9e-2);
     }
-    errors.attain(4.84e-14..=4.86e-14, 3);
+    assert_largest!(errors, 3, @"4.85e-14");
     damaged.exceed(0.1, 3);
     let at = course.at(1.0).unwrap();
     assert!(g.spin_in_ring(&at).abs() < 1e-9 && course.holds(1.0).unwrap()[2] == Hold::Sticks);
@@ -409,7 +409,7 @@ fn viscous_friction_takes_small_nods_as_linear_theory_says() {
         }
     }
     // What is left is the sinking of the axis, which changes the nods as it goes.
-    errors.attain(4.24e-3..=4.25e-3, 8);
+    assert_largest!(errors, 8, @"4.25e-3");
     damaged.exceed(0.1, 8);
 }
 
@@ -448,7 +448,7 @@ fn dry_friction_takes_equal_steps() {
         errors.push(step / theory.shortening - 1.0);
         damaged.push(step / bare - 1.0);
     }
-    errors.attain(1.86e-4..=1.88e-4, 50);
+    assert_largest!(errors, 50, @"1.87e-4");
     damaged.exceed(0.05, 50);
     let end = course.at(1.0).unwrap();
     assert!((end.theta - bottom).abs() < 0.6 * theory.shortening);
@@ -490,7 +490,7 @@ fn the_axis_sinks_and_rises_as_the_slow_motion_says() {
         senses.push(sank > 0.0);
         assert!(slow.derivative(0.0, &[1.0, 0.0, axial])[0] * sank > 0.0);
     }
-    errors.attain(9.86e-4..=9.87e-4, 4);
+    assert_largest!(errors, 4, @"9.87e-4");
     damaged.exceed(0.01, 4);
     assert_eq!(senses, [true, true, false, true]);
 }

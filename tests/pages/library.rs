@@ -6,7 +6,7 @@ use kit::{Page, parse};
 use pages::library::*;
 use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::motion::Motion;
-use support::Errors;
+use support::{Errors, assert_largest};
 
 /// A swing of this height, solved to this error.
 fn asked(askew: f64, tolerance: f64) -> Parameters {
@@ -53,7 +53,7 @@ fn no_hour_is_off_by_more_than_was_asked() {
             damaged.push(off(&other, &states).unwrap()[23] / tolerance);
         }
     }
-    errors.attain(2.2e-4..=2.3e-4, 384);
+    assert_largest!(errors, 384, @"2.26e-4");
     damaged.exceed(1.0, 16);
 }
 
@@ -76,7 +76,7 @@ fn the_card_is_right_about_the_magnet() {
     }
     let mut errors = Errors::of("simulated over predicted, less one");
     errors.push(largest / weighed.predicted - 1.0);
-    errors.attain(2.65e-3..=2.66e-3, 1);
+    assert_largest!(errors, 1, @"2.66e-3");
     // The same number stands on the card, to two digits, for the whole magnet.
     let card = cell(&EXAMPLE, "", ["effects", "magnet on board", "error if left out"]);
     assert!((100.0 * weighed.predicted - card).abs() < 0.005, "{card}");
@@ -114,6 +114,6 @@ fn on_an_ellipse_it_swings_as_the_card_says() {
         errors.push_at(found(swing) / e, e);
         twin.push(found(0.0));
     }
-    errors.attain(2.2e-1..=2.3e-1, 3);
+    assert_largest!(errors, 3, @"0.221");
     twin.exceed(0.1, 3);
 }

@@ -1,9 +1,7 @@
 //! What every example prints and draws, locked.
 //!
 //! The text of an example's report is `tests/snapshots/STEM.snap`, its figures are
-//! `tests/snapshots/figures/STEM__NAME.snap.svg`; the book's pages show these very
-//! files. To lock a change on purpose, run with `INSTA_UPDATE=always` and read the
-//! difference before you commit it.
+//! `tests/snapshots/STEM/NAME.snap.svg`; the book's pages show these very files.
 
 use insta::Settings;
 use crate::answers::{root, with_report};
@@ -11,6 +9,7 @@ use kit::draw::PALETTE;
 use kit::{Figure, Page, parse, rounded_up};
 use pages::{ALL, WHOLE};
 use std::collections::BTreeSet;
+use std::fs::FileType;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
@@ -66,16 +65,22 @@ pub fn settings(path: &str) -> Settings {
     settings
 }
 
-fn files(directory: &str) -> BTreeSet<String> {
-    let root = root().join(directory);
-    let entries = std::fs::read_dir(&root).into_iter().flatten();
+fn entries(directory: &str, wanted: impl Fn(&FileType) -> bool) -> BTreeSet<String> {
+    let entries = std::fs::read_dir(root().join(directory)).into_iter().flatten();
     entries
         .filter_map(|entry| {
             let entry = entry.expect("the directory can be read");
-            let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
-            is_file.then(|| entry.file_name().to_string_lossy().into_owned())
+            let is_wanted = entry.file_type().is_ok_and(|kind| wanted(&kind));
+            is_wanted.then(|| entry.file_name().to_string_lossy().into_owned())
         })
         .collect()
+}
+
+/// The files that are there, without those that insta puts beside what differs.
+fn files(directory: &str) -> BTreeSet<String> {
+    let mut files = entries(directory, FileType::is_file);
+    files.retain(|name| !name.contains(".snap.new"));
+    files
 }
 
 #[test]
@@ -83,9 +88,9 @@ fn examples_are_locked() {
     let all = all();
     for example in all {
         settings("snapshots").bind(|| insta::assert_snapshot!(example.stem, example.text));
-        settings("snapshots/figures").bind(|| {
+        settings(&format!("snapshots/{}", example.stem)).bind(|| {
             for figure in &example.figures {
-                let name = format!("{}__{}.svg", example.stem, figure.name);
+                let name = format!("{}.svg", figure.name);
                 insta::assert_binary_snapshot!(&name, figure.svg().into_bytes());
             }
         });
@@ -106,19 +111,20 @@ fn nothing_is_locked_twice_or_without_an_example() {
         );
         assert_eq!(texts, files("tests/snapshots"));
     }
-    let mut figures = BTreeSet::new();
     for example in all {
+        let mut figures = BTreeSet::new();
         for figure in &example.figures {
             for extension in ["snap", "snap.svg"] {
-                let name = format!("{}__{}.{extension}", example.stem, figure.name);
-                assert!(figures.insert(name.clone()), "{name} is drawn twice");
+                let name = format!("{}.{extension}", figure.name);
+                assert!(figures.insert(name), "{} is drawn twice", figure.name);
             }
         }
+        assert_eq!(figures, files(&format!("tests/snapshots/{}", example.stem)));
     }
-    let locked = files("tests/snapshots/figures");
-    assert!(figures.is_subset(&locked), "all are locked");
     if WHOLE {
-        assert_eq!(figures, locked);
+        let directories = all.iter().map(|e| e.stem.to_owned());
+        let directories: BTreeSet<String> = directories.chain(["commands".to_owned()]).collect();
+        assert_eq!(directories, entries("tests/snapshots", FileType::is_dir));
     }
 }
 

@@ -6,7 +6,7 @@ use rotation_dynamics::math::{atan, cos, sin};
 use rotation_dynamics::planar::contact::{
     Contact, ContactMotion, Mechanism, MechanismState, Mode, Sense, motion_within,
 };
-use support::{EPS, Errors, assert_error};
+use support::{EPS, Errors, assert_error, assert_largest};
 
 /// A point mass on an incline: x down the slope, y off it.
 pub struct Block {
@@ -95,9 +95,9 @@ fn released(damage: f64) -> Released {
 #[test]
 fn a_block_holds_up_to_the_tangent() {
     let found = released(0.0);
-    found.moved.attain(0.0..=0.0, 24);
-    found.slid.attain(0.89..=0.90, 16);
-    found.friction.attain(1.4..=1.5, 20);
+    assert_largest!(found.moved, 24, @"0");
+    assert_largest!(found.slid, 16, @"0.891");
+    assert_largest!(found.friction, 20, @"1.49");
     // The damaged twins: it slips too easily, or holds too well.
     let smoother = released(-1e-8);
     assert!(smoother.moved.largest() > 1e-9);
@@ -135,7 +135,7 @@ fn stops(damage: f64) -> Errors {
 /// Pushed, it slides to rest on time, and stays: one event, no chatter.
 #[test]
 fn a_block_slides_to_rest_and_stays() {
-    stops(0.0).attain(6.8..=6.9, 10);
+    assert_largest!(stops(0.0), 10, @"6.89");
     stops(1e-12).exceed(1e3, 10);
 }
 

@@ -48,10 +48,10 @@ function commands() {
 // All that the comparison of a page rests on.
 function state(stem) {
   const hash = createHash('sha256');
-  const figures = readdirSync(new URL('tests/snapshots/figures', root)).filter((name) => name.startsWith(`${stem}__`));
+  const figures = readdirSync(new URL(`tests/snapshots/${stem}`, root));
   const files = [
     'tests/same_bits/compare.mjs', 'book/theme/module.js', `tests/snapshots/${stem}.snap`,
-    ...figures.sort().map((name) => `tests/snapshots/figures/${name}`),
+    ...figures.sort().map((name) => `tests/snapshots/${stem}/${name}`),
     ...index.pages[stem].rest.map((name) => `${modules}/${name}`),
   ];
   for (const file of files) hash.update(file).update(read(file));
@@ -110,7 +110,7 @@ async function told(stem) {
   const ask = async (call, text, list = all) => (await list({ call, text })).text ?? '{}';
   hold(stem, (await ask('report')).trimEnd(), locked(`${stem}.snap`).trimEnd());
   for (const { name, svg } of JSON.parse(await ask('figures', '')).figures ?? []) {
-    hold(`${stem}__${name}`, svg, read(`tests/snapshots/figures/${stem}__${name}.snap.svg`).toString());
+    hold(`${stem}__${name}`, svg, read(`tests/snapshots/${stem}/${name}.snap.svg`).toString());
   }
   for (const [code, expected, of, ...given] of commands()) {
     if (of !== stem) continue;

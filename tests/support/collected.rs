@@ -1,14 +1,48 @@
 //! The errors of many cases.
 
+use crate::locked::{locked, three_digits};
 use crate::relative;
 use core::cell::Cell;
 use core::fmt::Debug;
 use core::ops::RangeInclusive;
 
+/// Asserts how many errors there are and the largest, to three digits; fewer digits mean that it
+/// is exactly that: `assert_largest!(errors, 20, @"2.37e-14")`.
+///
+/// The text is an inline snapshot of insta's; `cargo insta` writes another number there.
+#[macro_export]
+macro_rules! assert_largest {
+    ($errors:expr, $cases:expr, @$largest:literal) => {
+        $errors.largest_is($cases, $largest)
+    };
+}
+
+/// Asserts a table of errors: what they are of, the largest as in [`assert_largest!`], and how many
+/// they are.
+#[macro_export]
+macro_rules! assert_table {
+    ($errors:expr, @$table:literal) => {
+        $crate::table_is($errors, $table)
+    };
+}
+
+/// What [`assert_table!`] calls.
+#[doc(hidden)]
+#[track_caller]
+pub fn table_is<'a>(all: impl IntoIterator<Item = &'a Errors>, printed: &str) {
+    let mut table = String::new();
+    for errors in all {
+        let (what, cases) = (&errors.what, errors.cases);
+        table += &format!("{what}: {} of {cases}\n", errors.measured(cases));
+    }
+    locked(&table, printed, "the largest errors");
+}
+
 /// The errors of many cases, of which the largest is asserted.
 ///
-/// It must be judged, by [`attain`](Self::attain), [`exceed`](Self::exceed) or by
-/// reading [`largest`](Self::largest): one that is dropped without fails the test.
+/// It must be judged, by [`assert_largest!`](crate::assert_largest), [`attain`](Self::attain),
+/// [`exceed`](Self::exceed) or by reading [`largest`](Self::largest): one that is dropped
+/// without fails the test.
 #[derive(Debug)]
 pub struct Errors {
     what: String,
@@ -82,8 +116,28 @@ impl Errors {
         self.smallest
     }
 
-    /// Asserts that there are this many errors and that the largest lies in the range,
-    /// which is what was measured, to some digits.
+    /// What [`assert_largest!`](crate::assert_largest) calls.
+    #[doc(hidden)]
+    #[track_caller]
+    pub fn largest_is(&self, cases: usize, printed: &str) {
+        let origin = format!("{}, at {}", self.what, self.at);
+        locked(&self.measured(cases), printed, &origin);
+    }
+
+    #[track_caller]
+    fn measured(&self, cases: usize) -> String {
+        self.count(cases);
+        let (what, largest, at) = (&self.what, self.largest(), &self.at);
+        assert!(
+            largest.is_finite(),
+            "{what}: the largest of {cases} errors is {largest}, at {at}"
+        );
+        three_digits(largest)
+    }
+
+    /// Asserts that there are this many errors and that the largest lies in the range: for
+    /// ranges that have a reason. What is only measured is for
+    /// [`assert_largest!`](crate::assert_largest).
     #[track_caller]
     pub fn attain(&self, range: RangeInclusive<f64>, cases: usize) {
         let (low, high) = (*range.start(), *range.end());

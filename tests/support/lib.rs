@@ -1,8 +1,8 @@
 //! Errors as the tests judge them: a NaN is kept, cases are counted, and what is
 //! written down is what is measured.
 //!
-//! Bits are equal on every machine, so an error has one value. A test writes it down
-//! to a few digits, and fails when the error grows and when it shrinks:
+//! Bits are equal on every machine, so an error has one value. A test says it to a few digits,
+//! and fails when the error grows and when it shrinks:
 //!
 //! ```ignore
 //! assert_error!(got, want, 3.1 eps); // one value: |got - want|/|want|, as printed
@@ -12,16 +12,21 @@
 //! for case in cases {
 //!     errors.add(got, want, scale); // |got - want|/scale
 //! }
-//! errors.attain(4.1..=4.2, 3000); // of 3000 errors the largest is in this range
+//! assert_largest!(errors, 3000, @"4.16"); // the largest of 3000 errors
 //! ```
+//!
+//! The last of these numbers is an inline snapshot: `cargo insta` writes it when it has changed.
+//! `assert_table!` asserts many such errors, a row each.
 //!
 //! Damaged twins of all of this are in `tests/teeth/errors.rs`.
 
 mod collected;
+mod locked;
 mod random;
 mod single;
 
-pub use collected::Errors;
+pub use collected::{Errors, table_is};
+pub use locked::three_digits;
 pub use random::Random;
 pub use single::attained;
 

@@ -1,8 +1,11 @@
 //! The judges themselves: each damaged collection of errors must fail its assertion.
 
+use insta::{Comparator, Settings, Snapshot};
 use rotation_dynamics::math;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use support::{EPS, Errors, assert_error, attained, relative};
+use support::{
+    EPS, Errors, assert_error, assert_largest, assert_table, attained, relative, three_digits,
+};
 
 /// What the assertion says when it fails; none if it passes.
 fn complaint(judge: impl FnOnce()) -> Option<String> {
@@ -30,10 +33,12 @@ fn what_is_measured_passes() {
     of(&[-2.34]).attain(2.3..=2.4, 1);
     of(&[0.0]).attain(0.0..=0.0, 1);
     of(&[7.0, 5.0, f64::INFINITY]).exceed(4.9, 3);
+    assert_largest!(of(&[1e-3, -2.344, 0.0]), 3, @"2.34");
     let mut errors = Errors::in_units_of(EPS, "the twin");
     errors.add(1.0 + 4.0 * EPS, 1.0, 2.0);
     errors.add(0.0, 0.0, 0.0);
     errors.attain(2.0..=2.0, 2);
+    assert_largest!(errors, 2, @"2");
     assert_eq!(of(&[3.0, 4.0]).largest(), 4.0);
     assert_eq!(of(&[3.0, 4.0]).smallest(), 3.0);
 }
@@ -53,16 +58,30 @@ fn a_damaged_collection_fails() {
             Box::new(move || of(&[2.34, nan]).attain(2.3..=2.4, 2)),
         ),
         ("NaN", Box::new(move || of(&[nan]).attain(0.0..=0.0, 1))),
+        (
+            "NaN",
+            Box::new(move || assert_largest!(of(&[2.34, nan]), 2, @"NaN")),
+        ),
         ("NaN", Box::new(move || of(&[9.0, nan]).exceed(5.0, 2))),
         ("NaN", Box::new(move || of(&[nan, 9.0]).exceed(5.0, 2))),
         // A loop that does not run, or not as often.
         ("0 cases ran", Box::new(|| of(&[]).attain(0.0..=0.0, 0))),
         ("0 cases ran", Box::new(|| of(&[]).attain(0.0..=0.0, 3))),
+        (
+            "0 cases ran",
+            Box::new(|| assert_largest!(of(&[]), 0, @"0")),
+        ),
+        ("0 cases ran", Box::new(|| assert_table!(&[of(&[])], @""))),
+        ("NaN", Box::new(move || assert_table!(&[of(&[nan])], @""))),
         ("0 cases ran", Box::new(|| of(&[]).exceed(5.0, 0))),
         ("1 cases ran", Box::new(|| of(&[2.34]).attain(2.3..=2.4, 2))),
         (
             "3 cases ran",
             Box::new(|| of(&[2.34; 3]).attain(2.3..=2.4, 2)),
+        ),
+        (
+            "2 cases ran",
+            Box::new(|| assert_largest!(of(&[2.34, 1.0]), 1, @"2.34")),
         ),
         // Too large an error, and too small a one.
         (
@@ -80,6 +99,10 @@ fn a_damaged_collection_fails() {
         (
             "inf",
             Box::new(|| of(&[f64::INFINITY]).attain(2.3..=2.4, 1)),
+        ),
+        (
+            "inf",
+            Box::new(|| assert_largest!(of(&[f64::INFINITY]), 1, @"inf")),
         ),
         // A range that any small error would do for, and no range at all.
         ("a guess", Box::new(|| of(&[2.34]).attain(0.0..=2.4, 1))),
@@ -113,7 +136,76 @@ fn a_damaged_collection_fails() {
         assert!(told.contains(words), "twin {i}: {told}");
         failed += 1;
     }
-    assert_eq!(failed, 24);
+    assert_eq!(failed, 30);
+}
+
+#[test]
+fn three_digits_and_fewer_where_it_is_exact() {
+    let mut ran = 0;
+    for (number, text) in [
+        (0.0, "0"),
+        (2.0, "2"),
+        (2.0 + 4.0 * EPS, "2.00"),
+        (0.25, "0.25"),
+        (0.009_996, "0.0100"),
+        (9.994, "9.99"),
+        (9.996, "10.0"),
+        (77.0, "77"),
+        (999.6, "1.00e3"),
+        (4e14, "4e14"),
+        (2.366e-14, "2.37e-14"),
+        (5e-324, "5e-324"),
+    ] {
+        assert_eq!(three_digits(number), text);
+        ran += 1;
+    }
+    assert_eq!(ran, 12);
+}
+
+/// In place of insta's comparison: it stops before anything is written beside this file.
+#[derive(Clone)]
+struct Stops;
+
+impl Comparator for Stops {
+    fn matches(&self, locked: &Snapshot, measured: &Snapshot) -> bool {
+        let (locked, measured) = (locked.contents(), measured.contents());
+        assert!(
+            locked == measured,
+            "{measured:?} is measured, {locked:?} locked"
+        );
+        true
+    }
+
+    fn dyn_clone(&self) -> Box<dyn Comparator> {
+        Box::new(self.clone())
+    }
+}
+
+#[test]
+fn a_wrong_last_digit_is_seen() {
+    let mut settings = Settings::new();
+    settings.set_comparator(Box::new(Stops));
+    settings.bind(|| {
+        assert_largest!(of(&[2.34]), 1, @"2.34");
+        let two = || [of(&[2.344, 1.0]), of(&[7.0])];
+        assert_table!(&two(), @"
+        the twin: 2.34 of 2
+        the twin: 7 of 1
+        ");
+        let twins: [fn(); 7] = [
+            || assert_table!(&[of(&[2.34])], @"the twin: 2.35 of 1"),
+            || assert_table!(&[of(&[2.34])], @"the twin: 2.34 of 2"),
+            || assert_table!(&[of(&[2.34]), of(&[7.0])], @"the twin: 2.34 of 1"),
+            || assert_largest!(of(&[2.34]), 1, @"2.35"),
+            || assert_largest!(of(&[2.34]), 1, @"2.33"),
+            || assert_largest!(of(&[2.0 + EPS * 4.0]), 1, @"2"),
+            || assert_largest!(of(&[5e-324]), 1, @"0"),
+        ];
+        for twin in twins {
+            let told = complaint(twin).expect("another digit fails");
+            assert!(told.contains("locked"), "{told}");
+        }
+    });
 }
 
 #[test]

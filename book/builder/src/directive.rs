@@ -8,7 +8,7 @@
 //! | `{{param STEM:NAME}}`, `{{param STEM:NAME@3 unit}}` | the value of a parameter (its flag is `--NAME`), written as `num` is |
 //! | `{{given 9.81}}` | a number that is given, not computed |
 //! | `{{figure STEM:NAME NAME …}}` | locked figures side by side; the next paragraph is their caption |
-//! | `{{stills STEM}}` | the locked frames `STEM__frame_*` of a moving figure as a strip that moves when it is touched; a caption as for `figure` |
+//! | `{{stills STEM}}` | the locked frames `STEM/frame_*` of a moving figure as a strip that moves when it is touched; a caption as for `figure` |
 //! | `{{moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …}}` | one of these frames, which moves as soon as the page is loaded, with these values, and sliders for those that have a range |
 //! | `{{figure measured:RECORD-TABLE}}` | error against time, drawn from a table of `benches/record/RECORD.txt` |
 //! | `{{listing STEM:ANCHOR}}` | the lines between the anchors in `examples/STEM.rs`; `STEM/FILE:ANCHOR` in `examples/STEM/FILE.rs` |
@@ -414,18 +414,14 @@ pub fn block(
             Ok(page.row(&marks, None, caption, indent, &id))
         }
         Directive::Stills { stem } => {
-            let prefix = format!("{stem}__frame_");
-            let names = project.names("tests/snapshots/figures", ".snap.svg");
-            let frames: Vec<(String, String)> = names
-                .iter()
-                .filter(|name| name.starts_with(&prefix))
-                .map(|name| (stem.clone(), name[stem.len() + 2..].to_owned()))
-                .collect();
-            if frames.is_empty() {
-                return Err(format!(
-                    "there is no figure tests/snapshots/figures/{prefix}*.snap.svg"
-                ));
+            let mut names = project.figures(stem);
+            names.retain(|name| name.starts_with("frame_"));
+            if names.is_empty() {
+                let file = Project::figure_file(stem, "frame_*");
+                return Err(format!("there is no figure {file}"));
             }
+            let frames: Vec<(String, String)> =
+                names.into_iter().map(|name| (stem.clone(), name)).collect();
             let marks = panels(page, &frames)?;
             let player = Splice::Player {
                 stem: stem.clone(),

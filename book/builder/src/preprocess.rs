@@ -102,7 +102,7 @@ impl Preprocessor for Directives {
             let mut number = 0;
             let filled = splice::fill(&expanded, |splice| {
                 if let splice::Splice::Figure { stem, name } = splice {
-                    figures.insert(format!("{stem}__{name}"));
+                    figures.insert(Project::figure_file(stem, name));
                 }
                 render::html_of(&project, splice, &mut number)
             });
@@ -160,12 +160,13 @@ fn orphans(
             );
         }
     }
-    for figure in project.names("tests/snapshots/figures", ".snap.svg") {
-        if !figures.contains(&figure) {
-            orphan(
-                format!("tests/snapshots/figures/{figure}.snap.svg"),
-                "no page shows this figure".into(),
-            );
+    for group in project.groups("tests/snapshots") {
+        let stem = group.trim_end_matches('/');
+        for name in project.figures(stem) {
+            let file = Project::figure_file(stem, &name);
+            if !figures.contains(&file) {
+                orphan(file, "no page shows this figure".into());
+            }
         }
     }
     problems

@@ -62,7 +62,7 @@ impl Project {
     }
 
     /// The directories in `directory`, each with a slash at its end, sorted.
-    fn groups(&self, directory: &str) -> Vec<String> {
+    pub fn groups(&self, directory: &str) -> Vec<String> {
         let entries = fs::read_dir(self.path(directory)).into_iter().flatten();
         let mut groups: Vec<String> = entries
             .flatten()
@@ -168,7 +168,12 @@ impl Project {
 
     /// The file of a locked figure.
     pub fn figure_file(stem: &str, name: &str) -> String {
-        format!("tests/snapshots/figures/{stem}__{name}.snap.svg")
+        format!("tests/snapshots/{stem}/{name}.snap.svg")
+    }
+
+    /// The names of the locked figures of an example, sorted.
+    pub fn figures(&self, stem: &str) -> Vec<String> {
+        self.names(&format!("tests/snapshots/{stem}"), ".snap.svg")
     }
 
     /// A locked figure, or one drawn from a record of measurements.
@@ -178,16 +183,8 @@ impl Project {
         }
         let file = Self::figure_file(stem, name);
         if !self.path(&file).is_file() {
-            let prefix = format!("{stem}__");
-            let known: Vec<String> = self
-                .names("tests/snapshots/figures", ".snap.svg")
-                .iter()
-                .filter_map(|n| n.strip_prefix(&prefix).map(Into::into))
-                .collect();
-            return Err(format!(
-                "there is no figure {file}; {stem} has: {}",
-                known.join(", ")
-            ));
+            let known = self.figures(stem).join(", ");
+            return Err(format!("there is no figure {file}; {stem} has: {known}"));
         }
         self.read(&file)
     }

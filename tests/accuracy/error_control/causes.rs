@@ -17,7 +17,7 @@ use rotation_dynamics::math::{cos, exp, log, pow, sin};
 use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::Scene;
 use rotation_dynamics::{Error, Result};
-use support::Errors;
+use support::{Errors, assert_largest};
 
 /// Two runs that cross a short pulse in one step each agree on it to every bit, and both are
 /// wrong. `solve` refines every piece between two jumps.
@@ -101,8 +101,8 @@ fn jumps_without_a_name_are_found() -> Result<()> {
         let apart = named?.state.attitude.angle_to(&unseen?.state.attitude);
         assert!(apart > 1e-7, "{apart:e}");
     }
-    over.attain(0.0010..=0.0011, 6);
-    price.attain(3.2..=3.3, 6);
+    assert_largest!(over, 6, @"1.02e-3");
+    assert_largest!(price, 6, @"3.30");
     Ok(())
 }
 
@@ -253,8 +253,8 @@ fn roots_of_the_time_are_found() -> Result<()> {
             costlier.push_at(torques[0] / torques[1], (power, t1));
         }
     }
-    over.attain(0.022..=0.023, 6);
-    costlier.attain(2.0..=2.1, 6);
+    assert_largest!(over, 6, @"0.0228");
+    assert_largest!(costlier, 6, @"2.08");
     Ok(())
 }
 
@@ -284,7 +284,7 @@ fn states_before_a_root_are_as_good_as_others() -> Result<()> {
         let state = motion.try_state(t)?;
         over.push_at(exact.angle_to(&state.attitude) / tolerance, t);
     }
-    over.attain(0.019..=0.020, 501);
+    assert_largest!(over, 501, @"0.0198");
     Ok(())
 }
 
@@ -320,8 +320,8 @@ fn what_sweeps_leave_adds_up() -> Result<()> {
         // From a thousand steps to a hundred thousand.
         power.push_at(log(left[3] / left[1]) / log(100.0), precision);
     }
-    covered.attain(0.66..=0.67, 12);
-    power.attain(1.0..=1.1, 3);
+    assert_largest!(covered, 12, @"0.666");
+    assert_largest!(power, 3, @"1.03");
     assert!(power.smallest() > 0.9, "{}", power.smallest());
     twin.exceed(3.3, 1);
     Ok(())
@@ -398,7 +398,7 @@ fn the_price_of_not_knowing_is_bounded() -> Result<()> {
             price(&Problem::new(scene, start, 20.0, end), spin)?;
         }
     }
-    loose.attain(62.0..=63.0, 6);
-    tight.attain(9.5..=9.6, 6);
+    assert_largest!(loose, 6, @"62.1");
+    assert_largest!(tight, 6, @"9.51");
     Ok(())
 }

@@ -6,8 +6,7 @@ use rotation_dynamics::error::Error;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::math::{self, DoubleDouble, EPS};
 use std::f64::consts::PI;
-use support::Random;
-use support::{Errors, assert_error};
+use support::{Errors, Random, assert_error, assert_largest};
 
 /// Notes 15.2 (5): Omega = phi' Z + theta' x + zeta' z, summed as vectors in space.
 #[test]
@@ -45,9 +44,9 @@ fn angular_velocity_is_the_sum_of_three_turns() {
             and_back.push(error * condition);
         }
     }
-    errors.attain(1.5..=1.6, 3 * 4000);
-    routes.attain(10.2..=10.3, 4000);
-    and_back.attain(2.2..=2.3, 3 * 4000);
+    assert_largest!(errors, 3 * 4000, @"1.52");
+    assert_largest!(routes, 4000, @"10.3");
+    assert_largest!(and_back, 3 * 4000, @"2.24");
 }
 
 /// Notes 15.2 (6) against the turning of the attitude itself.

@@ -7,8 +7,7 @@ use rotation_dynamics::error::Error;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::math::{self, DoubleDouble, EPS};
 use std::f64::consts::{FRAC_PI_2, PI};
-use support::Errors;
-use support::Random;
+use support::{Errors, Random, assert_largest};
 
 /// A vector turned by `-angle` about a coordinate axis, to 100 bits.
 fn turned_back(v: [DoubleDouble; 3], axis: usize, angle: f64) -> [DoubleDouble; 3] {
@@ -75,8 +74,8 @@ fn angular_velocity_is_the_sum_of_the_turns() {
             }
         }
     }
-    errors.attain(1.3..=1.4, 3 * 12_000);
-    back.attain(3.4..=3.5, 3 * 12_000);
+    assert_largest!(errors, 3 * 12_000, @"1.38");
+    assert_largest!(back, 3 * 12_000, @"3.40");
     damaged.exceed(1e10, 12_000);
 }
 
@@ -146,7 +145,7 @@ fn named_angles_are_of_the_twelve() {
         errors.push(back.roll - (velocity.x() + back.yaw * sin_p));
     }
     // One formula, written thrice.
-    errors.attain(0.0..=0.0, 4 * 1000);
+    assert_largest!(errors, 4 * 1000, @"0");
 }
 
 #[test]

@@ -57,10 +57,10 @@ impl Sample {
         for (file, text) in [
             ("tests/snapshots/s.snap", SNAP),
             ("tests/snapshots/twice.snap", TWICE),
-            ("tests/snapshots/figures/s__swing.snap.svg", FIGURE),
-            ("tests/snapshots/figures/s__frame_1.snap.svg", FIGURE),
-            ("tests/snapshots/figures/s__frame_2.snap.svg", FIGURE),
-            ("tests/snapshots/figures/sx__frame_1.snap.svg", FIGURE),
+            ("tests/snapshots/s/swing.snap.svg", FIGURE),
+            ("tests/snapshots/s/frame_1.snap.svg", FIGURE),
+            ("tests/snapshots/s/frame_2.snap.svg", FIGURE),
+            ("tests/snapshots/sx/frame_1.snap.svg", FIGURE),
             ("examples/s.rs", EXAMPLE),
             ("tests/t.rs", TEST),
         ] {

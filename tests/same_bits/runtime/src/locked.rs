@@ -54,12 +54,18 @@ impl Locked {
         for report in reports.values_mut() {
             *report = body(report).to_owned();
         }
+        let mut figures = BTreeMap::new();
+        for stem in reports.keys() {
+            for (name, svg) in texts(&snapshots.join(stem), ".snap.svg")? {
+                figures.insert(format!("{stem}__{name}"), svg);
+            }
+        }
         let commands = texts(&snapshots.join("commands"), ".snap")?;
         let lines = commands.values().flat_map(|text| body(text).lines());
         let commands: Option<_> = lines.map(command).collect();
         Ok(Self {
             reports,
-            figures: texts(&snapshots.join("figures"), ".snap.svg")?,
+            figures,
             commands: commands.ok_or_else(|| Error::msg("a locked command is no command"))?,
         })
     }

@@ -2,11 +2,8 @@
 //! stops the build at its file and line. The pages themselves are checked by the
 //! builder (`book/builder`), which is run here as a reader runs it.
 
-#[path = "book/inventory.rs"]
 mod inventory;
-#[path = "book/prose.rs"]
 mod prose;
-#[path = "book/sample.rs"]
 mod sample;
 
 use kit::parse;
@@ -97,26 +94,24 @@ fn the_book_is_built_and_every_page_is_in_it() {
         assert!(!files.iter().any(|name| name.contains("highlight")));
     }
     // The figures on the pages are the locked ones.
-    let (stems, pages) = (names("examples", ".rs"), names("book/src", ".md"));
-    for figure in names("tests/snapshots/figures", ".snap.svg") {
-        let file = root().join(format!("tests/snapshots/figures/{figure}.snap.svg"));
-        let svg = read(&file);
-        let path = svg
-            .split(" d=\"")
-            .nth(1)
-            .and_then(|rest| rest.split('"').next());
-        let stem = stems
-            .iter()
-            .find(|stem| figure.starts_with(&format!("{stem}__")));
-        let stem = stem.unwrap_or_else(|| panic!("{figure} has no example"));
-        let on_page = |stem: &String| {
-            let page = out.join(format!("{stem}.html"));
-            path.is_none_or(|path| page.is_file() && read(&page).contains(path))
-        };
-        assert!(
-            on_page(stem) || pages.iter().any(on_page),
-            "{figure} is on no page"
-        );
+    let pages = names("book/src", ".md");
+    for stem in names("examples", ".rs") {
+        let directory = format!("tests/snapshots/{stem}");
+        for figure in names(&directory, ".snap.svg") {
+            let svg = read(&root().join(format!("{directory}/{figure}.snap.svg")));
+            let path = svg
+                .split(" d=\"")
+                .nth(1)
+                .and_then(|rest| rest.split('"').next());
+            let on_page = |stem: &String| {
+                let page = out.join(format!("{stem}.html"));
+                path.is_none_or(|path| page.is_file() && read(&page).contains(path))
+            };
+            assert!(
+                on_page(&stem) || pages.iter().any(on_page),
+                "{stem}: {figure} is on no page"
+            );
+        }
     }
 }
 
@@ -125,12 +120,12 @@ fn every_stem_is_complete() {
     let examples = names("examples", ".rs");
     let pages = names("book/src", ".md");
     let locked = names("tests/snapshots", ".snap");
-    let figures: BTreeSet<String> = names("tests/snapshots/figures", ".snap.svg")
-        .iter()
-        .filter_map(|name| name.split_once("__").map(|(stem, _)| stem.to_owned()))
-        .collect();
     assert_eq!(examples, locked, "examples and locked outputs");
-    assert_eq!(examples, figures, "examples and locked figures");
+    let drawn = |stem: &String| !names(&format!("tests/snapshots/{stem}"), ".snap.svg").is_empty();
+    assert!(
+        examples.iter().all(drawn),
+        "every example has a locked figure"
+    );
     let stems: BTreeSet<String> = pages
         .into_iter()
         .filter(|name| {
@@ -208,7 +203,7 @@ fn every_test_is_run() {
         found != run,
         "the damaged twin: this file is not in that package"
     );
-    run.insert("book.rs".to_owned());
+    run.insert("book/main.rs".to_owned());
     assert_eq!(listed("book/builder/Cargo.toml").len(), 1);
     assert_eq!(found, run);
     assert_eq!(found.len(), 17);
@@ -232,7 +227,7 @@ const DAMAGES: [(&str, &str, &str, &str); 31] = [
         "book/src/one.md",
         "stills sample",
         "stills simple",
-        "book/src/one.md:37: there is no figure tests/snapshots/figures/simple__frame_*.snap.svg",
+        "book/src/one.md:37: there is no figure tests/snapshots/simple/frame_*.snap.svg",
     ),
     (
         "book/src/one.md",
@@ -311,7 +306,7 @@ const DAMAGES: [(&str, &str, &str, &str); 31] = [
         "book/src/one.md",
         "sample:swing",
         "sample:sway",
-        "book/src/one.md:17: there is no figure tests/snapshots/figures/sample__sway.snap.svg; sample has: frame_1, frame_2, swing",
+        "book/src/one.md:17: there is no figure tests/snapshots/sample/sway.snap.svg; sample has: frame_1, frame_2, swing",
     ),
     (
         "book/src/one.md",
@@ -398,10 +393,10 @@ const DAMAGES: [(&str, &str, &str, &str); 31] = [
         "book/src/one.md:5: tests/snapshots/sample.snap:",
     ),
     (
-        "tests/snapshots/figures/sample__swing.snap.svg",
+        "tests/snapshots/sample/swing.snap.svg",
         " aria-label=\"A curve that swings\"",
         "",
-        "book/src/one.md:17: tests/snapshots/figures/sample__swing.snap.svg: the figure does not say",
+        "book/src/one.md:17: tests/snapshots/sample/swing.snap.svg: the figure does not say",
     ),
 ];
 
@@ -452,8 +447,8 @@ fn damage_stops_the_build_at_its_line_and_the_old_book_stays() {
             "tests/snapshots/other.snap:1: there is no examples/other.rs",
         ),
         (
-            "tests/snapshots/figures/sample__other.snap.svg",
-            "tests/snapshots/figures/sample__other.snap.svg:1: no page shows this figure",
+            "tests/snapshots/sample/other.snap.svg",
+            "tests/snapshots/sample/other.snap.svg:1: no page shows this figure",
         ),
     ];
     for (file, message) in orphans {
