@@ -2,12 +2,12 @@
 
 #[path = "../../tests/accuracy/error_control/attack/scenes/mod.rs"]
 pub mod attack;
-pub mod conditions;
 pub mod ensemble;
 #[path = "../../examples/accuracy/honesty.rs"]
 pub mod honesty;
 pub mod kit;
 pub mod readme;
+pub mod record;
 pub mod throughput;
 pub mod timing;
 
