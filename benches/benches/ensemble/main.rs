@@ -178,24 +178,19 @@ impl Works<'_> {
 
     /// A row per number of threads.
     fn table(&self, times: &Times) -> Outcome<Table> {
-        let columns = "work, threads, per second, each / ns, speed-up, interval";
+        let columns = "work, threads, per second, each / ns, speed-up";
         let mut table = Table::new("throughput", columns.split(", "))?;
         for (work, items) in &self.done {
-            let alone = times.of(&format!("{work}/1"))?;
+            let alone = times.of(&format!("{work}/1"))?.median;
             for threads in self.pools.iter().map(ThreadPool::current_num_threads) {
-                let time = times.of(&format!("{work}/{threads}"))?;
-                let each = time.per(*items as f64).median;
-                let [lower, upper] = match threads {
-                    1 => [1.0, 1.0],
-                    _ => [0, 1].map(|end| alone.interval[end] / time.interval[1 - end]),
-                };
+                let time = times.of(&format!("{work}/{threads}"))?.median;
+                let each = time / *items as f64;
                 table.push([
                     work.clone(),
                     threads.to_string(),
                     short(1e9 / each, 2),
                     short(each, 2),
-                    short(alone.median / time.median, 2),
-                    format!("{} to {}", short(lower, 2), short(upper, 2)),
+                    short(alone / time, 2),
                 ])?;
             }
         }
@@ -257,8 +252,8 @@ fn main() -> Outcome<()> {
     works.criterion.final_summary();
     let description = format!(
         "{BODIES} gyroscopes and {BODIES} tumbling bodies in closed form, each quantity within 1 % \
-         of its nominal value, over the cores of one machine, with intervals of 95 % confidence; \
-         the control is what the machine gave to more threads"
+         of its nominal value, over the cores of one machine; the control is what the \
+         machine gave to more threads"
     );
     let again = "cargo bench -p benches --bench ensemble";
     record::write("ensemble", ["Ensembles", &description, again], |times| {
