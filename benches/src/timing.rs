@@ -1,33 +1,26 @@
-//! Times of computations relative to a unit that is measured beside them.
+//! A clock of our own, for what criterion cannot do: two codes in turn, in one run.
 //!
-//! The speed of a machine wanders while it works; what a computation takes in units
-//! of another, measured a moment earlier, wanders much less. So all are run in turn,
-//! round after round, and each round gives a ratio; their median is the answer.
+//! The speed of a machine wanders while it works; what a computation takes in units of another,
+//! measured a moment earlier, wanders much less. So in the races against other crates all are run
+//! in turn, round after round, and each round gives a ratio; their median is the answer. A page's
+//! report is likewise timed in its module and as a program, one after the other.
 
 use kit::Result;
-use std::sync::OnceLock;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-/// What is read before and after a task.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Clock {
-    /// The clock on the wall: for tasks that use several cores.
-    Wall,
-    /// The time that this thread had a processor: other programs in the queue do not
-    /// count. Where the system does not tell, the clock on the wall.
-    Thread,
-}
-
-impl Clock {
-    /// Seconds since some moment in the past.
-    pub fn now(self) -> f64 {
-        #[cfg(unix)]
-        if self == Self::Thread {
-            let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
-            return time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64;
-        }
-        static START: OnceLock<Instant> = OnceLock::new();
-        START.get_or_init(Instant::now).elapsed().as_secs_f64()
+/// The time that this thread had a processor, s: other programs in the queue do not count. Where
+/// the system does not tell, the clock on the wall.
+pub fn now() -> f64 {
+    #[cfg(unix)]
+    {
+        let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
+        time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
+    }
+    #[cfg(not(unix))]
+    {
+        static START: std::sync::OnceLock<std::time::Instant> = std::sync::OnceLock::new();
+        let start = START.get_or_init(std::time::Instant::now);
+        start.elapsed().as_secs_f64()
     }
 }
 
@@ -39,8 +32,6 @@ pub type Task<'a> = &'a dyn Fn() -> Result<()>;
 pub struct Measured {
     /// The median time of one run, s.
     pub seconds: f64,
-    /// The least time of one run, s: what is left on a machine with other things to do.
-    pub least: f64,
     /// The median over all rounds of the time in units of the first task's.
     pub ratio: f64,
     /// The lower and upper quartile of that ratio.
@@ -56,22 +47,14 @@ const BATCH: Duration = Duration::from_micros(200);
 /// # Errors
 /// The first error of a task.
 pub fn interleaved(tasks: &[Task], rounds: usize) -> Result<Vec<Measured>> {
-    interleaved_by(Clock::Wall, tasks, rounds)
-}
-
-/// [`interleaved`] by another clock.
-///
-/// # Errors
-/// The first error of a task.
-pub fn interleaved_by(clock: Clock, tasks: &[Task], rounds: usize) -> Result<Vec<Measured>> {
     let sizes: Vec<u32> = tasks
         .iter()
-        .map(|task| batch(clock, task))
+        .map(|task| batch(task))
         .collect::<Result<_>>()?;
     let mut times = vec![Vec::new(); tasks.len()];
     for _ in 0..rounds.max(3) {
         for ((task, &size), times) in tasks.iter().zip(&sizes).zip(&mut times) {
-            times.push(time(clock, task, size)? / f64::from(size));
+            times.push(time(task, size)? / f64::from(size));
         }
     }
     let unit = &times[0];
@@ -81,7 +64,6 @@ pub fn interleaved_by(clock: Clock, tasks: &[Task], rounds: usize) -> Result<Vec
         let times = sorted(times.iter().copied());
         Measured {
             seconds: quantile(&times, 0.5),
-            least: quantile(&times, 0.0),
             ratio: quantile(&ratios, 0.5),
             quartiles: [quantile(&ratios, 0.25), quantile(&ratios, 0.75)],
         }
@@ -90,20 +72,20 @@ pub fn interleaved_by(clock: Clock, tasks: &[Task], rounds: usize) -> Result<Vec
 }
 
 /// How many runs take as long as a batch should; this also warms up.
-fn batch(clock: Clock, task: Task) -> Result<u32> {
+fn batch(task: Task) -> Result<u32> {
     let mut size = 1_u32;
-    while time(clock, task, size)? < BATCH.as_secs_f64() && size < 1 << 24 {
+    while time(task, size)? < BATCH.as_secs_f64() && size < 1 << 24 {
         size *= 2;
     }
     Ok(size)
 }
 
-fn time(clock: Clock, task: Task, size: u32) -> Result<f64> {
-    let start = clock.now();
+fn time(task: Task, size: u32) -> Result<f64> {
+    let start = now();
     for _ in 0..size {
         task()?;
     }
-    Ok(clock.now() - start)
+    Ok(now() - start)
 }
 
 fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
@@ -132,11 +114,9 @@ mod tests {
     }
 
     #[test]
-    fn clocks_do_not_go_back() {
-        for clock in [Clock::Wall, Clock::Thread] {
-            let times: Vec<f64> = (0..100).map(|_| clock.now()).collect();
-            assert!(times.is_sorted(), "{clock:?}");
-        }
+    fn the_clock_does_not_go_back() {
+        let times: Vec<f64> = (0..100).map(|_| now()).collect();
+        assert!(times.is_sorted());
     }
 
     #[test]

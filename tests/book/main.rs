@@ -674,7 +674,7 @@ fn the_records_of_the_strips_are_whole() {
                 "delivered",
                 "work",
                 "time",
-                "quartiles"
+                "interval"
             ],
             "{stem}"
         );

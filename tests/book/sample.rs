@@ -171,7 +171,7 @@ what        ns
 one sample  75
 
 table strip
-method  requested  delivered  work       time  quartiles
+method  requested  delivered  work       time  interval 
 RK4     1e-9       7e-10      400 steps  5123  5100 to 5200
 DOP853  1e-9       5e-10      28 steps   271   270 to 280
 Verlet  1e-9       9e-10      900 steps  6789  6700 to 6900

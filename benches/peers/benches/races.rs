@@ -3,7 +3,7 @@
 //! A bench is not timed before the error that it claims is shown to be reached. The
 //! record itself is measured by the binary of this crate, in rounds.
 
-use benches::readme::{RECORD, path};
+use benches::{RECORD, path};
 use criterion::{Criterion, SamplingMode, criterion_group, criterion_main};
 use kit::parse;
 use peers::contest::contestants;

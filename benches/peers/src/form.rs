@@ -339,6 +339,8 @@ impl Form<4> for TopAngles {
 fn top(problem: &Problem) -> Result<(f64, [f64; 2])> {
     match problem.motion {
         Motion::Top { a, b, c, .. } => Ok((c, [a, b])),
-        Motion::Free { .. } | Motion::Open { .. } => Err(Error::out_of_range("m g l", 0.0, "a top has some")),
+        Motion::Free { .. } | Motion::Open { .. } => {
+            Err(Error::out_of_range("m g l", 0.0, "a top has some"))
+        }
     }
 }

@@ -1,15 +1,13 @@
 //! Runs the races and writes `benches/record/peers.txt` and `peers_open.txt`, from which pages
-//! and the README take their tables; with `closed` or `open` one of them, with the name of a
+//! take their tables; with `closed` or `open` one of them, with the name of a
 //! problem none: then its table is printed.
 //!
 //! ```text
-//! cargo run --release --manifest-path benches/peers/Cargo.toml -- open --date 2026-11-21
+//! cargo run --release --manifest-path benches/peers/Cargo.toml -- open
 //! ```
 
-use benches::conditions::Conditions;
-use benches::readme::{OPEN_RECORD, RECORD, path, tables, with_tables};
-use benches::timing::{Clock, Task, interleaved_by};
-use kit::parse;
+use benches::timing::{Task, interleaved};
+use benches::{OPEN_RECORD, RECORD, path};
 use peers::open::OPEN;
 use peers::open_record;
 use peers::problem::{PROBLEMS, Problem};
@@ -30,34 +28,24 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), String> {
-    let mut arguments = env::args().skip(1).peekable();
-    let which = arguments.next_if(|argument| !argument.starts_with("--"));
-    let conditions = Conditions::read("peers [closed | open | PROBLEM]", arguments)
-        .map_err(|e| e.to_string())?;
-    match which.as_deref() {
+    match env::args().nth(1).as_deref() {
         None => {
-            closed(&conditions)?;
-            open(&conditions)?;
+            closed()?;
+            open()?;
         }
-        Some("closed") => closed(&conditions)?,
-        Some("open") => open(&conditions)?,
+        Some("closed") => closed()?,
+        Some("open") => open()?,
         Some(key) => {
             let problem = Problem::named(key).ok_or(format!("no problem {key}"))?;
             print!("{}", open_record::of_one(problem, &to_the_end(problem)?)?);
             return Ok(());
         }
     }
-    let old = fs::read_to_string(path("README.md")).map_err(|e| e.to_string())?;
-    let records = [RECORD, OPEN_RECORD].map(|file| {
-        let text = fs::read_to_string(path(file)).map_err(|e| format!("{file}: {e}"))?;
-        parse(&text).map_err(|e| format!("{file}: {e}"))
-    });
-    let [closed, open] = records;
-    write("README.md", &with_tables(&old, &tables(&closed?, &open?)?)?)
+    Ok(())
 }
 
 /// The races on motions with a closed form.
-fn closed(conditions: &Conditions) -> Result<(), String> {
+fn closed() -> Result<(), String> {
     let mut races = Races {
         ends: Vec::new(),
         dense: Vec::new(),
@@ -71,18 +59,18 @@ fn closed(conditions: &Conditions) -> Result<(), String> {
         let problem = Problem::named(key).ok_or(format!("no problem {key}"))?;
         races.dense.push(along_the_way(problem)?);
     }
-    write(RECORD, &text(conditions, &races)?)
+    write(RECORD, &text(&races)?)
 }
 
 /// The races on motions without one.
-fn open(conditions: &Conditions) -> Result<(), String> {
+fn open() -> Result<(), String> {
     let mut races = Vec::new();
     for problem in &OPEN {
         let race = run_to_the_end(problem)?;
         eprint!("{}", open_record::of_one(problem, &race)?);
         races.push(race);
     }
-    write(OPEN_RECORD, &open_record::text(conditions, &races)?)
+    write(OPEN_RECORD, &open_record::text(&races)?)
 }
 
 fn run_to_the_end(problem: &'static Problem) -> Result<Race, String> {
@@ -110,6 +98,6 @@ fn late() -> Result<f64, String> {
         }
     });
     let tasks = samples.each_ref().map(|task| task as Task);
-    let measured = interleaved_by(Clock::Thread, &tasks, 501).map_err(|e| e.to_string())?;
+    let measured = interleaved(&tasks, 501).map_err(|e| e.to_string())?;
     Ok(measured[1].ratio)
 }

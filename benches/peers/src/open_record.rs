@@ -7,7 +7,6 @@ use crate::race::{Line, Race, TARGETS};
 use crate::record::{
     Outcome, PEERS, Rivals, condition_table, head, in_words, run_cells, table, times_table,
 };
-use benches::conditions::Conditions;
 use kit::{Report, Table, short};
 
 /// The command that writes the record.
@@ -17,7 +16,7 @@ pub const COMMAND: &str = "cargo run --release --manifest-path benches/peers/Car
 ///
 /// # Errors
 /// A cell that does not fit a table.
-pub fn text(conditions: &Conditions, races: &[Race]) -> Outcome<String> {
+pub fn text(races: &[Race]) -> Outcome<String> {
     let mut report = Report::new(
         "Races of motions without a closed form",
         format!(
@@ -31,7 +30,7 @@ pub fn text(conditions: &Conditions, races: &[Race]) -> Outcome<String> {
     let carrying: Vec<&str> = (PEERS.into_iter())
         .filter(|peer| *peer != "rapier3d")
         .collect();
-    let mut tables = vec![condition_table(conditions, &carrying, races.iter())?];
+    let mut tables = vec![condition_table(&carrying, races.iter())?];
     for (problem, race) in OPEN.iter().zip(races) {
         tables.push(problem_table(problem.key, race)?);
     }

@@ -4,7 +4,7 @@ use crate::contest::{Ladder, OURS, Setting, contestants};
 use crate::dense::{self, samplers};
 use crate::problem::Problem;
 use crate::search::{Outcome, search};
-use benches::timing::{Clock, Task, interleaved_by};
+use benches::timing::{Task, interleaved};
 use rotation_dynamics::attitude::Attitude;
 use std::hint::black_box;
 
@@ -227,7 +227,7 @@ fn race(runners: &[Runner], problem: &Problem, targets: [f64; 4]) -> Result<Race
         })
         .collect();
     let tasks: Vec<Task> = tasks.iter().map(|task| task as Task).collect();
-    let measured = interleaved_by(Clock::Thread, &tasks, rounds).map_err(|e| e.to_string())?;
+    let measured = interleaved(&tasks, rounds).map_err(|e| e.to_string())?;
 
     let mut race = Race {
         names,

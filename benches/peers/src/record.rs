@@ -1,5 +1,4 @@
-//! What is written down of the races. The README's table is made of it by
-//! [`benches::readme`].
+//! The record of the races.
 //!
 //! The record has the grammar of a report ([`kit`]):
 //! `conditions`, a table of times per problem, `dense_…`, `ratios`, `targets`, and
@@ -9,7 +8,7 @@ use crate::contest::{Setting, contestants};
 use crate::dense::{self, PER_PERIOD, PERIODS, samplers};
 use crate::problem::{PROBLEMS, Problem};
 use crate::race::{Line, Race, TARGETS};
-use benches::conditions::Conditions;
+use benches::record::conditions;
 use kit::{Parsed, Report, Table, rounded_up, short};
 
 /// The command that writes the record.
@@ -61,7 +60,7 @@ pub(crate) fn head(error: f64) -> String {
 ///
 /// # Errors
 /// A cell that does not fit a table.
-pub fn text(conditions: &Conditions, races: &Races) -> Outcome<String> {
+pub fn text(races: &Races) -> Outcome<String> {
     let mut report = Report::new(
         "Races against other crates",
         format!(
@@ -72,7 +71,7 @@ pub fn text(conditions: &Conditions, races: &Races) -> Outcome<String> {
     )
     .map_err(in_words)?;
     let all = races.ends.iter().chain(&races.dense);
-    let mut tables = vec![condition_table(conditions, &PEERS, all)?];
+    let mut tables = vec![condition_table(&PEERS, all)?];
     for (problem, race) in PROBLEMS.iter().zip(&races.ends) {
         let times = |line: &Line| short(1e3 * line.seconds, 2);
         tables.push(times_table(problem.key, race, TARGETS, times)?);
@@ -101,11 +100,10 @@ pub(crate) fn table<const N: usize>(name: &str, columns: [&str; N]) -> Outcome<T
 }
 
 pub(crate) fn condition_table<'r>(
-    conditions: &Conditions,
     peers: &[&str],
     races: impl Iterator<Item = &'r Race>,
 ) -> Outcome<Table> {
-    let mut table = conditions.table().map_err(in_words)?;
+    let mut table = conditions().map_err(|e| e.to_string())?;
     for &peer in peers {
         let version = version(peer).ok_or(format!("{peer} is not in the lock file"))?;
         table.push([peer, version]).map_err(in_words)?;

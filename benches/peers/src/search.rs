@@ -2,7 +2,7 @@
 
 use crate::contest::{Ladder, Setting};
 use crate::problem::Problem;
-use benches::timing::Clock;
+use benches::timing::now;
 use core::cell::Cell;
 
 /// A run that takes longer than this ends a search (s).
@@ -81,9 +81,9 @@ struct Search<'a> {
 impl Search<'_> {
     fn run(&self, setting: Setting) -> Option<Found> {
         let timed = || {
-            let start = Clock::Thread.now();
+            let start = now();
             let error = (self.measure)(setting);
-            (error, Clock::Thread.now() - start)
+            (error, now() - start)
         };
         let (error, mut seconds) = timed();
         let found = error.as_ref().is_ok_and(|error| *error < LOST);

@@ -1,7 +1,7 @@
 //! Every line of `benches/record/peers.txt` and `peers_open.txt` claims an error: each is run again here, and
 //! must reach it. Nothing is timed.
 
-use benches::readme::{OPEN_RECORD, RECORD, path};
+use benches::{OPEN_RECORD, RECORD, path};
 use kit::{Parsed, parse};
 use peers::contest::Setting;
 use peers::open::OPEN;

@@ -11,13 +11,12 @@
 #[allow(dead_code, reason = "the example draws what is tabulated here")]
 mod drift;
 
+use benches::record::{Outcome, save};
 use drift::{Curve, Kind, Method, curve};
 use kit::cli::alive;
 use kit::{Report, Table, rounded_up};
 use rayon::prelude::*;
 use rotation_dynamics::Result;
-use std::path::Path;
-use std::{error, fs};
 
 const STARTS: usize = 8;
 const PERIODS: f64 = 1e6;
@@ -25,11 +24,11 @@ const PERIODS: f64 = 1e6;
 /// Exponents are fitted from here on.
 const FROM: f64 = 100.0;
 
-fn main() -> std::result::Result<(), Box<dyn error::Error>> {
+fn main() -> Outcome<()> {
     alive(record)
 }
 
-fn record() -> std::result::Result<(), Box<dyn error::Error>> {
+fn record() -> Outcome<()> {
     let mut report = Report::new(
         "Long-time drift",
         format!(
@@ -77,9 +76,5 @@ fn record() -> std::result::Result<(), Box<dyn error::Error>> {
         report.add_table(grown)?;
         report.add_table(powers)?;
     }
-    let text = report.text()?;
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("record/drift.txt");
-    fs::write(file, &text)?;
-    print!("{text}");
-    Ok(())
+    save("drift", &report)
 }

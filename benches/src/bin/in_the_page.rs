@@ -2,39 +2,30 @@
 //! `benches/record/in_the_page.txt`.
 //!
 //! ```text
-//! cargo run --release -p benches --bin in_the_page -- --date 2026-11-23
+//! cargo run --release -p benches --bin in_the_page
 //! ```
 //!
-//! Processor time, the least of some runs of each, a page's both one after the other. The engine
-//! is node's, and has compiled what it will before it is timed.
+//! Processor time, the least of some runs of each, a page's both one after the other: that is why
+//! criterion does not measure it. The engine is node's, and has compiled what it will before it is
+//! timed.
 
-use benches::conditions::Conditions;
-use benches::timing::Clock;
+use benches::record::{Outcome, conditions, save};
+use benches::timing::now;
 use kit::cli::alive;
 use kit::{Page, Report, Table, short};
 use pages::ALL;
-use std::error::Error;
 use std::hint::black_box;
 use std::path::Path;
-use std::process::{Command, ExitCode};
-use std::{env, fs};
-
-type Outcome<T> = Result<T, Box<dyn Error>>;
+use std::process::Command;
 
 /// So long are reports of a page repeated, s; three of the longest are enough.
 const SPAN: f64 = 0.5;
 
-fn main() -> ExitCode {
-    match Conditions::read("in_the_page", env::args().skip(1)).and_then(|c| alive(|| record(&c))) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("{error}");
-            ExitCode::FAILURE
-        }
-    }
+fn main() -> Outcome<()> {
+    alive(record)
 }
 
-fn record(conditions: &Conditions) -> Outcome<()> {
+fn record() -> Outcome<()> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut ratios = Table::new("ratios", ["page", "times native"])?;
     let (mut all, mut sums) = (Vec::new(), [0.0, 0.0]);
@@ -69,20 +60,19 @@ fn record(conditions: &Conditions) -> Outcome<()> {
          program; the least of at least three runs of each; measured, not locked. Measure again: \
          cargo run --release -p benches --bin in_the_page",
     )?;
-    report.add_table(conditions.table()?)?;
+    report.add_table(conditions()?)?;
     report.add_table(pages)?;
     report.add_table(ratios)?;
-    fs::write(root.join("benches/record/in_the_page.txt"), report.text()?)?;
-    Ok(())
+    save("in_the_page", &report)
 }
 
 /// The least processor time of a report, s, and of how many.
 fn native(page: &dyn Page) -> Outcome<(f64, usize)> {
     let (mut least, mut span, mut rounds) = (f64::INFINITY, 0.0, 0);
     while span < SPAN || rounds < 3 {
-        let start = Clock::Thread.now();
+        let start = now();
         black_box(page.report()?);
-        let seconds = Clock::Thread.now() - start;
+        let seconds = now() - start;
         least = least.min(seconds);
         span += seconds;
         rounds += 1;

@@ -1,7 +1,7 @@
 //! Instructions of one evaluation, scene by scene: `benches/record/instructions.txt`.
 //!
 //! ```text
-//! cargo run --release -p benches --bin instructions -- [--date DATE]
+//! cargo run --release -p benches --bin instructions
 //! ```
 //!
 //! It runs itself under valgrind's callgrind, twice for each scene, shorter and longer; the
@@ -13,7 +13,7 @@
 #[allow(dead_code, reason = "the test compares more of them")]
 mod by_hand;
 
-use benches::conditions::Conditions;
+use benches::record::{Outcome, conditions, save};
 use by_hand::{ByHand, TurnAndPush};
 use kit::cli::alive;
 use kit::{Report, Table};
@@ -30,9 +30,8 @@ use rotation_dynamics::integrators::{
     Dop853, GaussLegendre, Integrator, Resisted, Rk4, Scheme, Splitting,
 };
 use rotation_dynamics::scene::Scene;
-use std::path::Path;
+use std::env;
 use std::process::Command;
-use std::{env, error, fs};
 
 /// What is run: the scenes of the rows, the methods of the columns.
 const SCENES: [&str; 8] = [
@@ -50,8 +49,6 @@ const METHODS: [&str; 4] = ["RK4", "DOP853", "Gauss-Legendre 16", "ABA(10,4)"];
 /// Seconds of the shorter run; the longer is three times as long.
 const SHORT: u64 = 40;
 
-type Outcome<T> = std::result::Result<T, Box<dyn error::Error>>;
-
 fn main() -> Outcome<()> {
     let arguments: Vec<String> = env::args().skip(1).collect();
     match arguments.as_slice() {
@@ -59,20 +56,19 @@ fn main() -> Outcome<()> {
             println!("{}", evaluations(method, scene, seconds.parse()?)?);
             Ok(())
         }
-        _ => alive(|| record(arguments)),
+        _ => alive(record),
     }
 }
 
 /// Counts every scene with every method, and writes the record.
-fn record(arguments: Vec<String>) -> Outcome<()> {
-    let conditions = Conditions::read("instructions", arguments.into_iter())?;
+fn record() -> Outcome<()> {
     let mut report = Report::new(
         "Instructions of an evaluation",
         "Of a derivative, and of ABA(10,4) of a kick with its flow, counted by valgrind's callgrind; \
          Gauss-Legendre sweeps its derivatives eight at a time. \
          Count again: benches/measure instructions",
     )?;
-    report.add_table(conditions.table()?)?;
+    report.add_table(conditions()?)?;
     let columns = core::iter::once("scene").chain(METHODS);
     let mut table = Table::new("instructions", columns)?;
     for scene in SCENES {
@@ -86,11 +82,7 @@ fn record(arguments: Vec<String>) -> Outcome<()> {
         table.push(row)?;
     }
     report.add_table(table)?;
-    let text = report.text()?;
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("record/instructions.txt");
-    fs::write(file, &text)?;
-    print!("{text}");
-    Ok(())
+    save("instructions", &report)
 }
 
 /// Instructions of an evaluation; `None` if the method does not apply.

@@ -56,9 +56,6 @@ pub fn of(project: &Project, name: &str, section: &str) -> Result<(Table, String
         Some(conditions) if record.description.contains("the least of") => {
             format!("Least times measured {conditions}; not locked.")
         }
-        Some(conditions) if record.description.contains("best of") => {
-            format!("Best rounds, and medians of their ratios, measured {conditions}; not locked.")
-        }
         Some(conditions) => format!("Medians measured {conditions}; not locked."),
         None if record.description.contains("deterministic") => {
             "Computed, not timed: the same on every machine.".to_owned()

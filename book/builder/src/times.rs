@@ -1,9 +1,9 @@
 //! What the lines of an accuracy strip cost in time, and what that comes to in two lines.
 //!
 //! Times are measured, not locked, so they are no part of an example's output: they stand in
-//! a record for each stem, `benches/record/strips/STEM.txt`, written by `cargo run --release
-//! -p benches --bin strips -- STEM`. A time is shown only beside the very computation that was
-//! timed; if anything in the line has changed since, its place holds a dash.
+//! a record for each stem, `benches/record/strips/STEM.txt`, written by `cargo bench -p benches
+//! --bench strips`. A time is shown only beside the very computation that was timed; if anything
+//! in the line has changed since, its place holds a dash.
 
 use crate::measured;
 use crate::project::Project;

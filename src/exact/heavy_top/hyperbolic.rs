@@ -65,13 +65,6 @@ struct Place<L: Phased> {
     phases: Reduced<L::Pair>,
 }
 
-/// sinh w, cosh w and 1, for |w| up to [`STEEPEST`].
-#[inline(always)]
-fn flat<L: Phased>(w: L) -> [L; 3] {
-    let (sinh, cosh) = sinh_cosh_of(w);
-    [sinh, cosh, L::of(1.0)]
-}
-
 impl Late {
     /// For a motion whose gravity is turned if `flip` < 0, with the phases of alpha and
     /// beta in `turns` and omega_3 = `spin`.
@@ -174,25 +167,28 @@ impl Late {
 }
 
 impl<V: Constant> Late<V> {
+    /// The place at time `t`, for |w| up to [`STEEPEST`].
     #[inline(always)]
     fn place<L: Phased>(&self, t: L, first: usize) -> Place<L> {
-        self.place_by(t, first, flat)
-    }
-
-    /// The place at time `t`, with sinh w, cosh w and 1, or all three times something, by `wave`.
-    #[inline(always)]
-    fn place_by<L: Phased>(&self, t: L, first: usize, wave: impl Fn(L) -> [L; 3]) -> Place<L> {
-        let time = Time::new(t);
-        let half = self.halves.at(&time, first);
-        let lag = self.lags.both_at(&Time::new(half.count()), first);
-        let [sinh, cosh, one] = wave(half.rest * self.width.lane::<L>(first));
+        let (w, whole, phases) = self.time(t, first);
+        let (sinh, cosh) = sinh_cosh_of(w);
         Place {
             sinh,
             cosh,
-            one,
-            whole: half.whole,
-            phases: self.phases.both_at(&time, first).less(&lag),
+            one: L::of(1.0),
+            whole,
+            phases,
         }
+    }
+
+    /// w at time `t`, the parity of the half periods until then, and the phases.
+    #[inline(always)]
+    fn time<L: Phased>(&self, t: L, first: usize) -> (L, L, Reduced<L::Pair>) {
+        let time = Time::new(t);
+        let half = self.halves.at(&time, first);
+        let lag = self.lags.both_at(&Time::new(half.count()), first);
+        let phases = self.phases.both_at(&time, first).less(&lag);
+        (half.rest * self.width.lane::<L>(first), half.whole, phases)
     }
 
     /// The axis, sinh w cosh w, and k.
@@ -248,12 +244,13 @@ impl Sampled for Late {
         if self.periodic || t.is_nan() || t.abs() > self.latest() {
             return LOST;
         }
-        let steep = |w: f64| match w.abs() > STEEPEST {
+        let mut place = self.place(t, 0);
+        let w = self.time(t, 0).0;
+        if w.abs() > STEEPEST {
             // All three times e^-|w|.
-            true => [0.5_f64.copysign(w), 0.5, exp(-w.abs())],
-            false => flat(w),
-        };
-        self.all_of::<f64>(&self.place_by(t, 0, steep), 0)
+            [place.sinh, place.cosh, place.one] = [0.5_f64.copysign(w), 0.5, exp(-w.abs())];
+        }
+        self.all_of::<f64>(&place, 0)
     }
 }
 

@@ -1,7 +1,8 @@
 //! The bodies of both ensembles, and some of them compared with an integrator.
 
-use crate::{BODIES, Outcome};
+use crate::BODIES;
 use benches::ensemble::drawn;
+use benches::record::Outcome;
 use kit::{Table, rounded_up, short};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::RigidBody;

@@ -2,10 +2,6 @@
 //! a second, how much memory, and how the gyroscopes' axes mix. Writes
 //! `benches/record/ensemble.txt`.
 //!
-//! ```text
-//! cargo run --release -p benches --bin ensemble -- --date 2026-11-21
-//! ```
-//!
 //! Before anything is timed: the closed forms of some bodies are compared with
 //! Gauss-Legendre runs after a thousand periods, the mean axes with one thread and with
 //! several are compared bit by bit, and the memory in use while many times are asked for
@@ -13,10 +9,11 @@
 
 mod made;
 
-use benches::conditions::Conditions;
 use benches::ensemble::{Axes, axes, drawn, set_up, states};
-use benches::timing::{Task, interleaved};
-use kit::{Report, Table, short};
+use benches::record::{self, Outcome, Times};
+use criterion::measurement::WallTime;
+use criterion::{Criterion, Throughput};
+use kit::{Table, short};
 use made::{GYROSCOPE, TUMBLING, accuracy, gyroscope, quantities, tumbling};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use rotation_dynamics::body::Kinematics;
@@ -25,21 +22,13 @@ use rotation_dynamics::exact::heavy_top::HeavyTop;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::exp;
 use std::alloc::{GlobalAlloc, Layout, System};
-use std::hint::black_box;
-use std::path::Path;
-use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::{env, error, fs, thread};
+use std::thread;
 
 const BODIES: usize = 100_000;
 
 /// Bodies in one timed run, unless it must show what memory costs.
 const TIMED: usize = 8192;
-
-/// Rounds in which everything is timed once.
-const ROUNDS: usize = 51;
-
-pub type Outcome<T> = Result<T, Box<dyn error::Error>>;
 
 /// Counts the bytes in use, and the most there ever were.
 struct Counting;
@@ -70,16 +59,6 @@ fn peak<T>(work: impl FnOnce() -> T) -> (T, usize) {
     MOST.store(before, Ordering::Relaxed);
     let result = work();
     (result, MOST.load(Ordering::Relaxed) - before)
-}
-
-fn main() -> ExitCode {
-    match Conditions::read("ensemble", env::args().skip(1)).and_then(|it| record(&it)) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("{error}");
-            ExitCode::FAILURE
-        }
-    }
 }
 
 /// Bytes of each body, and the most in use while its axes are averaged at 8 and 512 times.
@@ -149,67 +128,74 @@ fn mixing(tops: &[HeavyTop]) -> Outcome<Table> {
     Ok(table)
 }
 
-/// One row per number of threads, for `items` bodies or states a run.
-fn throughput<'a>(
-    work: &str,
-    items: usize,
-    table: &mut Table,
+/// What is timed, each by any number of threads: its group, and bodies or states in a run.
+struct Works<'a> {
+    criterion: &'a mut Criterion,
     pools: &'a [ThreadPool],
-    run: impl Fn() -> kit::Result<()> + Sync + 'a,
-) -> Outcome<()> {
-    let run = &run;
-    let runs: Vec<_> = pools.iter().map(|pool| move || pool.install(run)).collect();
-    let tasks: Vec<Task> = runs.iter().map(|run| run as Task).collect();
-    let measured = interleaved(&tasks, ROUNDS)?;
-    for (pool, here) in pools.iter().zip(&measured) {
-        let [lower, upper] = here.quartiles.map(|ratio| short(1.0 / ratio, 2));
-        table.push([
-            work.to_owned(),
-            pool.current_num_threads().to_string(),
-            short(items as f64 / here.least, 2),
-            short(1e9 * here.least / items as f64, 2),
-            short(measured[0].least / here.least, 2),
-            short(1.0 / here.ratio, 2),
-            format!("{upper} to {lower}"),
-        ])?;
-    }
-    Ok(())
+    done: Vec<(String, usize)>,
 }
 
-/// What each kind of work takes, for one kind of body.
-fn works<B: Send + Sync>(
-    kind: &str,
-    table: &mut Table,
-    pools: &[ThreadPool],
-    make: impl Fn(usize) -> rotation_dynamics::Result<B> + Sync + Send + Copy,
-    state: impl Fn(&B, f64) -> Kinematics + Sync + Copy,
-    axis: impl Fn(&B, f64) -> SpaceVector + Sync + Copy,
-) -> Outcome<()> {
-    throughput(&format!("{kind}: set-up"), TIMED, table, pools, || {
-        drop(black_box(set_up(TIMED, make)?));
+impl Works<'_> {
+    fn time<T>(&mut self, work: String, items: usize, run: impl Fn() -> T + Sync)
+    where
+        T: Send,
+    {
+        let mut group = self.criterion.benchmark_group(&work);
+        group.throughput(Throughput::Elements(items as u64));
+        for pool in self.pools {
+            let threads = pool.current_num_threads().to_string();
+            group.bench_function(threads, |b| b.iter(|| pool.install(&run)));
+        }
+        group.finish();
+        self.done.push((work, items));
+    }
+
+    /// What each kind of work takes, for one kind of body.
+    fn all<B: Send + Sync>(
+        &mut self,
+        kind: &str,
+        make: impl Fn(usize) -> rotation_dynamics::Result<B> + Sync + Send + Copy,
+        state: impl Fn(&B, f64) -> Kinematics + Sync + Copy,
+        axis: impl Fn(&B, f64) -> SpaceVector + Sync + Copy,
+    ) -> Outcome<()> {
+        self.time(format!("{kind}: set-up"), TIMED, || set_up(TIMED, make));
+        self.time(format!("{kind}: set-up and one state"), TIMED, || {
+            set_up(TIMED, |body| Ok(state(&make(body)?, LATE)))
+        });
+        let bodies = set_up(BODIES, make)?;
+        self.time(format!("{kind}: state at one time"), BODIES, || {
+            let mut out = vec![Kinematics::REST; BODIES];
+            states(&bodies, &mut out, |body| state(body, LATE));
+            out
+        });
+        let times: Vec<f64> = (0..128).map(|n| LATE + f64::from(n)).collect();
+        let often = format!("{kind}: axis at 128 times");
+        self.time(often, TIMED * times.len(), || {
+            axes(&bodies[..TIMED], &times, axis)
+        });
         Ok(())
-    })?;
-    let both = format!("{kind}: set-up and one state");
-    throughput(&both, TIMED, table, pools, || {
-        let made = set_up(TIMED, |body| Ok(state(&make(body)?, LATE)))?;
-        drop(black_box(made));
-        Ok(())
-    })?;
-    let bodies = set_up(BODIES, make)?;
-    let rest = Kinematics::REST;
-    let once = format!("{kind}: state at one time");
-    throughput(&once, BODIES, table, pools, || {
-        let mut out = vec![rest; BODIES];
-        states(&bodies, &mut out, |body| state(body, LATE));
-        drop(black_box(out));
-        Ok(())
-    })?;
-    let times: Vec<f64> = (0..128).map(|n| LATE + f64::from(n)).collect();
-    let often = format!("{kind}: axis at 128 times");
-    throughput(&often, TIMED * times.len(), table, pools, || {
-        black_box(axes(&bodies[..TIMED], &times, axis));
-        Ok(())
-    })
+    }
+
+    /// A row per number of threads.
+    fn table(&self, times: &Times) -> Outcome<Table> {
+        let columns = "work, threads, per second, each / ns, speed-up";
+        let mut table = Table::new("throughput", columns.split(", "))?;
+        for (work, items) in &self.done {
+            let alone = times.of(&format!("{work}/1"))?.median;
+            for threads in self.pools.iter().map(ThreadPool::current_num_threads) {
+                let time = times.of(&format!("{work}/{threads}"))?.median;
+                let each = time / *items as f64;
+                table.push([
+                    work.clone(),
+                    threads.to_string(),
+                    short(1e9 / each, 2),
+                    short(each, 2),
+                    short(alone / time, 2),
+                ])?;
+            }
+        }
+        Ok(table)
+    }
 }
 
 /// What the machine gives to more threads, now: arithmetic that shares nothing.
@@ -220,35 +206,19 @@ fn control(body: usize) -> f64 {
 /// A time (s) after many periods.
 const LATE: f64 = 1000.0;
 
-fn record(conditions: &Conditions) -> Outcome<()> {
+fn main() -> Outcome<()> {
     let cores = thread::available_parallelism()?.get();
     let pool = |threads| ThreadPoolBuilder::new().num_threads(threads).build();
     let pools = (1..=cores).map(pool).collect::<Result<Vec<_>, _>>()?;
-    let mut report = Report::new(
-        "Ensembles",
-        format!(
-            "{BODIES} gyroscopes and {BODIES} tumbling bodies in closed form, each quantity within \
-             1 % of its nominal value, over the cores of one machine; best of {ROUNDS} rounds, and \
-             the median of their ratios; the control is what the machine gave to more threads; measured, not locked. \
-             Measure again: cargo run --release -p benches --bin ensemble"
-        ),
-    )?;
-    report.add_table(conditions.table()?)?;
-    report.add_table(accuracy()?)?;
+    let accuracy = accuracy()?;
 
     let made_top = |body| gyroscope(quantities(GYROSCOPE, body));
     let made_body = |body| tumbling(quantities(TUMBLING, body));
     let axis_of_body = |body: &FreeBody, t| body.attitude(t).axis();
-    let columns = [
-        "bodies",
-        "bytes each",
-        "bytes for 8 times",
-        "bytes for 512 times",
-    ];
-    let mut table = Table::new("memory", columns)?;
-    memory("gyroscopes", &mut table, made_top, HeavyTop::axis)?;
-    memory("tumbling bodies", &mut table, made_body, axis_of_body)?;
-    report.add_table(table)?;
+    let columns = "bodies, bytes each, bytes for 8 times, bytes for 512 times";
+    let mut memories = Table::new("memory", columns.split(", "))?;
+    memory("gyroscopes", &mut memories, made_top, HeavyTop::axis)?;
+    memory("tumbling bodies", &mut memories, made_body, axis_of_body)?;
 
     let tops = set_up(BODIES, made_top)?;
     let on = |threads: usize| -> Outcome<Vec<Axes>> {
@@ -260,45 +230,33 @@ fn record(conditions: &Conditions) -> Outcome<()> {
             Err(format!("other sums with {threads} threads than with one"))?;
         }
     }
-    report.add_table(mixing(&tops)?)?;
+    let mixing = mixing(&tops)?;
     drop(tops);
 
-    let columns = [
-        "work",
-        "threads",
-        "per second",
-        "each / ns",
-        "speed-up",
-        "median",
-        "quartiles",
-    ];
-    let mut table = Table::new("throughput", columns)?;
-    throughput("control", TIMED, &mut table, &pools, || {
-        drop(black_box(set_up(TIMED, |body| Ok(control(body)))?));
-        Ok(())
-    })?;
-    let (top, body) = ("gyroscope", "tumbling body");
-    works(
-        top,
-        &mut table,
-        &pools,
-        made_top,
-        HeavyTop::kinematics,
-        HeavyTop::axis,
-    )?;
-    works(
-        body,
-        &mut table,
-        &pools,
+    // The threads of a pool have the work, so the clock is the one on the wall.
+    let mut criterion = record::criterion().with_measurement(WallTime);
+    let mut works = Works {
+        criterion: &mut criterion,
+        pools: &pools,
+        done: Vec::new(),
+    };
+    let numbers = || set_up(TIMED, |body| Ok(control(body)));
+    works.time("control".into(), TIMED, numbers);
+    works.all("gyroscope", made_top, HeavyTop::kinematics, HeavyTop::axis)?;
+    works.all(
+        "tumbling body",
         made_body,
         FreeBody::kinematics,
         axis_of_body,
     )?;
-    report.add_table(table)?;
-
-    let text = report.text()?;
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("record/ensemble.txt");
-    fs::write(file, &text)?;
-    print!("{text}");
-    Ok(())
+    works.criterion.final_summary();
+    let description = format!(
+        "{BODIES} gyroscopes and {BODIES} tumbling bodies in closed form, each quantity within 1 % \
+         of its nominal value, over the cores of one machine; the control is what the \
+         machine gave to more threads"
+    );
+    let again = "cargo bench -p benches --bench ensemble";
+    record::write("ensemble", ["Ensembles", &description, again], |times| {
+        Ok(vec![accuracy, memories, mixing, works.table(times)?])
+    })
 }
