@@ -327,14 +327,14 @@ impl dyn Page + '_ {
     /// The drawings, with the stills.
     ///
     /// # Errors
-    /// As [`Page::report`].
+    /// As `report`.
     pub fn figures(&self) -> Result<Vec<Figure>> {
         figures(&*self.with_defaults())
     }
     /// The moving picture, if there is one.
     ///
     /// # Errors
-    /// As [`Page::report`].
+    /// As `report`.
     pub fn moving_picture(&self) -> Result<Option<MovingPicture>> {
         self.with_defaults().moving_picture()
     }
@@ -354,7 +354,7 @@ impl dyn Page + '_ {
     /// The drawings, without stills, with these flags set.
     ///
     /// # Errors
-    /// As [`Page::report_with`].
+    /// As `report_with`.
     pub fn figures_with(&self, flags: &[(&str, f64)]) -> Result<Vec<Figure>> {
         let mut run = self.with_defaults();
         set(run.parameters_mut(), flags)?;
@@ -368,7 +368,7 @@ impl dyn Page + '_ {
     /// [`Moves::opened`](super::Moves::opened); `None` where no motion is known exactly.
     ///
     /// # Errors
-    /// As there, and as [`Page::report`].
+    /// As there, and as `report`.
     pub fn lab(&self, settings: &str) -> Result<Option<Lab>> {
         lab(&mut *self.with_defaults(), settings)
     }
