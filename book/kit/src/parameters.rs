@@ -134,6 +134,7 @@ macro_rules! parameters {
             $( $(#[doc = $meaning])* pub $field: $crate::parameters!(@type $kind), )*
         }
         impl Default for $set {
+            #[inline(never)] // Many ask for them: one copy.
             fn default() -> Self {
                 Self { $( $field: $crate::parameters!(@default $kind $( @present $present )? $($setting)*), )* }
             }

@@ -1,11 +1,12 @@
 //! The loop that chooses the steps.
 
 use super::Dop853;
+use super::system::System;
 use super::trial::{Trial, sizes};
 use crate::error::{Error, Result};
+use crate::integrators::Work;
 use crate::integrators::compensated::Compensated;
 use crate::integrators::ode::{check_span, finite_derivative};
-use crate::integrators::{Ode, Work};
 use crate::math::{EPS, exp, log};
 use core::ops::ControlFlow;
 
@@ -39,7 +40,7 @@ impl Dop853 {
     /// step that is as good as the last. Its work, from none, is in `work` also if it fails.
     pub(super) fn drive<const N: usize>(
         &self,
-        ode: &dyn Ode<N>,
+        ode: &dyn System<N>,
         t: f64,
         start: &[f64; N],
         t_end: f64,
@@ -144,7 +145,7 @@ impl Dop853 {
     /// Wanner I, II.4, starting step size).
     fn find_first_step<const N: usize>(
         &self,
-        ode: &dyn Ode<N>,
+        ode: &dyn System<N>,
         t: f64,
         y: &[f64; N],
         first: &[f64; N],

@@ -7,9 +7,10 @@
 //! meet it again.
 
 use super::segment::Segment;
+use super::system::System;
 use super::trial::Trial;
 use crate::error::{Error, FINITE, Result};
-use crate::integrators::{Ode, Work};
+use crate::integrators::Work;
 use crate::math::bracket::{least, zero};
 use crate::math::{EPS, sort_by_number};
 
@@ -229,7 +230,7 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
     /// up to the first terminal one.
     pub(super) fn crossings(
         &mut self,
-        ode: &dyn Ode<N>,
+        ode: &dyn System<N>,
         step: &Trial<N>,
         segment: &Segment<N>,
         work: &mut Work,
@@ -352,7 +353,7 @@ fn with_grazes<const N: usize>(
 /// is what there is. Where the function jumps over zero it does not shrink: there the time is
 /// halved in, by real steps too.
 fn polish<const N: usize>(
-    ode: &dyn Ode<N>,
+    ode: &dyn System<N>,
     event: &Event<'_, N>,
     step: &Trial<N>,
     segment: &Segment<N>,

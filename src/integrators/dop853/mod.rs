@@ -19,7 +19,7 @@ pub use event::{Direction, Event, LocatedEvent};
 pub use solution::Solution;
 pub use zero::{after, small_frequency};
 
-use self::system::ByRef;
+use self::system::{ByRef, System};
 use super::ode::check_span;
 use super::{Integrator, Ode, Work, advance_by_counting};
 use crate::error::{Error, Result, finite, positive};
@@ -165,7 +165,7 @@ impl Dop853 {
 
     fn solve_system<const N: usize>(
         &self,
-        ode: &dyn Ode<N>,
+        ode: &dyn System<N>,
         t: f64,
         start: &[f64; N],
         t_end: f64,

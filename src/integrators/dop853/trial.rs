@@ -2,11 +2,12 @@
 
 use super::coefficients::{A, ALL_STAGES, C, DENSE, ERROR_5, ORDER_3, STAGES};
 use super::segment::Segment;
+use super::system::System;
 use crate::error::{Error, Result};
+use crate::integrators::Work;
 use crate::integrators::compensated::Compensated;
-use crate::integrators::explicit::{combination, increment, mean_increment, stage};
-use crate::integrators::ode::{finite_derivative, not_finite};
-use crate::integrators::{Ode, Work};
+use crate::integrators::explicit::{increment, mean_increment, stage};
+use crate::integrators::ode::finite_derivative;
 use crate::math::lane::write_finite;
 
 /// A step, tried again and again in one place.
@@ -45,38 +46,18 @@ impl<const N: usize> Trial<N> {
     }
 
     /// The step to `t_end`. Eleven derivatives.
-    pub(super) fn step_to(&mut self, ode: &dyn Ode<N>, t_end: f64, work: &mut Work) -> Result<()> {
-        self.stages(ode, t_end - self.t, work)?;
+    pub(super) fn step_to(
+        &mut self,
+        ode: &dyn System<N>,
+        t_end: f64,
+        work: &mut Work,
+    ) -> Result<()> {
+        ode.stages(self, t_end - self.t, work)?;
         self.end_at(t_end);
         let drift = ode.drift(t_end, &self.end.value, self.within);
         self.back = drift.map(|drift| drift.map(|d| -d));
         if let Some(back) = &self.back {
             self.end = self.end.plus(back);
-        }
-        Ok(())
-    }
-
-    /// The slopes of a step by `h` after the first. Eleven derivatives.
-    fn stages(&mut self, ode: &dyn Ode<N>, h: f64, work: &mut Work) -> Result<()> {
-        let start = self.start.value;
-        let mut newest = self.k[0];
-        for i in 1..STAGES {
-            let at = self.t + C[i] * h;
-            // As `stage` has it; but the newest slope, for which all waits, comes last.
-            let [earlier @ .., (_, weight)] = A[i] else {
-                unreachable!("every stage but the first has weights");
-            };
-            // The sum is no part of y, which the system sees: it stays in registers, term by term.
-            let sum = combination(earlier, &self.k);
-            let mut y = start;
-            for n in 0..N {
-                y[n] = start[n] + h * (sum[n] + weight * newest[n]);
-            }
-            work.derivatives += 1;
-            newest = ode.derivative(at, &y);
-            if !write_finite(&newest, &mut self.k[i]) {
-                return Err(not_finite(at, &y, &self.k[i]));
-            }
         }
         Ok(())
     }
@@ -96,14 +77,19 @@ impl<const N: usize> Trial<N> {
     }
 
     /// The step from the same start to an earlier end: where an event is.
-    pub(super) fn shortened(&self, ode: &dyn Ode<N>, t_end: f64, work: &mut Work) -> Result<Self> {
+    pub(super) fn shortened(
+        &self,
+        ode: &dyn System<N>,
+        t_end: f64,
+        work: &mut Work,
+    ) -> Result<Self> {
         let mut shorter = *self;
         shorter.step_to(ode, t_end, work)?;
         Ok(shorter)
     }
 
     /// The derivative at the end of the step.
-    pub(super) fn last(&self, ode: &dyn Ode<N>, work: &mut Work) -> Result<[f64; N]> {
+    pub(super) fn last(&self, ode: &dyn System<N>, work: &mut Work) -> Result<[f64; N]> {
         work.derivatives += 1;
         let y = &self.end.value;
         finite_derivative(self.t_end, y, ode.derivative(self.t_end, y))
@@ -113,7 +99,7 @@ impl<const N: usize> Trial<N> {
     ///
     /// The estimate of order 5, steadied by that of order 3:
     /// e5^2 / sqrt(e5^2 + e3^2 / 100), in the mean over the components.
-    pub(super) fn error(&self, ode: &dyn Ode<N>, tolerance: f64) -> Result<f64> {
+    pub(super) fn error(&self, ode: &dyn System<N>, tolerance: f64) -> Result<f64> {
         let size = sizes(ode, &self.start.value)?;
         let size_end = sizes(ode, &self.end.value)?;
         Ok(self.error_by(&size, &size_end, tolerance))
@@ -145,7 +131,7 @@ impl<const N: usize> Trial<N> {
     /// which the next step uses again.
     pub(super) fn segment(
         &self,
-        ode: &dyn Ode<N>,
+        ode: &dyn System<N>,
         last: [f64; N],
         work: &mut Work,
     ) -> Result<Segment<N>> {
@@ -182,7 +168,7 @@ impl<const N: usize> Trial<N> {
 }
 
 /// The scale of every component, each greater than 0.
-pub(super) fn sizes<const N: usize>(ode: &dyn Ode<N>, y: &[f64; N]) -> Result<[f64; N]> {
+pub(super) fn sizes<const N: usize>(ode: &dyn System<N>, y: &[f64; N]) -> Result<[f64; N]> {
     let sizes = ode.scale(y);
     match sizes.iter().find(|s| s.is_nan() || **s <= 0.0) {
         None => Ok(sizes),

@@ -1,6 +1,6 @@
 //! Zeros of a function along a motion, and frequencies measured by them.
 
-use super::system::ByRef;
+use super::system::{ByRef, System};
 use super::{Dop853, Event, Integrator, LocatedEvent, Ode, Work};
 use crate::error::{Error, Result};
 use core::f64::consts::PI;
@@ -36,7 +36,7 @@ impl Dop853 {
 
     fn zero_of<const N: usize>(
         &self,
-        ode: &dyn Ode<N>,
+        ode: &dyn System<N>,
         start: [f64; N],
         count: u32,
         until: f64,
