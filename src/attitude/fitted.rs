@@ -215,10 +215,7 @@ fn best(k: Matrix4<f64>) -> Result<(Attitude, [f64; 4])> {
     let mut order = [0, 1, 2, 3];
     sort_by_number(&mut order, |i| -eigen.eigenvalues[*i]);
     let values = order.map(|i| eigen.eigenvalues[i]);
-    let mut q = eigen
-        .eigenvectors
-        .column(eigen.eigenvalues.imax())
-        .into_owned();
+    let mut q = eigen.eigenvectors.column(order[0]).into_owned();
     // What the iteration left along the others, by perturbation of the first order.
     let rest = k * q - q * (q.dot(&(k * q)) / q.norm_squared());
     for (i, value) in order.into_iter().zip(values).skip(1) {

@@ -33,8 +33,9 @@ use variation::{AnyScene, Variation, leaned, turned};
 /// The error of a step, as a part of the motion and of the response.
 const PRECISION: f64 = 1e-6;
 
-/// Times of every step at which the response is looked at: in a step a motion turns by about a
-/// radian at most, and a look is then within 1 % of the largest.
+/// Times of every step at which the response is looked at. A step is 1.9 rad of the fastest turn, as
+/// measured on gyroscopes of 250 to 1000 rad/s. So a look is within 0.24 rad of any peak: it is low by
+/// 3 % at most where the response follows that turn, and by far less where it follows the nods.
 const LOOKS: u32 = 4;
 
 /// A response that turns the body by more than this (rad) is no longer linear: its square
