@@ -1,4 +1,5 @@
-//! Torques that jump, bend, stop the body, or damp it faster than a step.
+//! Torques that jump, bend, stop the body, or damp it faster than a step; and steps at and beyond
+//! the stability limit.
 //!
 //! The body turns about its third axis alone, so the angle is known: twice the integral of the
 //! torque.
@@ -10,18 +11,25 @@ use rotation_dynamics::effects::{CoulombBearing, PrescribedTorque, Profile};
 /// Moment about the axis (kg m^2), and the spin at the start (rad/s).
 const I3: f64 = 1.6;
 const SPIN: f64 = 2.0;
+const METHODS: [By; 2] = [
+    SOLVE,
+    By("Gauss-Legendre 16, piece by piece", 8.0, How::Own),
+];
+const FORETOLD: By = By(
+    "foretold by the method's own polynomial or solution",
+    64.0,
+    How::Own,
+);
 
 /// A motion about one axis, and how it is known.
-struct Turned<E> {
-    scene: Scene<((), E)>,
+struct Turned {
+    scene: Scene<EffectList>,
     /// Times at which a method is started anew (s), the end last.
     pieces: Vec<f64>,
     /// The longest step of a method of equal steps (s).
     step: f64,
-    /// The angle turned (rad).
-    angle: f64,
-    /// What that is the sum of, each taken positive: its condition.
-    size: f64,
+    /// The angle turned (rad), and the sum of its terms, each taken positive: its condition.
+    known: [f64; 2],
 }
 
 fn body() -> Solved<RigidBody> {
@@ -32,16 +40,16 @@ fn state(attitude: Attitude) -> Solved<State> {
     body()?.state(attitude, BodyVector::new(0.0, 0.0, SPIN))
 }
 
-impl<E: Effect> Turned<E> {
+impl Turned {
     /// By this effect, started anew at these times, in steps of 0.2 s.
-    fn by(effect: E, pieces: &[f64], [angle, size]: [f64; 2]) -> Solved<Self> {
-        let (scene, pieces) = (Scene::new(body()?).with(effect), pieces.to_vec());
+    fn by(effect: BoxedEffect, pieces: &[f64], known: [f64; 2]) -> Solved<Self> {
+        let scene = Scene::new(body()?).with_list(EffectList::new(vec![effect])?);
+        let (pieces, step) = (pieces.to_vec(), 0.2);
         Ok(Self {
             scene,
             pieces,
-            step: 0.2,
-            angle,
-            size,
+            step,
+            known,
         })
     }
 
@@ -51,7 +59,7 @@ impl<E: Effect> Turned<E> {
 
     fn truth(&self) -> Solved<Attitude> {
         let axis = BodyVector::new(0.0, 0.0, 1.0);
-        Ok(start()? * Attitude::about_body_axis(axis, self.angle)?)
+        Ok(start()? * Attitude::about_body_axis(axis, self.known[0])?)
     }
 
     /// A method restarted at each piece.
@@ -76,7 +84,7 @@ impl<E: Effect> Turned<E> {
 
     /// `solve`, and Gauss-Legendre piece by piece, beside RK4 straight on.
     fn against(&self, method: &'static str, steps: u64) -> Result<Answered> {
-        let (truth, condition) = (Some(self.truth()?), 2.0 + self.size);
+        let (truth, condition) = (self.truth()?, 2.0 + self.known[1]);
         let bounds = METHODS.map(|by| by.bound(condition));
         let asked = in_each_form(start()?, truth, bounds[0], |from| {
             let solved = self.scene.solve(&state(from)?, self.end(), bounds[0])?;
@@ -90,115 +98,135 @@ impl<E: Effect> Turned<E> {
     }
 }
 
-const METHODS: [By; 2] = [By::Request, By::Pieces];
-
-/// A torque with this profile (N m) beside a turn that would go on; it gains an angle.
-fn pushed(profile: Profile, pieces: [f64; 3], gained: f64) -> Solved<Turned<PrescribedTorque>> {
-    let push = PrescribedTorque::on_body(BodyVector::new(0.0, 0.0, 1.0), profile)?;
-    let turned = SPIN * pieces[2];
-    Turned::by(push, &pieces, [turned + gained, turned + 2.0 * gained])
+/// A torque of this profile (N m) beside a turn that would go on; it gains an angle, and its
+/// terms are so large.
+#[rustfmt::skip]
+fn pushed(size: f64, profile: Profile, pieces: &[f64], [gained, of]: [f64; 2]) -> Solved<Turned> {
+    let push = PrescribedTorque::on_body(BodyVector::new(0.0, 0.0, size), profile)?;
+    let turned = pieces.last().map_or(0.0, |end| SPIN * end);
+    Turned::by(Box::new(push), pieces, [turned + gained, turned + of])
 }
 
-/// On and off at these times: N (d (end - off) + d^2/2).
-fn switched([on, off, end]: [f64; 3], torque: f64) -> Solved<Turned<PrescribedTorque>> {
+/// On and off at these times: N (d (end - off) + d^2/2). Where a short one is, is known to `late`.
+fn switched([on, off, end]: [f64; 3], torque: f64, late: f64) -> Solved<Turned> {
     let lasts = off - on;
     let gained = torque / I3 * lasts * (end - off + 0.5 * lasts);
     let profile = Profile::steps(&[(on, torque), (off, 0.0)])?;
-    pushed(profile, [on, off, end], gained)
+    pushed(1.0, profile, &[on, off, end], [gained, 2.0 * gained + late])
 }
 
-const ONCE: [f64; 3] = [1.0 / 3.0, 7.0 / 3.0, 10.0];
-
-/// A torque switched on and off, in so many equal steps: RK4 straight on, RK4 started anew at
-/// each jump, Gauss-Legendre started anew (rad).
-pub fn across_jumps(steps: u64) -> Solved<[f64; 3]> {
-    let mut pushed = switched(ONCE, 0.5)?;
-    pushed.step = 10.0 / steps as f64;
-    let truth = pushed.truth()?;
-    let anew = |method| Ok(truth.angle_to(&pushed.by_pieces(method, start()?)?));
-    let [rk4, gauss] = [anew(Method::Rk4)?, anew(Method::GaussLegendre16)?];
-    Ok([pushed.straight(steps)?, rk4, gauss])
-}
-
-/// A pulse of a fiftieth of a second in a minute: steps of 0.06 s have a stage at 30 s and one at
-/// 30.03 s.
-fn knocked() -> Solved<Turned<PrescribedTorque>> {
-    let (times, torque) = ([30.005, 30.025, 60.0], 50.0);
-    let [_, off, end] = times;
-    let mut knocked = switched(times, torque)?;
-    knocked.size += torque / I3 * off * (end - off);
-    Ok(knocked)
-}
-
-/// A bell a hundredth of a second wide: its area, as if it came all at once.
-fn rung() -> Solved<Turned<PrescribedTorque>> {
-    let (centre, width, end, torque) = (30.0, 0.01, 60.0, 50.0);
-    let (turned, area) = (SPIN * end, torque * width * TAU.sqrt());
-    let gained = area / I3 * (end - centre);
-    let axis = BodyVector::new(0.0, 0.0, torque);
-    let bell = PrescribedTorque::on_body(axis, Profile::pulse(centre, width)?)?;
-    // Where on the bell a time is, doubles know to eps centre/width.
-    let known = [turned + gained, turned + gained * (2.0 + centre / width)];
-    let mut rung = Turned::by(bell, &[centre - 0.2, centre + 0.2, end], known)?;
-    rung.step = 0.004;
-    Ok(rung)
-}
-
-/// Rising to 1 at t = 1, falling to 0 at t = 3: areas 1/2 and 1, about 2/3 and 5/3.
-fn bent() -> Solved<Turned<PrescribedTorque>> {
-    let profile = Profile::lines(&[(0.0, 0.0), (1.0, 1.0), (3.0, 0.0)])?;
-    let gained = (0.5 * (10.0 - 2.0 / 3.0) + 10.0 - 5.0 / 3.0) / I3;
-    pushed(profile, [1.0, 3.0, 10.0], gained)
-}
-
-/// Dry friction: L/tau until the stop, half of the way that the spin would make.
-fn stopped() -> Solved<Turned<CoulombBearing>> {
-    let tau = 0.7;
-    let stop = I3 * SPIN / tau;
-    let bearing = CoulombBearing::new(tau, &body()?, &state(start()?)?, 0.0)?;
-    let known = [0.5 * SPIN * stop, 2.0 * SPIN * stop];
-    Turned::by(bearing, &[stop, 10.0], known)
-}
-
-/// |sin t|: between its corners at k pi it is smooth; in each half wave its area is 2.
-fn rectified() -> Solved<Turned<impl Effect>> {
-    let (end, corners) = (10.0, [PI, 2.0 * PI, 3.0 * PI]);
-    // Of a half wave from a to a + pi: 2 (end - a - pi/2); of the rest r: r - sin r.
-    let rest = end - corners[2];
-    let gained = (6.0 * end - 9.0 * PI + rest - sin(rest)) / I3;
-    let drive = Torque::on_body("rectified", |t, _: &RigidBody, _: &State| {
-        BodyVector::new(0.0, 0.0, sin(t).abs())
-    });
-    let (drive, turned) = (drive.with_break_points(&corners)?, SPIN * end);
-    let pieces = [corners.as_slice(), &[end]].concat();
-    Turned::by(drive, &pieces, [turned + gained, turned + 2.0 * gained])
-}
-
-/// Viscous: (1 - exp(-c t/I3)) I3/c of the spin.
-fn damped() -> Solved<Turned<ViscousFriction>> {
-    let (rate, end) = (200.0, 1.0);
-    let angle = -SPIN * expm1(-rate * end) / rate;
-    let size = SPIN / rate * (1.0 + rate * end * exp(-rate * end));
-    let friction = ViscousFriction::about_axis(rate * I3)?;
-    let mut damped = Turned::by(friction, &[end], [angle, size])?;
-    damped.step = 0.5 / rate;
-    Ok(damped)
-}
-
-family! { FAMILY, "torques": "Torques that jump, bend, stop and damp",
-    by METHODS, in NAMES, seen in stepped::bell;
+family! { TORQUES, "torques": "Torques that jump, bend, stop and damp", by METHODS, in NAMES;
     "a torque switched on and off", "a step across a jump is of order one":
-        switched(ONCE, 0.5)?.against("RK4 straight on, 10 000 steps", 10_000);
+        switched([1.0 / 3.0, 7.0 / 3.0, 10.0], 0.5, 0.0)?.against("RK4 straight on, 10 000 steps", 10_000);
+    // A pulse of a fiftieth of a second in a minute: steps of 0.06 s have a stage at 30 s and one at 30.03 s.
     "a knock of 0.02 s in a minute", "every step passes over it and none of them sees it":
-        knocked()?.against("RK4 straight on, 1000 steps", 1000);
-    "a smooth bell of 0.01 s in a minute", "it is analytic, and a step of 0.06 s sees its top or nothing":
-        rung()?.against("RK4 straight on, 1000 steps", 1000);
-    "a torque with kinks", "its slope jumps: no order above two":
-        bent()?.against("RK4 straight on, 997 steps", 997);
-    "dry friction to a stop", "its torque jumps where the motion ends":
-        stopped()?.against("RK4 straight on, 997 steps", 997);
-    "a torque that is a rectified sine", "three corners, no order above two across them":
-        rectified()?.against("RK4 straight on, 997 steps", 997);
-    "damped in a 200th of the time", "a step is stable below 2.785/200 s only, long after nothing moves":
-        damped()?.against("RK4 with steps of 1/66 s", 66);
+        switched([30.005, 30.025, 60.0], 50.0, 50.0 / I3 * 30.025 * (60.0 - 30.025))?
+            .against("RK4 straight on, 1000 steps", 1000);
+    // Its area, as if it came all at once. Where on the bell a time is, doubles know to eps centre/width.
+    "a smooth bell of 0.01 s in a minute", "it is analytic, and a step of 0.06 s sees its top or nothing": {
+        let (centre, width, torque) = (30.0, 0.01, 50.0);
+        let gained = torque * width * TAU.sqrt() / I3 * (60.0 - centre);
+        let (profile, pieces) = (Profile::pulse(centre, width)?, [centre - 0.2, centre + 0.2, 60.0]);
+        let mut rung = pushed(torque, profile, &pieces, [gained, gained * (2.0 + centre / width)])?;
+        rung.step = 0.004;
+        rung.against("RK4 straight on, 1000 steps", 1000)
+    };
+    // Rising to 1 at t = 1, falling to 0 at t = 3: areas 1/2 and 1, about 2/3 and 5/3.
+    "a torque with kinks", "its slope jumps: no order above two": {
+        let profile = Profile::lines(&[(0.0, 0.0), (1.0, 1.0), (3.0, 0.0)])?;
+        let gained = (0.5 * (10.0 - 2.0 / 3.0) + 10.0 - 5.0 / 3.0) / I3;
+        pushed(1.0, profile, &[1.0, 3.0, 10.0], [gained, 2.0 * gained])?.against("RK4 straight on, 997 steps", 997)
+    };
+    // L/tau until the stop, half of the way that the spin would make.
+    "dry friction to a stop", "its torque jumps where the motion ends": {
+        let stop = I3 * SPIN / 0.7;
+        let bearing = CoulombBearing::new(0.7, &body()?, &state(start()?)?, 0.0)?;
+        Turned::by(Box::new(bearing), &[stop, 10.0], [0.5 * SPIN * stop, 2.0 * SPIN * stop])?
+            .against("RK4 straight on, 997 steps", 997)
+    };
+    // |sin t|, smooth between its corners. A half wave from a to a + pi: 2 (end - a - pi/2); the rest r: r - sin r.
+    "a torque that is a rectified sine", "three corners, no order above two across them": {
+        let (end, corners) = (10.0, [PI, 2.0 * PI, 3.0 * PI]);
+        let rest = end - corners[2];
+        let (turned, gained) = (SPIN * end, (6.0 * end - 9.0 * PI + rest - sin(rest)) / I3);
+        let drive = Torque::on_body("rectified", |t, _: &RigidBody, _: &State| BodyVector::new(0.0, 0.0, sin(t).abs()));
+        let pieces = [corners.as_slice(), &[end]].concat();
+        Turned::by(Box::new(drive.with_break_points(&corners)?), &pieces, [turned + gained, turned + 2.0 * gained])?
+            .against("RK4 straight on, 997 steps", 997)
+    };
+    // Viscous: (1 - exp(-c t/I3)) I3/c of the spin.
+    "damped in a 200th of the time", "a step is stable below 2.785/200 s only, long after nothing moves": {
+        let (rate, end) = (RATE, 1.0);
+        let known = [-SPIN * expm1(-rate * end) / rate, SPIN / rate * (1.0 + rate * end * exp(-rate * end))];
+        let mut damped = Turned::by(Box::new(ViscousFriction::about_axis(rate * I3)?), &[end], known)?;
+        damped.step = 0.5 / rate;
+        damped.against("RK4 with steps of 1/66 s", 66)
+    };
+}
+
+/// A brake (1/s): the spin falls as exp(-lambda t). A step of RK4 multiplies it by
+///
+/// ```text
+/// R(z) = 1 + z + z^2/2 + z^3/6 + z^4/24,   z = -lambda h,   |R| = 1 at z = -2.785293563...
+/// ```
+const RATE: f64 = 200.0;
+
+fn foretold(answer: Solved<f64>, condition: f64, naive: Naive) -> Result<Answered> {
+    let answers = vec![(answer, FORETOLD.bound(condition))];
+    Ok(Answered(condition, naive, answers))
+}
+
+/// The spin after `steps` steps of `z`/lambda, against R(-z) to that power.
+fn braked(z: f64, steps: u32) -> Result<Answered> {
+    let scene = Scene::new(body()?).with(ViscousFriction::about_axis(RATE * 1.6)?);
+    let start = body()?.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 1.0))?;
+    let end = f64::from(steps) * z / RATE;
+    let stepper = Stepper::new(Method::Rk4, Resolution::Steps(u64::from(steps)))?;
+    let spin = stepper.advance_as_usual(&scene, [0.0, end], &start);
+    let slope = -1.0 + z * (1.0 - z / 2.0 * (1.0 - z / 3.0));
+    let factor = 1.0 - z * (1.0 - z / 2.0 * (1.0 - z / 3.0 * (1.0 - z / 4.0)));
+    let due = (0..steps).fold(1.0, |spin, _| spin * factor);
+    // The error of z, and the rounding of each step.
+    let condition = f64::from(steps) * (1.0 + (z * slope / factor).abs());
+    let answer =
+        spin.and_then(|(end, _)| Ok((body()?.angular_velocity(&end).z() / due - 1.0).abs()));
+    let off = (exp(-RATE * end) / due - 1.0).abs();
+    foretold(
+        answer,
+        condition,
+        ("exp(-lambda t), believed of any step", off),
+    )
+}
+
+/// Pushed in step with its own nutation: the transverse rate grows as N t/I1.
+fn resonance() -> Result<Answered> {
+    let (i1, spin, push, end) = (1.0, 5.0, 0.01, 100.0);
+    let nutation = (I3 - i1) / i1 * spin;
+    let torque = Torque::on_body("in step", move |t, _: &RigidBody, _: &_| {
+        let (s, c) = sincos(nutation * t);
+        BodyVector::new(push * c, push * s, 0.0)
+    });
+    let scene = Scene::new(body()?).with(torque.smooth());
+    let start = body()?.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, spin))?;
+    let ((s, c), grown) = (sincos(nutation * end), push * end / i1);
+    let off = |method| -> Solved<f64> {
+        let stepper = Stepper::new(method, Resolution::Steps(1000))?;
+        let (end, _) = stepper.advance_as_usual(&scene, [0.0, end], &start)?;
+        let [p, q, _] = body()?.angular_velocity(&end).to_array();
+        let (p, q) = (p - grown * c, q - grown * s);
+        Ok((p * p + q * q).sqrt() / grown)
+    };
+    // The transverse part of a momentum that is mostly spin, turned with it.
+    let condition = (nutation + spin) * end * (I3 * spin / (i1 * grown) + 1.0);
+    let naive = ("RK4, 1000 steps", off(Method::Rk4).unwrap_or(f64::NAN));
+    foretold(off(Method::GaussLegendre16), condition, naive)
+}
+
+family! { STABILITY, "stability": "Beyond the stability limit, and at resonance", by [FORETOLD], in ["rates"];
+    "RK4, lambda h = 2", "stable is not accurate: it fades, at a rate of its own": braked(2.0, 100);
+    "RK4, lambda h = 2.785, just inside", "stable is not accurate: it fades, at a rate of its own": braked(2.785, 100);
+    "RK4, lambda h = 2.7856, just outside", "what should have died out long ago grows": braked(2.7856, 100);
+    "RK4, lambda h = 3", "what should have died out long ago grows": braked(3.0, 10);
+    "RK4, lambda h = 10", "what should have died out long ago grows": braked(10.0, 3);
+    "pushed in step with its nutation", "an error of the phase puts it out of step": resonance();
 }

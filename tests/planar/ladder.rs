@@ -1,7 +1,7 @@
 //! The ladder of exercise 16.6 with the contact solver, against the closed form and against
 //! forces eliminated by hand.
 
-#[path = "../../examples/hard_cases/ladder.rs"]
+#[path = "mechanism.rs"]
 pub mod mechanism;
 
 use super::G;
