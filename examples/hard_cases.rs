@@ -81,17 +81,17 @@ pub struct Family {
     pub cases: &'static [Case],
 }
 
-/// A family as a table in the source: the name of a case, what goes wrong, and what is asked, of
-/// which `by` the family's methods answers come.
+/// A family as a table in the source: the name of a case, what goes wrong, and its answers, which
+/// the methods of the family give or methods of its own.
 macro_rules! family {
-    ($name:ident, $key:literal: $title:literal, by $methods:expr, in $forms:expr;
-     $( $case:literal, $wrong:literal: $asked:expr; )+) => {
+    ($name:ident, $key:literal: $title:literal, |$by:pat_param| $methods:expr, in $forms:expr;
+     $( $case:literal, $wrong:literal: $answers:expr; )+) => {
         pub const $name: Family = Family {
             key: $key,
             title: $title,
             methods: &$methods,
             forms: &$forms,
-            cases: &[ $( Case($case, $wrong, |methods| $asked?.by(methods)) ),+ ],
+            cases: &[ $( Case($case, $wrong, |$by| $answers) ),+ ],
         };
     };
 }
@@ -119,13 +119,6 @@ impl Family {
     /// The name of the method of the n-th cell of a row.
     fn method(&self, n: usize) -> &'static str {
         self.methods[n / self.forms.len()].0
-    }
-}
-
-impl Answered {
-    /// As they are: the case has methods of its own.
-    fn by(self, _: &[By]) -> Result<Self> {
-        Ok(self)
     }
 }
 

@@ -22,12 +22,8 @@ fn asked<R>(
     let run = run.as_ref().map_err(Clone::clone);
     let answers = [run.clone().and_then(time), run.and_then(state)];
     let bounds = conditions.map(|condition| LOCATED.bound(condition));
-    let condition = conditions[0].max(conditions[1]);
-    Ok(Answered(
-        condition,
-        naive,
-        answers.into_iter().zip(bounds).collect(),
-    ))
+    let answers = answers.into_iter().zip(bounds).collect();
+    Ok(Answered(conditions[0].max(conditions[1]), naive, answers))
 }
 
 /// The largest of some differences.
@@ -115,21 +111,18 @@ pub fn graze(excess: f64) -> Result<Answered> {
     let left = (excess.max(0.0) * (20.0 + excess)).sqrt();
     let touches = 2.0 * CEILING / (start + left);
     let rest = end - touches;
-    let bounced = CEILING - left * rest - 0.5 * G * rest * rest;
-    // The state at the end; how far a time of contact moves with the speed, and the end with that.
-    let (after, moved) = match excess > 0.0 {
-        true => (
-            [bounced, -left - G * rest],
-            start / G * (1.0 + start / left),
-        ),
-        false => ([start * end - 0.5 * G * end * end, start - G * end], start),
-    };
-    // Above the ceiling between two looks, it is not seen; and what is called touching when it
-    // is near has touched where it was only near.
-    let (method, looks, near) = match excess > 0.0 {
-        true => ("looked at every 0.03 s", 63, 0.0),
-        false => ("looked at every 0.1 s, a micrometre is touching", 19, 1e-6),
-    };
+    // The state at the end; how far a time of contact moves with the speed, and the end with that;
+    // and the looks. Above the ceiling between two looks, it is not seen; and what is called
+    // touching when it is near has touched where it was only near.
+    let (after, moved, method, looks, near);
+    if excess > 0.0 {
+        let height = CEILING - left * rest - 0.5 * G * rest * rest;
+        (after, moved) = ([height, -left - G * rest], start / G * (1.0 + start / left));
+        (method, looks, near) = ("looked at every 0.03 s", 63, 0.0);
+    } else {
+        (after, moved) = ([start * end - 0.5 * G * end * end, start - G * end], start);
+        (method, looks, near) = ("looked at every 0.1 s, a micrometre is touching", 19, 1e-6);
+    }
     let mut ball = [0.0, 0.0, 0.0, start];
     for _ in 0..looks {
         ball = later(ball, end / f64::from(looks));
@@ -173,26 +166,16 @@ fn corner(later_by: f64, longest: f64) -> Result<Answered> {
             _ => {}
         }
     }
+    let (method, naive) = (tightest()?.with_longest_step(longest)?, [ball[0], ball[1]]);
     asked(
         [2.0, 2.0 * G * end],
-        simulate(
-            &CORNER,
-            &tightest()?.with_longest_step(longest)?,
-            (),
-            start,
-            end,
-        ),
+        simulate(&CORNER, &method, (), start, end),
         |run| {
-            Ok(off(
-                [run.transition("wall")?.t, run.transition("floor")?.t],
-                [1.0 / speed, 1.0],
-            ))
+            let found = [run.transition("wall")?.t, run.transition("floor")?.t];
+            Ok(off(found, [1.0 / speed, 1.0]))
         },
         |run| Ok(off([run.at(end)?.1[0], run.at(end)?.1[1]], truth)),
-        (
-            "one event at the end of each 0.001 s",
-            off([ball[0], ball[1]], truth),
-        ),
+        ("one event at the end of each 0.001 s", off(naive, truth)),
     )
 }
 
@@ -271,7 +254,7 @@ fn settles(to: f64) -> f64 {
 }
 
 family! { EVENTS, "events": "Grazes, ties, stops and bounces without end",
-    by [LOCATED], in ["time of the event", "state at the end"];
+    |_| [LOCATED], in ["time of the event", "state at the end"];
     "a graze 1e-2 deep", "both ends of a step are on the same side": graze(1e-2);
     "a graze 1e-6 deep", "both ends of a step are on the same side": graze(1e-6);
     "a graze 1e-8 deep", "both ends of a step are on the same side": graze(1e-8);
@@ -380,10 +363,8 @@ fn hit(m: f64, e: f64) -> Result<Answered> {
     let condition = 4.0;
     let answers = [0, 1].map(|i| {
         let speeds = after.clone().map(|speeds| speeds.unwrap_or([f64::NAN; 2]));
-        (
-            speeds.map(|v| (v[i] / truth[i] - 1.0).abs()),
-            CONTACTS.bound(condition),
-        )
+        let error = speeds.map(|v| (v[i] / truth[i] - 1.0).abs());
+        (error, CONTACTS.bound(condition))
     });
     // The speed of the one that is hit, from what the energy lacks.
     let first = SPEED * (m - e) / (m + 1.0);
@@ -395,7 +376,7 @@ fn hit(m: f64, e: f64) -> Result<Answered> {
 }
 
 family! { IMPACTS, "impacts": "Impacts of a trillion to one",
-    by [CONTACTS], in ["speed of the one that hits", "speed of the one that is hit"];
+    |_| [CONTACTS], in ["speed of the one that hits", "speed of the one that is hit"];
     "1e-12 hits 1, elastic", "what the heavy one gets is lost in the energy of the light one": hit(1e-12, 1.0);
     "1e-8 hits 1, elastic", "what the heavy one gets is lost in the energy of the light one": hit(1e-8, 1.0);
     "1e-6 hits 1, half elastic", "what the heavy one gets is lost in the energy of the light one": hit(1e-6, 0.5);

@@ -166,19 +166,16 @@ pub fn book(p: &Parameters) -> Result<MovingPicture> {
         let nails = [truth, naive].map(|at| at.to_space(BodyVector::new(0.0, 0.95, 0.0)));
         let edges = [[0.9, 0.0, 0.0], [0.0, 1.2, 0.0], [0.0, 0.0, 0.16]];
         let edges = edges.map(|edge| truth.to_space(BodyVector::from_array(edge)));
-        let corners = [
-            (-1.0, -1.0),
-            (1.0, -1.0),
-            (1.0, 1.0),
-            (-1.0, 1.0),
-            (-1.0, -1.0),
-        ];
-        let corner = |(x, y)| naive.to_space(BodyVector::new(0.45 * x, 0.6 * y, 0.088));
+        let corner = |k: usize| {
+            let x = [-0.45, 0.45, 0.45, -0.45][k % 4];
+            let y = [-0.6, -0.6, 0.6, 0.6][k % 4];
+            naive.to_space(BodyVector::new(x, y, 0.088))
+        };
         let scene = View::of(centre, 1.1)
             .camera(Camera::new(0.5, 0.35))
             .solid(Solid::cuboid(centre, edges), Ink::Body)
             .arrow(centre, nails[0], Ink::Body, "exact", Side::Right)
-            .dashed(corners.map(corner), Ink::Wrong)
+            .dashed((0..5).map(corner), Ink::Wrong)
             .arrow(centre, nails[1], Ink::Wrong, "wrong", Side::Left);
         Ok((alt, scene))
     })

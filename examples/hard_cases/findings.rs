@@ -28,7 +28,7 @@ fn inverted(moments: [f64; 2], pull: f64, end: f64) -> Solved<Motion> {
     Ok(Motion::top(moments, pull, down, [0.0; 3], end))
 }
 
-family! { FINDINGS, "findings": "Found by attack", by [SOLVE], in NAMES;
+family! { FINDINGS, "findings": "Found by attack", |_| [SOLVE], in NAMES;
     // Granted once 4e-5, 1e-10, 3e-3 and 1e-3 rad, and off by 0.046, 1.4e-6, 3.14 and 1.83.
     "middle axis, 100 s", "a condition felt on changes of 1e-12 is that of a tame motion":
         on_the_middle(100.0)?.promised(How::Request, 4e-5, BELIEVED);

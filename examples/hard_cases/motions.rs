@@ -97,25 +97,6 @@ pub struct Motion {
     pub end: f64,
 }
 
-/// A motion as it is asked, with its condition from the start and the largest on its path.
-pub struct Asked(pub Motion, pub Naive, pub [f64; 2], pub Attitude);
-
-impl Asked {
-    /// Each method in each representation.
-    pub fn by(self, methods: &[By]) -> Result<Answered> {
-        let Self(motion, naive, [condition, path], truth) = self;
-        let mut answers = Vec::new();
-        for by in methods {
-            // Where no step is made only the start's own rounding is felt.
-            let closed = matches!(by.2, How::ClosedForm | How::Request);
-            let bound = by.bound(if closed { condition } else { path });
-            let carried = |from| motion.carried(by.2, from, bound);
-            answers.extend(in_each_form(motion.attitude, truth, bound, carried));
-        }
-        Ok(Answered(condition, naive, answers))
-    }
-}
-
 /// Its closed form.
 trait Closed {
     fn kinematics(&self, t: f64) -> Kinematics;
@@ -164,19 +145,38 @@ impl Motion {
     }
 
     /// As a case, beside a plain method.
-    pub fn against(&self, plain: Plain) -> Solved<Asked> {
-        self.beside((plain.0, plain.1(self)?))
+    pub fn against(&self, methods: &[By], plain: Plain) -> Result<Answered> {
+        self.beside(methods, (plain.0, plain.1(self)?))
     }
 
     /// The same beside one whose error is known.
-    pub fn beside(&self, naive: Naive) -> Solved<Asked> {
-        Ok(Asked(*self, naive, self.conditions()?, self.truth()?))
+    pub fn beside(&self, methods: &[By], naive: Naive) -> Result<Answered> {
+        self.answered(methods, naive, self.conditions()?, self.truth()?)
     }
 
     /// The same with a condition that is known.
-    pub fn of_condition(&self, condition: f64, plain: Plain) -> Solved<Asked> {
+    pub fn of_condition(&self, methods: &[By], known: f64, plain: Plain) -> Result<Answered> {
         let naive = (plain.0, plain.1(self)?);
-        Ok(Asked(*self, naive, [condition; 2], self.truth()?))
+        self.answered(methods, naive, [known; 2], self.truth()?)
+    }
+
+    /// Each method in each representation, by the conditions from the start and along the path.
+    pub fn answered(
+        &self,
+        methods: &[By],
+        naive: Naive,
+        [condition, path]: [f64; 2],
+        truth: Attitude,
+    ) -> Result<Answered> {
+        let mut answers = Vec::new();
+        for by in methods {
+            // Where no step is made only the start's own rounding is felt.
+            let closed = matches!(by.2, How::ClosedForm | How::Request);
+            let bound = by.bound(if closed { condition } else { path });
+            let carried = |from| self.carried(by.2, from, bound);
+            answers.extend(in_each_form(self.attitude, truth, bound, carried));
+        }
+        Ok(Answered(condition, naive, answers))
     }
 
     /// As a case of which this error is asked, in each form; the truth is of the motion that is

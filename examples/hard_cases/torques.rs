@@ -89,7 +89,7 @@ fn switched([on, off, end]: [f64; 3], torque: f64, place: f64, rk4: Straight) ->
     pushed((1.0, profile), (&[on, off, end], 0.2), known, rk4)
 }
 
-family! { TORQUES, "torques": "Torques that jump, bend, stop and damp", by METHODS, in NAMES;
+family! { TORQUES, "torques": "Torques that jump, bend, stop and damp", |_| METHODS, in NAMES;
     "a torque switched on and off", "a step across a jump is of order one":
         switched([1.0 / 3.0, 7.0 / 3.0, 10.0], 0.5, 0.0, ("RK4 straight on, 10 000 steps", 10_000));
     // A pulse of a fiftieth of a second in a minute: steps of 0.06 s have a stage at 30 s and one at 30.03 s.
@@ -185,7 +185,7 @@ fn resonance() -> Result<Answered> {
     Ok(Answered(condition, naive, answers))
 }
 
-family! { STABILITY, "stability": "Beyond the stability limit, and at resonance", by [FORETOLD], in ["rates"];
+family! { STABILITY, "stability": "Beyond the stability limit, and at resonance", |_| [FORETOLD], in ["rates"];
     "RK4, lambda h = 2", "stable is not accurate: it fades, at a rate of its own": braked(2.0, 100);
     "RK4, lambda h = 2.785, just inside", "stable is not accurate: it fades, at a rate of its own": braked(2.785, 100);
     "RK4, lambda h = 2.7856, just outside", "what should have died out long ago grows": braked(2.7856, 100);
