@@ -1,10 +1,17 @@
 //! Hard cases: where the arithmetic that everyone writes first breaks, and the form that holds.
 //!
-//! It is one table. A row is a case: its name, what goes wrong there, and what is asked. The
-//! methods of its family answer, in several representations of an attitude, and so does a naive
-//! method, which is named. A cell holds if its error is at most K eps times the condition of the
-//! case, with one K for a method on all cases. Or it refuses, by a named error. Nothing else can
-//! be made, and a test demands that every naive method is broken.
+//! It is one table. A row is a case: its name, what goes wrong there, and a motion with a naive
+//! method, which everyone writes first. The methods of its family solve it in several
+//! representations of an attitude. A cell holds if its error is at most K eps times the condition
+//! of the case, with one K for a method on all cases. Or it refuses, by a named error. Nothing
+//! else can be made, and a test demands that every naive method is broken:
+//!
+//! ```text
+//! "pitch of pi/2", "gimbal lock: yaw and roll are one turn": locked()?.against(by, YAW);
+//! ```
+//!
+//! The tables are in `rotations`, `torques`, `findings` and `events`; `naive` has the methods that
+//! break, `motions` those that hold, `truth` the series against which all are judged.
 
 #[path = "hard_cases/events.rs"]
 mod events;

@@ -5,10 +5,6 @@ use super::naive::{BELIEVED, COARSE, ON_ANGLES};
 use super::rotations::start;
 use super::*;
 
-fn free_for(moments: [f64; 3], rates: [f64; 3], end: f64) -> Solved<Motion> {
-    Ok(Motion::free(moments, start()?, rates, end))
-}
-
 /// Exactly about the middle axis.
 pub fn on_the_middle(end: f64) -> Solved<Motion> {
     let from = turned(1.0, 0.5, 2.0)?;
@@ -35,15 +31,15 @@ family! { FINDINGS, "findings": "Found by attack", |_| [SOLVE], in NAMES;
     "middle axis, 100 s, stepped", "a condition felt on changes of 1e-12 is that of a tame motion":
         on_the_middle(100.0)?.promised(How::Solve, 4e-5, BELIEVED);
     "5e-15 off the middle axis, 100 s", "a condition felt on changes of 1e-12 is that of a tame motion":
-        free_for([1.0, 2.0, 2.5], [5e-15, 1.0, 0.0], 100.0)?.promised(How::Request, 1e-10, BELIEVED);
+        Motion::free([1.0, 2.0, 2.5], start()?, [5e-15, 1.0, 0.0], 100.0).promised(How::Request, 1e-10, BELIEVED);
     "middle axis of another, 200 s", "a condition felt on changes of 1e-12 is that of a tame motion":
-        free_for([1.0, 1.5, 2.0], [0.0, 1.0, 0.0], 200.0)?.promised(How::Request, 3e-3, BELIEVED);
+        Motion::free([1.0, 1.5, 2.0], start()?, [0.0, 1.0, 0.0], 200.0).promised(How::Request, 3e-3, BELIEVED);
     "a top that just gets up, 80 s", "a condition felt on changes of 1e-12 is that of a tame motion":
         gets_up()?.promised(How::Request, 1e-3, BELIEVED);
     "the same, stepped", "a condition felt on changes of 1e-12 is that of a tame motion":
         gets_up()?.promised(How::Solve, 1e-3, BELIEVED);
     "rates of 4e-81 beside one of 1 rad/s", "an argument beside 1e-81 was halved for ever":
-        free_for([1.0, 2.0, 2.5], [4e-81, 4e-81, 1.0], 30.0)?.promised(How::Request, 1e-9, COARSE);
+        Motion::free([1.0, 2.0, 2.5], start()?, [4e-81, 4e-81, 1.0], 30.0).promised(How::Request, 1e-9, COARSE);
     "inverted at rest, a weak weight, 200 s", "pi as a double is 6e-17 off, which is a fall":
         inverted([0.3, 0.5], -0.00981, 200.0)?.promised(How::Request, 1e-6, ON_ANGLES);
     "inverted at rest, 1000 s", "pi as a double is 6e-17 off, which is a fall":

@@ -22,10 +22,6 @@ pub fn at_pole(attitude: Attitude, rates: [f64; 3]) -> Motion {
     Motion::top([1.0, 0.5], 1.0, attitude, rates, 20.0)
 }
 
-fn upright() -> Solved<Attitude> {
-    about([0.0, 0.0, 1.0], 0.7)
-}
-
 /// Nose on the vertical: the pitch is pi/2, and yaw and roll are about one line.
 pub fn locked() -> Solved<Motion> {
     let (yaw, pitch, roll) = (0.3, FRAC_PI_2, 0.1);
@@ -35,7 +31,7 @@ pub fn locked() -> Solved<Motion> {
 
 family! { POLES, "poles": "Pole passages and gimbal lock", |by| TOP, in NAMES;
     "exactly up, kicked", "precession and spin are one turn: no rate of either is defined":
-        at_pole(upright()?, [0.1, 0.0, SPIN]).against(by, ANGLES);
+        at_pole(about([0.0, 0.0, 1.0], 0.7)?, [0.1, 0.0, SPIN]).against(by, ANGLES);
     "exactly down, kicked", "the same below; pi is no double":
         at_pole(Attitude::from_quaternion([0.0, 1.0, 0.0, 0.0])?, [0.1, 0.2, SPIN]).against(by, ANGLES);
     "1e-8 rad off the top", "the angles turn a hundred million times faster than the body":
@@ -50,7 +46,7 @@ family! { POLES, "poles": "Pole passages and gimbal lock", |by| TOP, in NAMES;
     "pitch of pi/2", "gimbal lock: yaw and roll are one turn": locked()?.against(by, YAW);
     // What turns the vertical axis alone changes nothing of it: the condition is the spin's.
     "exactly up below the critical spin", "any rounding is a kick, and grows as exp(0.87 t)":
-        at_pole(upright()?, [0.0, 0.0, SPIN]).of_condition(by, 2.0 + 20.0 * SPIN, ANGLES);
+        at_pole(about([0.0, 0.0, 1.0], 0.7)?, [0.0, 0.0, SPIN]).of_condition(by, 2.0 + 20.0 * SPIN, ANGLES);
 }
 
 // The sleeping top at the spin at which it falls asleep, and the last digit either side.
@@ -71,7 +67,8 @@ family! { THRESHOLD, "threshold": "The sleeping top at its threshold", |by| TOP,
         at_threshold(1e-6, 0.0, CRITICAL * (1.0 + f64::EPSILON))?.against(by, ARC_COSINE);
     "1e-6 rad off, an eps below", "and its sign decides whether the top sleeps":
         at_threshold(1e-6, 0.0, BELOW)?.against(by, ARC_COSINE);
-    "upright, kicked at the threshold", "the kick is all there is": at_threshold(0.0, 1e-6, CRITICAL)?.against(by, ANGLES);
+    "upright, kicked at the threshold", "the kick is all there is":
+        at_threshold(0.0, 1e-6, CRITICAL)?.against(by, ANGLES);
     "upright, kicked an eps below", "the same": at_threshold(0.0, 1e-6, BELOW)?.against(by, ANGLES);
     // Exactly upright: the condition is the spin's.
     "exactly upright, at the threshold", "a kick by rounding would grow with t":
@@ -142,7 +139,8 @@ fn shaped(moments: [f64; 3]) -> Solved<Motion> {
 
 family! { SHAPES, "shapes": "Nearly symmetric bodies, needle, disc and sphere", |by| FREE, in NAMES;
     "I2/I1 - 1 = 0", "formulas for three moments are 0/0": shaped([1.0, 1.0, 1.7])?.against(by, JITTER);
-    "I2/I1 - 1 = 1e-15", "all that tells them apart is four last bits": shaped([1.0, 1.0 + 1e-15, 1.7])?.against(by, JITTER);
+    "I2/I1 - 1 = 1e-15", "all that tells them apart is four last bits":
+        shaped([1.0, 1.0 + 1e-15, 1.7])?.against(by, JITTER);
     "I2/I1 - 1 = 1e-10", "neither symmetric nor far from it": shaped([1.0, 1.0 + 1e-10, 1.7])?.against(by, JITTER);
     "all but a sphere", "every difference of moments is a billionth":
         shaped([1.0, 1.0 + 1e-9, 1.0 - 1e-9])?.against(by, JITTER);
