@@ -32,9 +32,10 @@ fn state(attitude: Attitude) -> Solved<State> {
     body()?.state(attitude, BodyVector::new(0.0, 0.0, SPIN))
 }
 
-/// A motion about the axis by this effect: `solve`, and Gauss-Legendre started anew at each of these
-/// times, the end last, in steps of at most so much (s), beside RK4 straight on. The angle is known (rad), and the sum of its terms, each taken positive: its condition.
-fn turned(
+/// A motion about the axis by this effect: `solve`, and Gauss-Legendre started anew at each of
+/// these times, the end last, in steps of at most so much (s), beside RK4 straight on. The angle
+/// is known (rad), and the sum of its terms, each taken positive, which is its condition.
+fn about_axis(
     effect: BoxedEffect,
     (pieces, longest): (&[f64], f64),
     [angle, size]: [f64; 2],
@@ -78,10 +79,10 @@ fn pushed(
     let push = PrescribedTorque::on_body(BodyVector::new(0.0, 0.0, size), profile)?;
     let turn = pieces.0.last().map_or(0.0, |end| SPIN * end);
     let known = [turn + gained, turn + terms];
-    turned(Box::new(push), pieces, known, rk4)
+    about_axis(Box::new(push), pieces, known, rk4)
 }
 
-/// On and off at these times: N (d (end - off) + d^2/2). The place of a short one adds to its terms.
+/// On and off at these times: N (d (end - off) + d^2/2). For a short one its place is a term too.
 fn switched([on, off, end]: [f64; 3], torque: f64, place: f64, rk4: Straight) -> Result<Answered> {
     let gained = torque / I3 * (off - on) * (end - off + 0.5 * (off - on));
     let profile = Profile::steps(&[(on, torque), (off, 0.0)])?;
@@ -112,7 +113,7 @@ family! { TORQUES, "torques": "Torques that jump, bend, stop and damp", |_| METH
     "dry friction to a stop", "its torque jumps where the motion ends": {
         let stop = I3 * SPIN / 0.7;
         let bearing = CoulombBearing::new(0.7, &body()?, &state(start()?)?, 0.0)?;
-        turned(Box::new(bearing), (&[stop, 10.0], 0.2), [0.5 * SPIN * stop, 2.0 * SPIN * stop],
+        about_axis(Box::new(bearing), (&[stop, 10.0], 0.2), [0.5 * SPIN * stop, 2.0 * SPIN * stop],
             ("RK4 straight on, 997 steps", 997))
     };
     // |sin t|, smooth between its corners. A half wave from a to a + pi: 2 (end - a - pi/2); the rest r: r - sin r.
@@ -121,14 +122,14 @@ family! { TORQUES, "torques": "Torques that jump, bend, stop and damp", |_| METH
         let rest = end - corners[2];
         let (turn, gained) = (SPIN * end, (6.0 * end - 9.0 * PI + rest - sin(rest)) / I3);
         let drive = Torque::on_body("rectified", |t, _: &RigidBody, _: &State| BodyVector::new(0.0, 0.0, sin(t).abs()));
-        turned(Box::new(drive.with_break_points(&corners)?), (&[PI, 2.0 * PI, 3.0 * PI, end], 0.2),
+        about_axis(Box::new(drive.with_break_points(&corners)?), (&[PI, 2.0 * PI, 3.0 * PI, end], 0.2),
             [turn + gained, turn + 2.0 * gained], ("RK4 straight on, 997 steps", 997))
     };
     // Viscous: (1 - exp(-c t/I3)) I3/c of the spin.
     "damped in a 200th of the time", "a step is stable below 2.785/200 s only, long after nothing moves": {
         let (rate, end) = (RATE, 1.0);
         let known = [-SPIN * expm1(-rate * end) / rate, SPIN / rate * (1.0 + rate * end * exp(-rate * end))];
-        turned(Box::new(ViscousFriction::about_axis(rate * I3)?), (&[end], 0.5 / rate), known,
+        about_axis(Box::new(ViscousFriction::about_axis(rate * I3)?), (&[end], 0.5 / rate), known,
             ("RK4 with steps of 1/66 s", 66))
     };
 }
