@@ -39,7 +39,23 @@ plain! {
     TRIANGLE: "triangle inequality to the last bit",
         |m| m.off((m.moments[2] <= m.moments[0] + m.moments[1]).then(|| m.truth()).transpose()?);
     TRACE: "quaternion from the trace of the matrix", |m| by_trace(m.attitude);
-    ENERGY: "theta' = sqrt(2 (E - U)), stepped", |m| (tilt_by_energy(m) - m.truth()?.euler_angles().theta).abs();
+    /// The tilt, with the sign of the start at all times: at a turning point the root is zero, and the motion stays.
+    ENERGY: "theta' = sqrt(2 (E - U)), stepped", |m| {
+        let ([i1, _, i3], [p, q, r], pull) = (m.moments, m.rates, pull(m));
+        let EulerAngles { theta, zeta, .. } = m.attitude.euler_angles();
+        let ((s, c), (sz, cz)) = (sincos(theta), sincos(zeta));
+        let (along, across, own) = (p * cz - q * sz, p * sz + q * cz, i3 * r);
+        let vertical = i1 * across * s + own * c;
+        let energy = 0.5 * i1 * (along * along + across * across) + pull * c;
+        let sign = if along < 0.0 { -1.0 } else { 1.0 };
+        let slope = |&[theta]: &[f64; 1]| {
+            let (s, c) = sincos(theta);
+            let turn = (vertical - own * c) / (i1 * s);
+            [sign * (2.0 * (energy - pull * c) / i1 - turn * turn).max(0.0).sqrt()]
+        };
+        let end = path(slope, [theta], m.end, 10_000).last().map_or(f64::NAN, |[theta]| theta);
+        (end - m.truth()?.euler_angles().theta).abs()
+    };
     LANDAU: "Jacobi's functions with 1 - k^2 by subtraction", |m| momentum_off(m, rates_by_landau(m));
     /// The same, as the sum of the errors of the rates.
     LANDAU_RATES: "Jacobi's functions with 1 - k^2 by subtraction", |m| rates_off(m).iter().sum::<f64>().abs();
@@ -259,26 +275,6 @@ pub fn rates_by_landau(motion: &Motion) -> [f64; 3] {
     let (mean, _) = (0..60).fold((1.0, (1.0 - k2).max(0.0).sqrt()), mean);
     let functions = jacobi(rate * motion.end + FRAC_PI_2 / mean, k2);
     [(0, 1), (1, 0), (2, 2)].map(|(i, f)| largest[i].max(0.0).sqrt() * functions[f])
-}
-
-/// The tilt at the end by theta' = sqrt(2 (E - U)), the sign always that of the start: at a
-/// turning point the root is zero, and the motion stays there.
-fn tilt_by_energy(motion: &Motion) -> f64 {
-    let ([i1, _, i3], [p, q, r], pull) = (motion.moments, motion.rates, pull(motion));
-    let EulerAngles { theta, zeta, .. } = motion.attitude.euler_angles();
-    let ((s, c), (sz, cz)) = (sincos(theta), sincos(zeta));
-    let (along, across, own) = (p * cz - q * sz, p * sz + q * cz, i3 * r);
-    let vertical = i1 * across * s + own * c;
-    let energy = 0.5 * i1 * (along * along + across * across) + pull * c;
-    let sign = if along < 0.0 { -1.0 } else { 1.0 };
-    let slope = |&[theta]: &[f64; 1]| {
-        let (s, c) = sincos(theta);
-        let turn = (vertical - own * c) / (i1 * s);
-        let left = 2.0 * (energy - pull * c) / i1 - turn * turn;
-        [sign * left.max(0.0).sqrt()]
-    };
-    let path = path(slope, [theta], motion.end, 10_000);
-    path.last().map_or(f64::NAN, |[theta]| theta)
 }
 
 /// The smaller turning point of a top (the notes' a, b, c and E~) by the trigonometric formula
