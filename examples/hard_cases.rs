@@ -1,33 +1,32 @@
 //! Hard cases: where the arithmetic that everyone writes first breaks, and the form that holds.
+//!
+//! It is one table. A row is a case: its name, what goes wrong there, and a motion with a naive
+//! method, which everyone writes first. The methods of its family solve it in several
+//! representations of an attitude. A cell holds if its error is at most K eps times the condition
+//! of the case, with one K for a method on all cases. Or it refuses, by a named error. Nothing
+//! else can be made, and a test demands that every naive method is broken:
+//!
+//! ```text
+//! "pitch of pi/2", "gimbal lock: yaw and roll are one turn": locked()?.against(by, YAW);
+//! ```
+//!
+//! The tables are in `rotations`, `torques`, `findings` and `events`; `naive` has the methods that
+//! break, `motions` those that hold, `truth` the series against which all are judged.
 
-#[path = "hard_cases/contacts.rs"]
-mod contacts;
 #[path = "hard_cases/events.rs"]
 mod events;
 #[path = "hard_cases/figures.rs"]
-mod figures;
+pub mod figures;
 #[path = "hard_cases/findings.rs"]
 pub mod findings;
-#[path = "hard_cases/impacts.rs"]
-mod impacts;
-#[path = "hard_cases/ladder.rs"]
-mod ladder;
 #[path = "hard_cases/motions.rs"]
 mod motions;
 #[path = "hard_cases/naive.rs"]
 mod naive;
-#[path = "hard_cases/pictures.rs"]
-mod pictures;
+#[path = "hard_cases/report.rs"]
+pub mod report;
 #[path = "hard_cases/rotations.rs"]
 pub mod rotations;
-#[path = "hard_cases/sections.rs"]
-mod sections;
-#[path = "hard_cases/stability.rs"]
-mod stability;
-#[path = "hard_cases/stepped.rs"]
-mod stepped;
-#[path = "hard_cases/table.rs"]
-pub mod table;
 #[path = "hard_cases/torques.rs"]
 mod torques;
 #[path = "hard_cases/truth.rs"]
@@ -35,14 +34,17 @@ mod truth;
 
 // What the modules share.
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
-use kit::draw::Camera;
 use kit::prelude::*;
 use kit::{Prepared, short};
-use motions::{By, FORMS, MATRIX, Motion, NAMES, QUATERNION, in_each_form, turned};
-use rotation_dynamics::accuracy::{Limits, Problem, Resolution, Stepper};
+use motions::{By, CLOSED, FREE, How, SOLVE, TOP};
+use motions::{MATRIX, Motion, NAMES, QUATERNION, in_each_form, turned};
+use naive::Plain;
+use rotation_dynamics::accuracy::{Problem, Resolution, Stepper};
 use rotation_dynamics::attitude::{Attitude, EulerAngles, YawPitchRoll};
 use rotation_dynamics::body::{Kinematics, RigidBody, State};
-use rotation_dynamics::effects::{Effect, GravityAtLever, Torque, ViscousFriction};
+use rotation_dynamics::effects::{
+    BoxedEffect, EffectList, GravityAtLever, Torque, ViscousFriction,
+};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start, SymmetricTop};
 use rotation_dynamics::inertia::PrincipalMoments;
@@ -52,17 +54,55 @@ use rotation_dynamics::motion::Motion as _;
 use rotation_dynamics::scene::Scene;
 use rotation_dynamics::{Error, Result as Solved};
 use std::sync::Arc;
-use table::{Answered, Case, Computed, Family, Naive, family};
 
-kit::parameters! {
-    /// Which family is computed.
-    pub struct Parameters {
-        /// family of cases
-        family: choice("all", "poles", "threshold", "separatrix", "flips", "shapes", "tops", "turns", "scales", "long", "torques", "findings", "events", "impacts", "stability");
-        /// error asked for in the accuracy strip; three of them if none is given
-        tolerance: optional("rad", from_to(1e-14, 1.0));
-    }
+/// A row: the case, what goes wrong there, and what comes of it by the methods of its family.
+pub struct Case(
+    pub &'static str,
+    &'static str,
+    fn(&[By]) -> Result<Answered>,
+);
+
+/// The naive method, which everyone writes first, and its error.
+pub type Naive = (&'static str, f64);
+
+/// The answers to a case: its condition, the change of the answer per relative change of what it
+/// is computed from; the naive method; and for each method in each form an error or a refusal,
+/// with the bound that an error is held to.
+pub struct Answered(f64, Naive, Vec<(Solved<f64>, f64)>);
+
+/// What came of a case by a method in a form.
+pub enum Cell {
+    /// An error (rad, unless the family says otherwise) within its bound.
+    Holds { measured: f64, bound: f64 },
+    /// A refusal by name.
+    Refuses(Error),
 }
+
+/// Cases that are hard for the same reason.
+pub struct Family {
+    /// Its word on the command line.
+    pub key: &'static str,
+    pub title: &'static str,
+    pub methods: &'static [By],
+    pub forms: &'static [&'static str],
+    pub cases: &'static [Case],
+}
+
+/// A family as a table in the source: the name of a case, what goes wrong, and its answers, which
+/// the methods of the family give or methods of its own.
+macro_rules! family {
+    ($name:ident, $key:literal: $title:literal, |$by:pat_param| $methods:expr, in $forms:expr;
+     $( $case:literal, $wrong:literal: $answers:expr; )+) => {
+        pub const $name: Family = Family {
+            key: $key,
+            title: $title,
+            methods: &$methods,
+            forms: &$forms,
+            cases: &[ $( Case($case, $wrong, |$by| $answers) ),+ ],
+        };
+    };
+}
+use family;
 
 /// The families, in the order of the page.
 pub const FAMILIES: &[Family] = &[
@@ -75,43 +115,147 @@ pub const FAMILIES: &[Family] = &[
     rotations::TURNS,
     rotations::SCALES,
     rotations::LONG,
-    torques::FAMILY,
-    findings::FAMILY,
-    events::FAMILY,
-    impacts::FAMILY,
-    stability::FAMILY,
+    torques::TORQUES,
+    findings::FINDINGS,
+    events::EVENTS,
+    events::IMPACTS,
+    torques::STABILITY,
 ];
+
+impl Family {
+    /// The name of the method of the n-th cell of a row.
+    fn method(&self, n: usize) -> &'static str {
+        self.methods[n / self.forms.len()].0
+    }
+}
+
+impl Cell {
+    /// The verdict on an answer.
+    ///
+    /// # Errors
+    /// [`kit::Error::Contradicted`] for an error that is not within its bound.
+    pub fn of(key: String, answer: Solved<f64>, bound: f64) -> Result<Self> {
+        match answer {
+            Err(error) => Ok(Self::Refuses(error)),
+            Ok(measured) if measured <= bound => Ok(Self::Holds { measured, bound }),
+            Ok(value) => Err(kit::Error::Contradicted {
+                key,
+                value,
+                oracle: "the truth".into(),
+                oracle_value: 0.0,
+                bound,
+            }),
+        }
+    }
+
+    /// The error in units of its bound; 0 within a bound of 0. None if it is refused.
+    pub fn part(&self) -> Option<f64> {
+        match self {
+            Self::Holds { measured: 0.0, .. } => Some(0.0),
+            Self::Holds { measured, bound } => Some(measured / bound),
+            Self::Refuses(_) => None,
+        }
+    }
+}
+
+/// A row with its cells: method by method, each in all forms.
+pub struct Row {
+    pub case: &'static Case,
+    condition: f64,
+    naive: Naive,
+    /// The smallest bound to which a careful method is held; where all refuse, would be.
+    least: f64,
+    pub cells: Vec<Cell>,
+}
+
+impl Row {
+    /// The naive error in units of the smallest bound; infinite if there is no number at all.
+    pub fn broken(&self) -> f64 {
+        let part = self.naive.1 / self.least;
+        if part.is_nan() { f64::INFINITY } else { part }
+    }
+}
+
+/// A family with its rows computed.
+pub struct Computed {
+    pub family: &'static Family,
+    pub rows: Vec<Row>,
+}
+
+impl Computed {
+    fn new(family: &'static Family) -> Result<Self> {
+        let mut rows = Vec::new();
+        for case in family.cases {
+            let Answered(condition, naive, answers) = case.2(family.methods)?;
+            let (mut held, mut all, mut cells) = (f64::NAN, f64::NAN, Vec::new());
+            for (n, (answer, bound)) in answers.into_iter().enumerate() {
+                let key = format!("{}, {}", case.0, family.method(n));
+                all = bound.min(all);
+                held = if answer.is_ok() {
+                    bound.min(held)
+                } else {
+                    held
+                };
+                cells.push(Cell::of(key, answer, bound)?);
+            }
+            let least = if held.is_nan() { all } else { held };
+            rows.push(Row {
+                case,
+                condition,
+                naive,
+                least,
+                cells,
+            });
+        }
+        Ok(Self { family, rows })
+    }
+
+    /// All cells, and their methods.
+    pub fn cells(&self) -> impl Iterator<Item = (&'static str, &Cell)> {
+        let rows = self.rows.iter();
+        let cells = rows.flat_map(|row| row.cells.iter().enumerate());
+        cells.map(|(n, cell)| (self.family.method(n), cell))
+    }
+
+    /// How many rows, cells, cells that hold, and cells that refuse there are.
+    pub fn count(&self) -> [usize; 4] {
+        let holds = self.cells().filter_map(|(_, cell)| cell.part()).count();
+        let cells = self.cells().count();
+        [self.rows.len(), cells, holds, cells - holds]
+    }
+
+    /// How many cells there are to be: cases times methods times representations.
+    pub fn due(&self) -> usize {
+        self.rows.len() * self.family.methods.len() * self.family.forms.len()
+    }
+}
+
+kit::parameters! {
+    /// Which family is computed.
+    pub struct Parameters {
+        /// family of cases
+        family: choice("all", "poles", "threshold", "separatrix", "flips", "shapes", "tops", "turns", "scales", "long", "torques", "findings", "events", "impacts", "stability");
+        /// step of RK4 in the moving picture
+        step: number(0.1, "s", from_to(0.02, 0.5).usually(0.02, 0.5));
+        /// error asked for in the accuracy strip; three of them if none is given
+        tolerance: optional("rad", from_to(1e-14, 1.0));
+    }
+}
 
 /// The families asked for, each computed once and kept.
 pub fn computed(p: &Parameters) -> Result<Vec<Arc<Computed>>> {
     static KEPT: [Prepared<(), Computed>; FAMILIES.len()] =
         [const { Prepared::new() }; FAMILIES.len()];
-    FAMILIES
-        .iter()
-        .zip(&KEPT)
-        .filter(|(family, _)| p.family == "all" || p.family == family.key)
-        .map(|(family, kept)| kept.get(&(), |()| Computed::new(family)))
-        .collect()
-}
-
-fn report(p: &Parameters) -> Result<Report> {
-    let computed = computed(p)?;
-    let mut report = Report::new(
-        "Hard cases",
-        "cases times methods times attitude representations: an error within its bound, or a refusal by name",
-    )?;
-    sections::add(&mut report, p, &computed)?;
-    for family in computed.iter() {
-        report.add(family.tables()?)?;
+    let mut all = Vec::new();
+    for (family, kept) in FAMILIES.iter().zip(&KEPT) {
+        if p.family == "all" || p.family == family.key {
+            all.push(kept.get(&(), |()| Computed::new(family))?);
+        }
     }
-    Ok(report)
-}
-
-fn figures(p: &Parameters) -> Result<Vec<Figure>> {
-    Ok([figures::figures(p)?, pictures::stills(p)?].concat())
+    Ok(all)
 }
 
 kit::example! {
     hard_cases: "Hard cases: a family at a time, the naive method that breaks beside those that hold";
-    report, figures, sections::trajectory, pictures::moving_picture
+    report::report, figures::figures, report::trajectory, figures::book
 }

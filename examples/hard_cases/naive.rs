@@ -1,11 +1,12 @@
 //! The methods that everyone writes first. Not for use: they are here to break.
 
-use super::motions::Plain;
-use super::rotations::{FLIPS_STEPS, POLE_STEPS, half_turn, momentum_off};
 use super::*;
 use rotation_dynamics::math::{atanh, sort_by_number, tanh};
 
-/// Plain methods: a name, what each is called, and its error on a motion.
+/// A plain method that everyone writes first, and its error on a motion.
+pub type Plain = (&'static str, fn(&Motion) -> Solved<f64>);
+
+/// Plain methods, one an entry: its constant, its name, and its error on a motion.
 macro_rules! plain {
     ($( $(#[$doc:meta])* $name:ident: $method:literal, |$motion:ident| $error:expr; )+) => {
         $( $(#[$doc])* pub const $name: Plain = ($method, |$motion| Ok($error)); )+
@@ -13,39 +14,97 @@ macro_rules! plain {
 }
 
 plain! {
-    ANGLES: "RK4 on Euler angles, 20 000 steps", |m| m.off(on_euler_angles(m, POLE_STEPS));
+    ANGLES: "RK4 on Euler angles, 20 000 steps", |m| m.off(on_euler_angles(m, 20_000));
     FEWER: "RK4 on Euler angles, 2000 steps", |m| m.off(on_euler_angles(m, 2000));
-    YAW: "RK4 on yaw, pitch, roll, 20 000 steps", |m| m.off(on_yaw_pitch_roll(m, POLE_STEPS));
-    FLIPS_BY_RK4: "RK4 on quaternion and rates, 100 steps a flip", |m| m.off(on_quaternion(m, FLIPS_STEPS));
-    FROM_MOMENTUM: "RK4 on the quaternion, rates from L, 5000 steps", |m| m.off(by_momentum(m, 5000));
-    FIRST_STEP: "RK4, steps of 0.01 |omega|/|omega'|", |m| m.off(by_first_step(m));
+    YAW: "RK4 on yaw, pitch, roll, 20 000 steps", |m| m.off(on_yaw_pitch_roll(m));
+    FLIPS_BY_RK4: "RK4 on quaternion and rates, 100 steps a flip", |m| m.off(on_quaternion(m, 1_000_050));
+    FROM_MOMENTUM: "RK4 on the quaternion, rates from L, 5000 steps",
+        |m| m.off(path_by_momentum(m, 5000).ok().and_then(|path| Some(path.last()?.0)));
+    /// In steps of a hundredth of the time in which the rates change by their own size; none, and there is no end.
+    FIRST_STEP: "RK4, steps of 0.01 |omega|/|omega'|", |m| {
+        let step = 0.01 * size(m.rates) / size(rates_of(m, m.rates, [0.0; 2]));
+        m.off((step > 0.0).then(|| on_quaternion(m, (m.end / step).ceil() as u32)).flatten())
+    };
     AXIS: "axis by omega/|omega|", |m| m.off(by_axis(m));
     ONE_STEP: "one step of 1e-6 s at most, axis by omega/|omega|", |m| m.off(by_axis(m));
-    JITTER: "a moment changed by 1e-9, so that nothing is 0/0", |m| m.off(jittered(m));
+    JITTER: "a moment changed by 1e-9, so that nothing is 0/0", |m| {
+        let mut other = *m;
+        other.moments[0] *= 1.0 + 1e-9;
+        m.off(other.truth().ok())
+    };
     GUARDED: "1e-30 added, so that nothing is divided by zero", |m| m.off(guarded(m));
-    ASLEEP: "at rest below 1e-4 rad/s", |m| m.off(asleep(m, 1e-4));
+    ASLEEP: "at rest below 1e-4 rad/s",
+        |m| m.off(if m.rates.iter().all(|w| w.abs() < 1e-4) { Some(m.attitude) } else { m.truth().ok() });
     ARC_COSINE: "tilt by the arc cosine", |m| m.off(by_arc_cosine(m.truth()?));
     TRIANGLE: "triangle inequality to the last bit",
         |m| m.off((m.moments[2] <= m.moments[0] + m.moments[1]).then(|| m.truth()).transpose()?);
-    TRACE: "quaternion from the trace of the matrix",
-        |m| by_trace(m.attitude).map_or(f64::NAN, |naive| naive.angle_to(&m.attitude));
-    ENERGY: "theta' = sqrt(2 (E - U)), stepped",
-        |m| (tilt_by_energy(m, 10_000) - m.truth()?.euler_angles().theta).abs();
-    LANDAU: "Jacobi's functions with 1 - k^2 by subtraction",
-        |m| momentum_off(m, rates_by_landau(m))?;
-    /// The same, as the sum of what the rates are off.
-    LANDAU_RATES: "Jacobi's functions with 1 - k^2 by subtraction",
-        |m| rates_off(m)?.iter().sum::<f64>().abs();
-    /// Of a body whose L^2 is no double: Landau's k^2 is made of it.
-    SQUARES: "k^2 from L^2 and 2 E", |m| rates_off(m)?.iter().map(|off| off.abs()).sum();
-    MEAN: "Jacobi's functions by the arithmetic-geometric mean", |m| by_mean(m);
-    BACK: "the phase counted back from half a period", |m| turned_back(m)?;
-    COMPARED: "attitudes compared by their quaternions' difference", |m| between_quaternions(m)?;
+    TRACE: "quaternion from the trace of the matrix", |m| by_trace(m.attitude);
+    /// The tilt, with the sign of the start at all times: at a turning point the root is zero, and the motion stays.
+    ENERGY: "theta' = sqrt(2 (E - U)), stepped", |m| {
+        let ([i1, _, i3], [p, q, r], pull) = (m.moments, m.rates, pull(m));
+        let EulerAngles { theta, zeta, .. } = m.attitude.euler_angles();
+        let ((s, c), (sz, cz)) = (sincos(theta), sincos(zeta));
+        let (along, across, own) = (p * cz - q * sz, p * sz + q * cz, i3 * r);
+        let vertical = i1 * across * s + own * c;
+        let energy = 0.5 * i1 * (along * along + across * across) + pull * c;
+        let sign = if along < 0.0 { -1.0 } else { 1.0 };
+        let slope = |&[theta]: &[f64; 1]| {
+            let (s, c) = sincos(theta);
+            let turn = (vertical - own * c) / (i1 * s);
+            [sign * (2.0 * (energy - pull * c) / i1 - turn * turn).max(0.0).sqrt()]
+        };
+        let end = path(slope, [theta], m.end, 10_000).last().map_or(f64::NAN, |[theta]| theta);
+        (end - m.truth()?.euler_angles().theta).abs()
+    };
+    LANDAU: "Jacobi's functions with 1 - k^2 by subtraction", |m| momentum_off(m, rates_by_landau(m));
+    /// The same, as the sum of the errors of the rates.
+    LANDAU_RATES: "Jacobi's functions with 1 - k^2 by subtraction", |m| rates_off(m).iter().sum::<f64>().abs();
+    /// For a body whose L^2 is no double: Landau's k^2 is made of it.
+    SQUARES: "k^2 from L^2 and 2 E", |m| rates_off(m).iter().map(|off| off.abs()).sum();
+    /// sn at k = 1 by the descent of the arithmetic-geometric mean, which has no bottom there, less
+    /// the hyperbolic tangent that it is.
+    MEAN: "Jacobi's functions by the arithmetic-geometric mean", |m| {
+        let [largest, grown] = middle(m);
+        let phase = atanh(m.rates[1] / largest) + grown;
+        (jacobi(phase, 1.0)[0] - tanh(phase)).abs()
+    };
+    /// Where cn is negative the phase is counted back from half a period, 2K - u: of K = ln(4/k')
+    /// with k' = 0 nothing is left to count.
+    BACK: "the phase counted back from half a period", |m| {
+        let ([p, q, r], [i1, i2, i3], [largest, grown]) = (m.rates, m.moments, middle(m));
+        let complement = 1.0 - (i3 * (i3 - i2) * r * r) / (i1 * (i2 - i1) * p * p);
+        let half = 2.0 * log(4.0 / complement.sqrt());
+        let phase = half - atanh(-q / largest) + grown;
+        (largest * tanh(half - phase) - m.true_rates()[1]).abs()
+    };
+    /// The distance of the quaternions at the end, of this start and of its antipode.
+    COMPARED: "attitudes compared by their quaternions' difference", |m| {
+        let half = Motion { attitude: rotations::half_turn()?, ..*m };
+        let [[a, b, c, d], [e, f, g, h]] = [m.truth()?, half.truth()?].map(|a| a.quaternion());
+        2.0 * hypot(hypot(a - e, b - f), hypot(c - g, d - h))
+    };
+    MODULO: "t modulo the period, in doubles", |m| m.off(by_modulo(m).ok());
+    // Nobody asks whether the first of these can be right.
+    BELIEVED: "one run of DOP853 at 1e-15, believed", |m| as_given(m, m.reached(How::Dop853, QUATERNION, 0.0).ok())?;
+    ON_ANGLES: "RK4 on Euler angles, 2000 steps", |m| as_given(m, on_euler_angles(m, 2000))?;
+    COARSE: "RK4 on quaternion and rates, 100 steps", |m| as_given(m, on_quaternion(m, 100))?;
 }
 
-fn rates_off(motion: &Motion) -> Solved<[f64; 3]> {
-    let (naive, truth) = (rates_by_landau(motion), motion.true_rates()?);
-    Ok([0, 1, 2].map(|i| naive[i] - truth[i]))
+/// How far this end is from the end of the motion that is really given (rad); NaN for none.
+fn as_given(motion: &Motion, end: Option<Attitude>) -> Solved<f64> {
+    let truth = motion.truth_as_given(QUATERNION)?;
+    Ok(end.map_or(f64::NAN, |end| truth.angle_to(&end)))
+}
+
+fn rates_off(motion: &Motion) -> [f64; 3] {
+    let (naive, truth) = (rates_by_landau(motion), motion.true_rates());
+    [0, 1, 2].map(|i| naive[i] - truth[i])
+}
+
+/// The angle between the angular momentum on the body's axes with these rates and the true one.
+pub fn momentum_off(motion: &Motion, rates: [f64; 3]) -> f64 {
+    let [one, truth] = [rates, motion.true_rates()].map(|rates| motion.momentum(rates));
+    atan2(one.cross(&truth).norm(), one.dot(&truth))
 }
 
 /// The largest middle rate on the separatrix, and by how much the phase grows until the end.
@@ -55,44 +114,11 @@ fn middle(motion: &Motion) -> [f64; 2] {
     [largest, largest * motion.end / 3.0]
 }
 
-/// sn at k = 1 by the descent of the arithmetic-geometric mean, which has no bottom there, less
-/// the hyperbolic tangent that it is.
-fn by_mean(motion: &Motion) -> f64 {
-    let [largest, grown] = middle(motion);
-    let phase = atanh(motion.rates[1] / largest) + grown;
-    (jacobi(phase, 1.0)[0] - tanh(phase)).abs()
+fn size([a, b, c]: [f64; 3]) -> f64 {
+    (a * a + b * b + c * c).sqrt()
 }
 
-/// Where cn is negative the phase is counted back from half a period, 2K - u: of K = ln(4/k')
-/// with k' = 0 nothing is left to count.
-fn turned_back(motion: &Motion) -> Solved<f64> {
-    let ([p, q, r], [i1, i2, i3]) = (motion.rates, motion.moments);
-    let [largest, grown] = middle(motion);
-    let complement = 1.0 - (i3 * (i3 - i2) * r * r) / (i1 * (i2 - i1) * p * p);
-    let half = 2.0 * log(4.0 / complement.sqrt());
-    let phase = half - atanh(-q / largest) + grown;
-    Ok((largest * tanh(half - phase) - motion.true_rates()?[1]).abs())
-}
-
-/// The distance of the quaternions at the end, of this start and of its antipode.
-fn between_quaternions(motion: &Motion) -> Solved<f64> {
-    let mut half = *motion;
-    half.attitude = half_turn()?;
-    let [[a, b, c, d], [e, f, g, h]] = [motion.truth()?, half.truth()?].map(|a| a.quaternion());
-    Ok(2.0 * hypot(hypot(a - e, b - f), hypot(c - g, d - h)))
-}
-
-/// A step of the classical Runge-Kutta method.
-fn rk4<const N: usize>(f: &impl Fn(&[f64; N]) -> [f64; N], y: &[f64; N], h: f64) -> [f64; N] {
-    let add = |k: &[f64; N], part: f64| core::array::from_fn(|i| y[i] + part * h * k[i]);
-    let a = f(y);
-    let b = f(&add(&a, 0.5));
-    let c = f(&add(&b, 0.5));
-    let d = f(&add(&c, 1.0));
-    core::array::from_fn(|i| y[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]))
-}
-
-/// The start, and what follows after each step.
+/// The start, and the state after each step of the classical Runge-Kutta method.
 fn path<const N: usize>(
     f: impl Fn(&[f64; N]) -> [f64; N],
     start: [f64; N],
@@ -100,8 +126,16 @@ fn path<const N: usize>(
     count: u32,
 ) -> impl Iterator<Item = [f64; N]> {
     let h = end / f64::from(count);
-    let next = move |y: &[f64; N]| Some(rk4(&f, y, h));
-    core::iter::successors(Some(start), next).take(count as usize + 1)
+    let step = move |y: &[f64; N]| {
+        let add = |k: &[f64; N], part: f64| core::array::from_fn(|i| y[i] + part * h * k[i]);
+        let a = f(y);
+        let b = f(&add(&a, 0.5));
+        let c = f(&add(&b, 0.5));
+        let d = f(&add(&c, 1.0));
+        let mean = |i: usize| a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i];
+        Some(core::array::from_fn(|i| y[i] + h / 6.0 * mean(i)))
+    };
+    core::iter::successors(Some(start), step).take(count as usize + 1)
 }
 
 /// The rate of a quaternion.
@@ -120,8 +154,7 @@ fn pull(motion: &Motion) -> f64 {
 
 /// Euler's equations, with the torque of a weight on the third axis.
 fn rates_of(motion: &Motion, [p, q, r]: [f64; 3], [g1, g2]: [f64; 2]) -> [f64; 3] {
-    let [i1, i2, i3] = motion.moments;
-    let pull = pull(motion);
+    let ([i1, i2, i3], pull) = (motion.moments, pull(motion));
     [
         ((i2 - i3) * q * r + pull * g2) / i1,
         ((i3 - i1) * r * p - pull * g1) / i2,
@@ -145,7 +178,7 @@ pub fn on_euler_angles(motion: &Motion, count: u32) -> Option<Attitude> {
 }
 
 /// RK4 on yaw, pitch and roll, with 1/cos(pitch) in their rates.
-pub fn on_yaw_pitch_roll(motion: &Motion, count: u32) -> Option<Attitude> {
+pub fn on_yaw_pitch_roll(motion: &Motion) -> Option<Attitude> {
     let YawPitchRoll { yaw, pitch, roll } = motion.attitude.yaw_pitch_roll();
     let [p, q, r] = motion.rates;
     let slope = |&[_, pitch, roll, p, q, r]: &[f64; 6]| {
@@ -154,9 +187,37 @@ pub fn on_yaw_pitch_roll(motion: &Motion, count: u32) -> Option<Attitude> {
         let [a, b, d] = rates_of(motion, [p, q, r], [-s, c * sr]);
         [turn, q * cr - r * sr, p + turn * s, a, b, d]
     };
-    let path = path(slope, [yaw, pitch, roll, p, q, r], motion.end, count);
+    let path = path(slope, [yaw, pitch, roll, p, q, r], motion.end, 20_000);
     let [yaw, pitch, roll, ..] = path.last()?;
     Attitude::from_yaw_pitch_roll(YawPitchRoll { yaw, pitch, roll }).ok()
+}
+
+/// RK4 on the quaternion and the body's rates, with nothing kept.
+pub fn on_quaternion(motion: &Motion, count: u32) -> Option<Attitude> {
+    let ([w, x, y, z], [p, q, r]) = (motion.attitude.quaternion(), motion.rates);
+    let slope = |&[w, x, y, z, p, q, r]: &[f64; 7]| {
+        let vertical = [2.0 * (x * z - w * y), 2.0 * (y * z + w * x)];
+        let [a, b, c] = rates_of(motion, [p, q, r], vertical);
+        let [w, x, y, z] = turning([w, x, y, z], [p, q, r]);
+        [w, x, y, z, a, b, c]
+    };
+    let [w, x, y, z, ..] = path(slope, [w, x, y, z, p, q, r], motion.end, count).last()?;
+    Attitude::from_quaternion([w, x, y, z]).ok()
+}
+
+/// RK4 on the quaternion alone, the rates from L, which stays in space: the attitude at the
+/// start and after each step, with the rate about the middle axis.
+pub fn path_by_momentum(motion: &Motion, count: u32) -> Solved<Vec<(Attitude, f64)>> {
+    let momentum = motion.attitude.to_space(motion.momentum(motion.rates));
+    let rates = |attitude: Attitude| {
+        let momentum = attitude.to_body(momentum).to_array();
+        [0, 1, 2].map(|i| momentum[i] / motion.moments[i])
+    };
+    let read = |q: &[f64; 4]| Attitude::from_quaternion(*q);
+    let slope = |q: &[f64; 4]| turning(*q, rates(read(q).unwrap_or(motion.attitude)));
+    let path = path(slope, motion.attitude.quaternion(), motion.end, count);
+    path.map(|q| read(&q).map(|attitude| (attitude, rates(attitude)[1])))
+        .collect()
 }
 
 /// The tilt by the arc cosine of the axis's height, the others by arc tangents of elements of
@@ -167,30 +228,18 @@ pub fn by_arc_cosine(attitude: Attitude) -> Option<Attitude> {
     turned(phi, acos(m[2][2].clamp(-1.0, 1.0)), zeta).ok()
 }
 
-/// The scalar part of a quaternion from the trace of the matrix.
-pub fn scalar_by_trace(attitude: Attitude) -> f64 {
+/// The error of a quaternion divided by its scalar part, which is from the trace of the matrix.
+pub fn by_trace(attitude: Attitude) -> f64 {
     let m = attitude.matrix();
-    0.5 * (1.0 + m[0][0] + m[1][1] + m[2][2]).max(0.0).sqrt()
-}
-
-/// A quaternion divided by that.
-pub fn by_trace(attitude: Attitude) -> Option<Attitude> {
-    let (m, w) = (attitude.matrix(), scalar_by_trace(attitude));
+    let w = 0.5 * (1.0 + m[0][0] + m[1][1] + m[2][2]).max(0.0).sqrt();
     let [x, y, z] = [(2, 1), (0, 2), (1, 0)].map(|(i, j)| (m[i][j] - m[j][i]) / (4.0 * w));
-    Attitude::from_quaternion([w, x, y, z]).ok()
-}
-
-/// The same motion with the first moment larger by a billionth, "so that nothing is 0/0".
-pub fn jittered(motion: &Motion) -> Option<Attitude> {
-    let mut other = *motion;
-    other.moments[0] *= 1.0 + 1e-9;
-    other.truth().ok()
+    let naive = Attitude::from_quaternion([w, x, y, z]);
+    naive.map_or(f64::NAN, |naive| naive.angle_to(&attitude))
 }
 
 /// sn, cn and dn of the parameter m, with 1 - m formed by subtraction.
-pub fn jacobi(u: f64, m: f64) -> [f64; 3] {
-    let mut a = [1.0; 32];
-    let mut c = [0.0; 32];
+fn jacobi(u: f64, m: f64) -> [f64; 3] {
+    let (mut a, mut c) = ([1.0; 32], [0.0; 32]);
     let (mut b, mut n) = ((1.0 - m).max(0.0).sqrt(), 0);
     c[0] = m.sqrt();
     while n < 30 && c[n].abs() > 1e-16 {
@@ -208,95 +257,24 @@ pub fn jacobi(u: f64, m: f64) -> [f64; 3] {
 }
 
 /// Landau's formulas for the rates of a body that starts on the middle axis, all differences
-/// of moments and energies as they stand there. In rising order of the moments.
+/// of moments and energies as printed there. In rising order of the moments.
 pub fn rates_by_landau(motion: &Motion) -> [f64; 3] {
-    let [i1, i2, i3] = motion.moments;
-    let [p, q, r] = motion.rates;
+    let ([p, q, r], [i1, i2, i3]) = (motion.rates, motion.moments);
     let twice = i1 * p * p + i2 * q * q + i3 * r * r;
     let square = i1 * i1 * p * p + i2 * i2 * q * q + i3 * i3 * r * r;
     let k2 = (i2 - i1) * (twice * i3 - square) / ((i3 - i2) * (square - twice * i1));
     let rate = ((i3 - i2) * (square - twice * i1) / (i1 * i2 * i3)).sqrt();
     let largest = [
-        ((twice * i3 - square) / (i1 * (i3 - i1))).max(0.0).sqrt(),
-        ((twice * i3 - square) / (i2 * (i3 - i2))).max(0.0).sqrt(),
-        ((square - twice * i1) / (i3 * (i3 - i1))).max(0.0).sqrt(),
+        (twice * i3 - square) / (i1 * (i3 - i1)),
+        (twice * i3 - square) / (i2 * (i3 - i2)),
+        (square - twice * i1) / (i3 * (i3 - i1)),
     ];
-    // At the turning point of the middle rate a quarter of a period has passed.
-    let quarter = FRAC_PI_2 / mean(1.0, (1.0 - k2).max(0.0).sqrt());
-    let [sn, cn, dn] = jacobi(rate * motion.end + quarter, k2);
-    [largest[0] * cn, largest[1] * sn, largest[2] * dn]
-}
-
-/// The arithmetic-geometric mean.
-fn mean(mut a: f64, mut b: f64) -> f64 {
-    for _ in 0..60 {
-        (a, b) = (0.5 * (a + b), (a * b).sqrt());
-    }
-    a
-}
-
-/// RK4 on the quaternion and the body's rates, with nothing kept.
-pub fn on_quaternion(motion: &Motion, count: u32) -> Option<Attitude> {
-    let [w, x, y, z, ..] = path_on_quaternion(motion, count).last()?;
-    Attitude::from_quaternion([w, x, y, z]).ok()
-}
-
-/// The same at the start and after each step: quaternion and rates.
-pub fn path_on_quaternion(motion: &Motion, count: u32) -> impl Iterator<Item = [f64; 7]> {
-    let motion = *motion;
-    let [w, x, y, z] = motion.attitude.quaternion();
-    let [p, q, r] = motion.rates;
-    let slope = move |&[w, x, y, z, p, q, r]: &[f64; 7]| {
-        let vertical = [2.0 * (x * z - w * y), 2.0 * (y * z + w * x)];
-        let [a, b, c] = rates_of(&motion, [p, q, r], vertical);
-        let [w, x, y, z] = turning([w, x, y, z], [p, q, r]);
-        [w, x, y, z, a, b, c]
-    };
-    path(slope, [w, x, y, z, p, q, r], motion.end, count)
-}
-
-/// RK4 on the quaternion alone, the rates from L, which stays in space: the end.
-pub fn by_momentum(motion: &Motion, count: u32) -> Option<Attitude> {
-    Some(path_by_momentum(motion, count).ok()?.last()?.0)
-}
-
-/// RK4 on the quaternion alone, the rates from L, which stays in space: the attitude at the
-/// start and after each step, with the rate about the middle axis.
-pub fn path_by_momentum(motion: &Motion, count: u32) -> Solved<Vec<(Attitude, f64)>> {
-    let [i1, i2, i3] = motion.moments;
-    let momentum = motion.attitude.to_space(motion.momentum(motion.rates));
-    let rates = |attitude: Attitude| {
-        let [a, b, c] = attitude.to_body(momentum).to_array();
-        [a / i1, b / i2, c / i3]
-    };
-    let read = |q: &[f64; 4]| Attitude::from_quaternion(*q);
-    let slope = |q: &[f64; 4]| turning(*q, rates(read(q).unwrap_or(motion.attitude)));
-    let path = path(slope, motion.attitude.quaternion(), motion.end, count);
-    path.map(|q| read(&q).map(|attitude| (attitude, rates(attitude)[1])))
-        .collect()
-}
-
-/// The tilt at the end by theta' = sqrt(2 (E - U)), the sign always that of the start: at a
-/// turning point the root is zero, and the motion stays there.
-pub fn tilt_by_energy(motion: &Motion, count: u32) -> f64 {
-    let [i1, _, i3] = motion.moments;
-    let [p, q, r] = motion.rates;
-    let pull = pull(motion);
-    let EulerAngles { theta, zeta, .. } = motion.attitude.euler_angles();
-    let ((s, c), (sz, cz)) = (sincos(theta), sincos(zeta));
-    let (along, across) = (p * cz - q * sz, p * sz + q * cz);
-    let own = i3 * r;
-    let vertical = i1 * across * s + own * c;
-    let energy = 0.5 * i1 * (along * along + across * across) + pull * c;
-    let sign = if along < 0.0 { -1.0 } else { 1.0 };
-    let slope = |&[theta]: &[f64; 1]| {
-        let (s, c) = sincos(theta);
-        let turn = (vertical - own * c) / (i1 * s);
-        let left = 2.0 * (energy - pull * c) / i1 - turn * turn;
-        [sign * left.max(0.0).sqrt()]
-    };
-    let path = path(slope, [theta], motion.end, count);
-    path.last().map_or(f64::NAN, |[theta]| theta)
+    // At the turning point of the middle rate a quarter of a period has passed: its length by
+    // the arithmetic-geometric mean.
+    let mean = |(a, b): (f64, f64), _| (0.5 * (a + b), (a * b).sqrt());
+    let (mean, _) = (0..60).fold((1.0, (1.0 - k2).max(0.0).sqrt()), mean);
+    let functions = jacobi(rate * motion.end + FRAC_PI_2 / mean, k2);
+    [(0, 1), (1, 0), (2, 2)].map(|(i, f)| largest[i].max(0.0).sqrt() * functions[f])
 }
 
 /// The smaller turning point of a top (the notes' a, b, c and E~) by the trigonometric formula
@@ -314,15 +292,6 @@ pub fn turning_point([a, b, c]: [f64; 3], energy: f64) -> f64 {
     acos(roots[1])
 }
 
-/// A body that is left as it is if nothing turns faster than this (rad/s): it "sleeps".
-pub fn asleep(motion: &Motion, below: f64) -> Option<Attitude> {
-    let fastest = motion.rates.iter().fold(0.0, |m: f64, w| m.max(w.abs()));
-    if fastest < below {
-        return Some(motion.attitude);
-    }
-    motion.truth().ok()
-}
-
 /// 1e-30 kg m^2 added to each moment before it divides the momentum, "so that nothing is
 /// divided by zero".
 pub fn guarded(motion: &Motion) -> Option<Attitude> {
@@ -334,22 +303,20 @@ pub fn guarded(motion: &Motion) -> Option<Attitude> {
     other.truth().ok()
 }
 
-fn size([a, b, c]: [f64; 3]) -> f64 {
-    (a * a + b * b + c * c).sqrt()
-}
-
 /// Axis by division by |omega|, as it is squared and summed; then the angle |omega| t.
-pub fn by_axis(motion: &Motion) -> Option<Attitude> {
+fn by_axis(motion: &Motion) -> Option<Attitude> {
     let size = size(motion.rates);
     let (sin, cos) = sincos(0.5 * size * motion.end);
     let [x, y, z] = motion.rates.map(|rate| sin * rate / size);
     Some(motion.attitude * Attitude::from_quaternion([cos, x, y, z]).ok()?)
 }
 
-/// RK4 in steps of a hundredth of the time in which the rates change by their own size.
-pub fn by_first_step(motion: &Motion) -> Option<Attitude> {
-    let slope = rates_of(motion, motion.rates, [0.0; 2]);
-    let step = 0.01 * size(motion.rates) / size(slope);
-    // No step, no end.
-    (step > 0.0).then(|| on_quaternion(motion, (motion.end / step).ceil() as u32))?
+/// The closed form of a free body with whole periods dropped in doubles.
+pub fn by_modulo(motion: &Motion) -> Solved<Attitude> {
+    let exact = motion.free_body()?;
+    let period = exact.rate_period();
+    let (count, rest) = ((motion.end / period).floor(), motion.end % period);
+    let phase = (count * exact.precession_per_period()) % TAU;
+    let turn = Attitude::about_space_axis(exact.angular_momentum(), phase)?;
+    Ok(turn * exact.attitude(rest))
 }

@@ -1,26 +1,25 @@
 //! The families of motions: a body that turns freely, or a top, and a method that breaks on it.
 
-use super::motions::Asked;
 use super::naive::*;
 use super::*;
 
-/// Where most of them begin.
+/// Most of them begin here.
 pub fn start() -> Solved<Attitude> {
     turned(0.3, 0.8, 0.2)
 }
 
+/// A rotation about an axis in space.
+fn about(axis: [f64; 3], angle: f64) -> Solved<Attitude> {
+    Attitude::about_space_axis(SpaceVector::from_array(axis), angle)
+}
+
 // Where the axis is vertical, and where two of three angles turn about one line.
 
-pub const POLE_STEPS: u32 = 20_000;
 /// About its axis (rad/s): a top of this kind sleeps from 4 rad/s on.
 const SPIN: f64 = 2.0;
 
 pub fn at_pole(attitude: Attitude, rates: [f64; 3]) -> Motion {
     Motion::top([1.0, 0.5], 1.0, attitude, rates, 20.0)
-}
-
-fn upright() -> Solved<Attitude> {
-    Attitude::about_space_axis(SpaceVector::new(0.0, 0.0, 1.0), 0.7)
 }
 
 /// Nose on the vertical: the pitch is pi/2, and yaw and roll are about one line.
@@ -30,25 +29,24 @@ pub fn locked() -> Solved<Motion> {
     Ok(at_pole(locked, [0.4, 0.3, SPIN]))
 }
 
-family! { POLES, "poles": "Pole passages and gimbal lock",
-    by By::TOP, in NAMES, seen in pictures::gimbals;
+family! { POLES, "poles": "Pole passages and gimbal lock", |by| TOP, in NAMES;
     "exactly up, kicked", "precession and spin are one turn: no rate of either is defined":
-        at_pole(upright()?, [0.1, 0.0, SPIN]).against(ANGLES);
+        at_pole(about([0.0, 0.0, 1.0], 0.7)?, [0.1, 0.0, SPIN]).against(by, ANGLES);
     "exactly down, kicked", "the same below; pi is no double":
-        at_pole(Attitude::from_quaternion([0.0, 1.0, 0.0, 0.0])?, [0.1, 0.2, SPIN]).against(ANGLES);
+        at_pole(Attitude::from_quaternion([0.0, 1.0, 0.0, 0.0])?, [0.1, 0.2, SPIN]).against(by, ANGLES);
     "1e-8 rad off the top", "the angles turn a hundred million times faster than the body":
-        at_pole(turned(0.3, 1e-8, 0.0)?, [0.1, 0.0, SPIN]).against(ANGLES);
+        at_pole(turned(0.3, 1e-8, 0.0)?, [0.1, 0.0, SPIN]).against(by, ANGLES);
     "1e-8 rad off the bottom", "the same below":
-        at_pole(Attitude::from_quaternion([0.5e-8, 1.0, 0.0, 0.0])?, [0.1, 0.2, SPIN]).against(ANGLES);
+        at_pole(Attitude::from_quaternion([0.5e-8, 1.0, 0.0, 0.0])?, [0.1, 0.2, SPIN]).against(by, ANGLES);
     // With this rate across the node L_Z = L_z, or L_Z = -L_z: the axis meets the pole.
     "through the top in flight, b = 1", "the axis meets the pole and the angles jump by pi":
-        at_pole(turned(0.3, 1.0, 0.0)?, [-1.5, tan(0.5), SPIN]).against(ANGLES);
+        at_pole(turned(0.3, 1.0, 0.0)?, [-1.5, tan(0.5), SPIN]).against(by, ANGLES);
     "through the bottom in flight, b = -1", "the same below":
-        at_pole(turned(0.3, 1.0, 0.0)?, [0.5, -1.0 / tan(0.5), SPIN]).against(ANGLES);
-    "pitch of pi/2", "gimbal lock: yaw and roll are one turn": locked()?.against(YAW);
+        at_pole(turned(0.3, 1.0, 0.0)?, [0.5, -1.0 / tan(0.5), SPIN]).against(by, ANGLES);
+    "pitch of pi/2", "gimbal lock: yaw and roll are one turn": locked()?.against(by, YAW);
     // What turns the vertical axis alone changes nothing of it: the condition is the spin's.
     "exactly up below the critical spin", "any rounding is a kick, and grows as exp(0.87 t)":
-        at_pole(upright()?, [0.0, 0.0, SPIN]).of_condition(2.0 + 20.0 * SPIN, ANGLES);
+        at_pole(about([0.0, 0.0, 1.0], 0.7)?, [0.0, 0.0, SPIN]).of_condition(by, 2.0 + 20.0 * SPIN, ANGLES);
 }
 
 // The sleeping top at the spin at which it falls asleep, and the last digit either side.
@@ -57,27 +55,26 @@ family! { POLES, "poles": "Pole passages and gimbal lock",
 const CRITICAL: f64 = 4.0;
 const BELOW: f64 = CRITICAL * (1.0 - f64::EPSILON);
 
-pub fn at_threshold(theta: f64, kick: f64, spin: f64) -> Solved<Motion> {
+fn at_threshold(theta: f64, kick: f64, spin: f64) -> Solved<Motion> {
     let (tilted, rates) = (turned(0.3, theta, 0.2)?, [kick, 0.0, spin]);
     Ok(Motion::top([1.0, 0.5], 1.0, tilted, rates, 15.0))
 }
 
-family! { THRESHOLD, "threshold": "The sleeping top at its threshold",
-    by By::TOP, in NAMES, seen in pictures::tip;
+family! { THRESHOLD, "threshold": "The sleeping top at its threshold", |by| TOP, in NAMES;
     "1e-6 rad off, at the threshold", "two roots of the cubic meet":
-        at_threshold(1e-6, 0.0, CRITICAL)?.against(ARC_COSINE);
+        at_threshold(1e-6, 0.0, CRITICAL)?.against(by, ARC_COSINE);
     "1e-6 rad off, an eps above", "their gap is lost to cancellation":
-        at_threshold(1e-6, 0.0, CRITICAL * (1.0 + f64::EPSILON))?.against(ARC_COSINE);
+        at_threshold(1e-6, 0.0, CRITICAL * (1.0 + f64::EPSILON))?.against(by, ARC_COSINE);
     "1e-6 rad off, an eps below", "and its sign decides whether the top sleeps":
-        at_threshold(1e-6, 0.0, BELOW)?.against(ARC_COSINE);
+        at_threshold(1e-6, 0.0, BELOW)?.against(by, ARC_COSINE);
     "upright, kicked at the threshold", "the kick is all there is":
-        at_threshold(0.0, 1e-6, CRITICAL)?.against(ANGLES);
-    "upright, kicked an eps below", "the same": at_threshold(0.0, 1e-6, BELOW)?.against(ANGLES);
+        at_threshold(0.0, 1e-6, CRITICAL)?.against(by, ANGLES);
+    "upright, kicked an eps below", "the same": at_threshold(0.0, 1e-6, BELOW)?.against(by, ANGLES);
     // Exactly upright: the condition is the spin's.
     "exactly upright, at the threshold", "a kick by rounding would grow with t":
-        at_threshold(0.0, 0.0, CRITICAL)?.of_condition(2.0 + 15.0 * CRITICAL, ANGLES);
+        at_threshold(0.0, 0.0, CRITICAL)?.of_condition(by, 2.0 + 15.0 * CRITICAL, ANGLES);
     "exactly upright, an eps below", "and here exponentially":
-        at_threshold(0.0, 0.0, BELOW)?.of_condition(2.0 + 15.0 * BELOW, ANGLES);
+        at_threshold(0.0, 0.0, BELOW)?.of_condition(by, 2.0 + 15.0 * BELOW, ANGLES);
 }
 
 // Next to the motion that needs for ever: the middle axis, and the top that just gets up.
@@ -94,99 +91,79 @@ pub fn one_flip(complement: f64) -> Solved<Motion> {
     beside_separatrix([0.0, 1.0, off], 3.0 * log(2.0 / off) + 6.0)
 }
 
-/// The angle between the angular momentum on the body's axes with these rates and the true one.
-pub fn momentum_off(motion: &Motion, rates: [f64; 3]) -> Solved<f64> {
-    let [one, truth] = [rates, motion.true_rates()?].map(|rates| motion.momentum(rates));
-    Ok(atan2(one.cross(&truth).norm(), one.dot(&truth)))
-}
-
 /// A top at the energy and the momentum of the upright one, on its way up and not yet there.
 fn homoclinic(end: f64) -> Solved<Motion> {
     let (moments, theta, spin) = ([1.0, 0.25], 2.0, 2.0);
     let across = moments[1] * spin * tan(0.5 * theta);
     let lost = 2.0 * (1.0 - cos(theta));
-    let along = -(lost - across * across).sqrt();
-    let (tilted, rates) = (turned(0.3, theta, 0.0)?, [along, across, spin]);
+    let rates = [-(lost - across * across).sqrt(), across, spin];
+    let tilted = turned(0.3, theta, 0.0)?;
     Ok(Motion::top(moments, 1.0, tilted, rates, end))
 }
 
-family! { SEPARATRIX, "separatrix": "At the separatrix",
-    by By::FREE, in NAMES, seen in pictures::separatrix_passed;
-    "1 - k^2 = 1e-8, one flip", "the flip is late by the logarithm of 1 - k^2":
-        one_flip(1e-8)?.against(LANDAU);
-    "1 - k^2 = 1e-12, one flip", "of which a difference from 1 keeps four digits":
-        one_flip(1e-12)?.against(LANDAU);
-    "1 - k^2 = 1e-16, one flip", "and here none": one_flip(1e-16)?.against(LANDAU);
+family! { SEPARATRIX, "separatrix": "At the separatrix", |by| FREE, in NAMES;
+    "1 - k^2 = 1e-8, one flip", "the flip is late by the logarithm of 1 - k^2": one_flip(1e-8)?.against(by, LANDAU);
+    "1 - k^2 = 1e-12, one flip", "of which a difference from 1 keeps four digits": one_flip(1e-12)?.against(by, LANDAU);
+    "1 - k^2 = 1e-16, one flip", "and here none": one_flip(1e-16)?.against(by, LANDAU);
     "exactly about the middle axis", "any rounding is a kick, and grows as exp(t/3)":
-        beside_separatrix([0.0, 1.0, 0.0], 20.0)?.against(LANDAU);
+        beside_separatrix([0.0, 1.0, 0.0], 20.0)?.against(by, LANDAU);
     // On the separatrix itself: 3 (4 - 3) omega_1^2 = 6 (6 - 4) omega_3^2 to the last bit.
     "1 - k^2 = 0, between the ends", "K is infinite, and sn, cn, dn are no longer periodic":
-        beside_separatrix([0.5, 1.0, 0.25], 15.0)?.against(MEAN);
+        beside_separatrix([0.5, 1.0, 0.25], 15.0)?.against(by, MEAN);
     "1 - k^2 = 0, its other half", "a rate that goes as cn, and changes sign, goes as sech here":
-        beside_separatrix([-0.5, 1.0, 0.25], 15.0)?.against(BACK);
-    "homoclinic top, after 8 s", "it comes to the vertical in an infinite time":
-        homoclinic(8.0)?.against(FEWER);
+        beside_separatrix([-0.5, 1.0, 0.25], 15.0)?.against(by, BACK);
+    "homoclinic top, after 8 s", "it comes to the vertical in an infinite time": homoclinic(8.0)?.against(by, FEWER);
     "homoclinic top, after 16 s", "and the rounding of its start decides on which side it falls":
-        homoclinic(16.0)?.against(FEWER);
+        homoclinic(16.0)?.against(by, FEWER);
 }
 
-// Ten thousand flips about the intermediate axis.
-
-pub const FLIPS_STEPS: u32 = 1_000_050;
-/// Two flips a period, and a quarter of a period more.
-pub const FLIPS_PERIODS: f64 = 5000.25;
-
+/// Ten thousand flips about the intermediate axis, two a period, and a quarter of a period more.
 pub fn flips(moments: [f64; 3], rates: [f64; 3]) -> Solved<Motion> {
     let motion = Motion::free(moments, start()?, rates, 0.0);
-    Ok(motion.until(FLIPS_PERIODS * motion.free_body()?.rate_period()))
+    Ok(motion.until(5000.25 * motion.free_body()?.rate_period()))
 }
 
-family! { FLIPS, "flips": "Ten thousand flips",
-    by By::CLOSED, in NAMES, seen in pictures::late_flips;
+family! { FLIPS, "flips": "Ten thousand flips", |by| CLOSED, in NAMES;
     "a thousandth off the middle axis", "a small error of the energy makes each flip late":
-        flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?.against(FLIPS_BY_RK4);
+        flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?.against(by, FLIPS_BY_RK4);
     "the same, the axes in another order", "an odd order of the axes is no rotation":
-        flips([2.0, 1.0, 2.5], [1.0, 0.0, 1e-3])?.against(FLIPS_BY_RK4);
+        flips([2.0, 1.0, 2.5], [1.0, 0.0, 1e-3])?.against(by, FLIPS_BY_RK4);
     "a ten-thousandth off, the other way", "the closer, the later":
-        flips([1.0, 2.0, 2.5], [1e-4, -1.0, 0.0])?.against(FLIPS_BY_RK4);
+        flips([1.0, 2.0, 2.5], [1e-4, -1.0, 0.0])?.against(by, FLIPS_BY_RK4);
 }
 
-// Bodies whose moments are equal, nearly equal, or as unequal as can be.
-
-pub fn shaped(moments: [f64; 3]) -> Solved<Motion> {
+/// A body whose moments are equal, nearly equal, or as unequal as can be.
+fn shaped(moments: [f64; 3]) -> Solved<Motion> {
     Ok(Motion::free(moments, start()?, [0.8, 0.4, 0.9], 30.0))
 }
 
-family! { SHAPES, "shapes": "Nearly symmetric bodies, needle, disc and sphere",
-    by By::FREE, in NAMES, seen in pictures::all_but_symmetric;
-    "I2/I1 - 1 = 0", "formulas for three moments are 0/0": shaped([1.0, 1.0, 1.7])?.against(JITTER);
+family! { SHAPES, "shapes": "Nearly symmetric bodies, needle, disc and sphere", |by| FREE, in NAMES;
+    "I2/I1 - 1 = 0", "formulas for three moments are 0/0": shaped([1.0, 1.0, 1.7])?.against(by, JITTER);
     "I2/I1 - 1 = 1e-15", "all that tells them apart is four last bits":
-        shaped([1.0, 1.0 + 1e-15, 1.7])?.against(JITTER);
-    "I2/I1 - 1 = 1e-10", "neither symmetric nor far from it":
-        shaped([1.0, 1.0 + 1e-10, 1.7])?.against(JITTER);
+        shaped([1.0, 1.0 + 1e-15, 1.7])?.against(by, JITTER);
+    "I2/I1 - 1 = 1e-10", "neither symmetric nor far from it": shaped([1.0, 1.0 + 1e-10, 1.7])?.against(by, JITTER);
     "all but a sphere", "every difference of moments is a billionth":
-        shaped([1.0, 1.0 + 1e-9, 1.0 - 1e-9])?.against(JITTER);
-    "sphere", "nothing tells one axis from another": shaped([2.0, 2.0, 2.0])?.against(JITTER);
+        shaped([1.0, 1.0 + 1e-9, 1.0 - 1e-9])?.against(by, JITTER);
+    "sphere", "nothing tells one axis from another": shaped([2.0, 2.0, 2.0])?.against(by, JITTER);
     // The larger moment is the sum of the others, or a rounding more.
     "disc, I3 = I1 + I2 and a rounding", "0.7 + 0.1 is less than 0.8 in doubles":
-        shaped([0.7, 0.1, 0.8])?.against(TRIANGLE);
+        shaped([0.7, 0.1, 0.8])?.against(by, TRIANGLE);
     "disc, I3 = I1 + I2 exactly", "one of the differences of moments is the third moment":
-        shaped([1.0, 2.0, 3.0])?.against(JITTER);
+        shaped([1.0, 2.0, 3.0])?.against(by, JITTER);
     // The spin about the thin axis of a needle is not in L.
     "needle, I3/I1 = 1e-9", "a rounding of L across the needle is a spin about it":
-        shaped([1.0, 1.0, 1e-9])?.until(5.0).against(FROM_MOMENTUM);
+        shaped([1.0, 1.0, 1e-9])?.until(5.0).against(by, FROM_MOMENTUM);
     "needle of three moments", "I1 - I2 is half of I3":
-        shaped([1.0, 1.0 + 5e-10, 1e-9])?.until(5.0).against(FROM_MOMENTUM);
+        shaped([1.0, 1.0 + 5e-10, 1e-9])?.until(5.0).against(by, FROM_MOMENTUM);
 }
 
 // Tops at the bottom of their potential, on cusps, very fast and very slow.
 
-pub const NOTES_TOP: [f64; 3] = [1.5, 1.2, 0.2];
+const NOTES_TOP: [f64; 3] = [1.5, 1.2, 0.2];
 
 /// The body of the notes' parameters a and c: I1 = 1, I3 = a, m g l = c, omega_3 = 1/sqrt(a).
-fn top([a, c]: [f64; 2], theta: f64, rates: [f64; 2], end: f64) -> Solved<Motion> {
-    let (tilted, [along, across]) = (turned(0.3, theta, 0.0)?, rates);
-    let rates = [along, across, 1.0 / a.sqrt()];
+fn top([a, c]: [f64; 2], theta: f64, [along, across]: [f64; 2], end: f64) -> Solved<Motion> {
+    let (tilted, rates) = (turned(0.3, theta, 0.0)?, [along, across, 1.0 / a.sqrt()]);
     Ok(Motion::top([1.0, a], c, tilted, rates, end))
 }
 
@@ -196,48 +173,34 @@ fn of_b([a, b, c]: [f64; 3], theta: f64, along: f64) -> Solved<Motion> {
     top([a, c], theta, [along, across], 40.0)
 }
 
-pub fn released(of: [f64; 2], theta: f64, end: f64) -> Solved<Motion> {
-    top(of, theta, [0.0; 2], end)
-}
-
 /// From its smaller turning point, with an energy that is told from the least.
-fn turning([a, b, c]: [f64; 3], energy: impl Fn(f64) -> f64) -> Solved<Asked> {
+fn turning(by: &[By], [a, b, c]: [f64; 3], energy: impl Fn(f64) -> f64) -> Result<Answered> {
     let reduced = ReducedTop::new(a, b, c)?;
     let energy = energy(reduced.minimum().1);
     let theta = HeavyTop::from_energy(reduced, energy, Start::ThetaMin, 0.0, 0.0)?.theta_min();
     let error = (turning_point([a, b, c], energy) - theta).abs();
     let naive = "turning point by the trigonometric formula of the cubic";
-    of_b([a, b, c], theta, 0.0)?.beside((naive, error))
+    of_b([a, b, c], theta, 0.0)?.beside(by, (naive, error))
 }
 
-fn steady() -> Solved<Motion> {
-    let [a, b, c] = NOTES_TOP;
-    of_b(NOTES_TOP, ReducedTop::new(a, b, c)?.minimum().0, 1e-6)
-}
-
-family! { TOPS, "tops": "Steady, cusped, fast and slow tops",
-    by By::TOP, in NAMES, seen in pictures::let_go;
+family! { TOPS, "tops": "Steady, cusped, fast and slow tops", |by| TOP, in NAMES;
     "E~ within 5e-13 of U_min", "the turning points are a millionth apart, a double root but for that":
-        steady()?.against(ENERGY);
+        { let [a, b, c] = NOTES_TOP; of_b([a, b, c], ReducedTop::new(a, b, c)?.minimum().0, 1e-6)?.against(by, ENERGY) };
     "exactly on a cusp, b = 1/2", "it starts at rest, where the root is zero":
-        released([1.5, 0.25], FRAC_PI_3, 40.0)?.against(ENERGY);
-    "very fast, c = 1e-8", "it nods by 1e-8 rad": released([1.5, 1e-8], 1.0, 60.0)?.against(ENERGY);
+        top([1.5, 0.25], FRAC_PI_3, [0.0; 2], 40.0)?.against(by, ENERGY);
+    "very fast, c = 1e-8", "it nods by 1e-8 rad": top([1.5, 1e-8], 1.0, [0.0; 2], 60.0)?.against(by, ENERGY);
     "very slow, c = 1e6", "it falls like a pendulum and passes the bottom close by":
-        released([1.5, 1e6], 1.0, 0.03)?.against(ENERGY);
+        top([1.5, 1e6], 1.0, [0.0; 2], 0.03)?.against(by, ENERGY);
     "E~ two roundings above U_min", "all but a double root: half of the digits are lost":
-        turning(NOTES_TOP, |lowest| lowest + 2.0 * f64::EPSILON * lowest.abs());
+        turning(by, NOTES_TOP, |lowest| lowest + 2.0 * f64::EPSILON * lowest.abs());
     "near the pole: b = 0.999, E~ = 0.05", "the root is all but 1, and what it lacks of 1 is asked for":
-        turning([1.9, 0.999, 0.45], |_| 0.05);
+        turning(by, [1.9, 0.999, 0.45], |_| 0.05);
 }
 
 // Half turns, antipodal quaternions, and rates from none to very many.
 
 pub fn half_turn() -> Solved<Attitude> {
-    Attitude::about_space_axis(SpaceVector::new(1.0, -2.0, 3.0), PI)
-}
-
-fn antipodal() -> Solved<Attitude> {
-    Attitude::from_quaternion(half_turn()?.quaternion().map(|c| -c))
+    about([1.0, -2.0, 3.0], PI)
 }
 
 fn turning_at(attitude: Attitude, rates: [f64; 3], end: f64) -> Motion {
@@ -245,47 +208,44 @@ fn turning_at(attitude: Attitude, rates: [f64; 3], end: f64) -> Motion {
 }
 
 /// About one axis alone, for ever as good as any.
-fn alone(rate: f64) -> Solved<Asked> {
+fn alone(by: &[By], rate: f64) -> Result<Answered> {
     let end = 1.0 / f64::max(rate, 1e-300);
-    turning_at(half_turn()?, [0.0, 0.0, rate], end).of_condition(3.0, AXIS)
+    turning_at(half_turn()?, [0.0, 0.0, rate], end).of_condition(by, 3.0, AXIS)
 }
 
-/// An azimuth of 1e32 rad, and what it is beyond whole turns: 1e32 is a whole number, and this
-/// its remainder by 2 pi to 80 digits, rounded.
+/// An azimuth of 1e32 rad without its whole turns: 1e32 is a whole number, and this its
+/// remainder by 2 pi to 80 digits, rounded.
 pub const AZIMUTH: [f64; 2] = [1e32, 0.625_167_975_329_289_9];
 
-fn many_turns() -> Solved<Asked> {
-    let after = |phi: f64| Ok(turning_at(turned(phi, 0.8, 0.2)?, [0.3, 0.2, 1.0], 10.0));
+fn many_turns(by: &[By]) -> Result<Answered> {
+    let after = |phi: f64| Solved::Ok(turning_at(turned(phi, 0.8, 0.2)?, [0.3, 0.2, 1.0], 10.0));
     let [azimuth, rest] = AZIMUTH;
     let [motion, same] = [after(azimuth)?, after(rest)?];
     let by_turns = after(azimuth - TAU * (azimuth / TAU).floor())?.attitude;
     let error = by_turns.angle_to(&same.attitude);
     let naive = ("whole turns of 2 pi subtracted in doubles", error);
-    Ok(Asked(motion, naive, motion.conditions()?, same.truth()?))
+    motion.answered(by, naive, motion.conditions()?, same.truth()?)
 }
 
-family! { TURNS, "turns": "Half turns, and rates of every size",
-    by By::FREE, in NAMES, seen in pictures::half_turn;
+family! { TURNS, "turns": "Half turns, and rates of every size", |by| FREE, in NAMES;
     "started after half a turn", "the scalar part is zero, and is divided by":
-        turning_at(half_turn()?, [0.3, 0.2, 1.0], 10.0).against(TRACE);
-    "started from the antipodal quaternion", "q and -q are one attitude":
-        turning_at(antipodal()?, [0.3, 0.2, 1.0], 10.0).against(COMPARED);
-    "an azimuth of 1e32 rad", "of its turns doubles know sixteen digits, and thirty-one count":
-        many_turns();
-    "at rest", "the axis of no rotation is 0/0":
-        turning_at(half_turn()?, [0.0; 3], 10.0).against(AXIS);
+        turning_at(half_turn()?, [0.3, 0.2, 1.0], 10.0).against(by, TRACE);
+    "started from the antipodal quaternion", "q and -q are one attitude": turning_at(
+        Attitude::from_quaternion(half_turn()?.quaternion().map(|c| -c))?, [0.3, 0.2, 1.0], 10.0).against(by, COMPARED);
+    "an azimuth of 1e32 rad", "of its turns doubles know sixteen digits, and thirty-one count": many_turns(by);
+    "at rest", "the axis of no rotation is 0/0": turning_at(half_turn()?, [0.0; 3], 10.0).against(by, AXIS);
     "rates of 1e-199 rad/s for 1e200 s", "their squares are zero in doubles":
-        turning_at(half_turn()?, [3e-200, 2e-200, 1e-199], 1e200).against(AXIS);
+        turning_at(half_turn()?, [3e-200, 2e-200, 1e-199], 1e200).against(by, AXIS);
     "rates of 1e8 rad/s for 1e-7 s", "a step of any fixed size is too long":
-        turning_at(half_turn()?, [3e7, 2e7, 1e8], 1e-7).against(ONE_STEP);
+        turning_at(half_turn()?, [3e7, 2e7, 1e8], 1e-7).against(by, ONE_STEP);
     "rates of 1e150 rad/s for 1e-149 s", "the square of an angular acceleration is infinite":
-        turning_at(half_turn()?, [3e149, 2e149, 1e150], 1e-149).against(FIRST_STEP);
+        turning_at(half_turn()?, [3e149, 2e149, 1e150], 1e-149).against(by, FIRST_STEP);
     // A rate that is all but nothing, and below the rates of any motion.
     "1e-200 rad/s beside 1 rad/s", "its square is no double, and 1 - k^2 is made of it":
-        Motion::free([1.0, 1.5, 2.0], half_turn()?, [1e-200, 1.0, 0.0], 30.0).against(LANDAU_RATES);
-    "1e200 rad/s for 1e-200 s", "its square is infinite, and so is its energy": alone(1e200);
-    "1e-300 rad/s for 1e300 s", "its square is zero, and its momentum's": alone(1e-300);
-    "the least double, 5e-324 rad/s", "nothing smaller to round to": alone(5e-324);
+        Motion::free([1.0, 1.5, 2.0], half_turn()?, [1e-200, 1.0, 0.0], 30.0).against(by, LANDAU_RATES);
+    "1e200 rad/s for 1e-200 s", "its square is infinite, and so is its energy": alone(by, 1e200);
+    "1e-300 rad/s for 1e300 s", "its square is zero, and its momentum's": alone(by, 1e-300);
+    "the least double, 5e-324 rad/s", "nothing smaller to round to": alone(by, 5e-324);
 }
 
 // The same motion from a molecule to the Earth.
@@ -306,58 +266,37 @@ fn scaled_top(moment: f64, rate: f64, lever: f64) -> Solved<Motion> {
     Ok(top)
 }
 
-family! { SCALES, "scales": "From a molecule to the Earth",
-    by By::FREE, in NAMES, seen in pictures::molecule;
+family! { SCALES, "scales": "From a molecule to the Earth", |by| FREE, in NAMES;
     "top: 1e-40 kg m^2, 1e6 rad/s, 1e-14 m", "a torque of 1e-28 N m looks like none":
-        scaled_top(1e-40, 1e6, 1e-14)?.against(GUARDED);
+        scaled_top(1e-40, 1e6, 1e-14)?.against(by, GUARDED);
     "top: 1e38 kg m^2, 4e-5 rad/s, 1e6 m", "its rates look like rest, its torque is 1e29 N m":
-        scaled_top(1e38, 4e-5, 1e6)?.against(ASLEEP);
-    "1e-170 kg m^2, 1 rad/s", "the square of its momentum is zero":
-        scaled(1e-170, 1.0)?.against(SQUARES);
-    "1e160 kg m^2, 1 rad/s", "the square of its momentum is infinite":
-        scaled(1e160, 1.0)?.against(SQUARES);
+        scaled_top(1e38, 4e-5, 1e6)?.against(by, ASLEEP);
+    "1e-170 kg m^2, 1 rad/s", "the square of its momentum is zero": scaled(1e-170, 1.0)?.against(by, SQUARES);
+    "1e160 kg m^2, 1 rad/s", "the square of its momentum is infinite": scaled(1e160, 1.0)?.against(by, SQUARES);
     "molecule: 1e-46 kg m^2, 1e12 rad/s", "its moments are less than any number that looks like zero":
-        scaled(1e-46, 1e12)?.against(GUARDED);
-    "dust: 1e-40 kg m^2, 1e6 rad/s", "the same": scaled(1e-40, 1e6)?.against(GUARDED);
-    "asteroid: 1e20 kg m^2, 1e-6 rad/s", "its rates look like rest":
-        scaled(1e20, 1e-6)?.against(ASLEEP);
-    "Earth: 1e38 kg m^2, 7.3e-5 rad/s", "the same, and its energy is 5e29 J":
-        scaled(1e38, 7.3e-5)?.against(ASLEEP);
+        scaled(1e-46, 1e12)?.against(by, GUARDED);
+    "dust: 1e-40 kg m^2, 1e6 rad/s", "the same": scaled(1e-40, 1e6)?.against(by, GUARDED);
+    "asteroid: 1e20 kg m^2, 1e-6 rad/s", "its rates look like rest": scaled(1e20, 1e-6)?.against(by, ASLEEP);
+    "Earth: 1e38 kg m^2, 7.3e-5 rad/s", "the same, and its energy is 5e29 J": scaled(1e38, 7.3e-5)?.against(by, ASLEEP);
 }
 
-// A trillion periods.
-
-pub const TRILLION: f64 = 1e12;
-
-type Late = (Motion, FreeBody, Attitude);
-
-/// A free body after so many periods and three tenths of one, its closed form, and where it is if
-/// whole periods are dropped in doubles.
-pub fn late(periods: f64, moments: [f64; 3], rates: [f64; 3]) -> Solved<Late> {
+/// A free body after so many periods and three tenths of one.
+pub fn late(periods: f64, moments: [f64; 3], rates: [f64; 3]) -> Solved<Motion> {
     let motion = Motion::free(moments, start()?, rates, 0.0);
+    let period = motion.free_body()?.rate_period();
+    Ok(motion.until(periods * period + 0.3 * period))
+}
+
+/// After a trillion. The inputs are exact: the bound grants a change over one period alone.
+fn trillion(by: &[By], moments: [f64; 3], rates: [f64; 3]) -> Result<Answered> {
+    let motion = late(1e12, moments, rates)?;
     let exact = motion.free_body()?;
-    let period = exact.rate_period();
-    let motion = motion.until(periods * period + 0.3 * period);
-    let (count, rest) = ((motion.end / period).floor(), motion.end % period);
-    let phase = (count * exact.precession_per_period()) % TAU;
-    let turn = Attitude::about_space_axis(exact.angular_momentum(), phase)?;
-    let modulo = turn * exact.attitude(rest);
-    Ok((motion, exact, modulo))
+    motion.of_condition(by, exact.condition(exact.rate_period())?, MODULO)
 }
 
-/// The inputs are what they are: what a period may do is all that is granted.
-fn modulo(moments: [f64; 3], rates: [f64; 3]) -> Solved<Asked> {
-    let (motion, exact, modulo) = late(TRILLION, moments, rates)?;
-    let naive = ("t modulo the period, in doubles", motion.off(Some(modulo)));
-    let condition = exact.condition(exact.rate_period())?;
-    Ok(Asked(motion, naive, [condition; 2], motion.truth()?))
-}
-
-family! { LONG, "long": "A trillion periods",
-    by By::CLOSED, in NAMES, seen in pictures::trillions;
-    "three moments", "a period rounded once is a trillion times wrong":
-        modulo([1.0, 2.0, 2.5], [0.8, 0.4, 0.3]);
+family! { LONG, "long": "A trillion periods", |by| CLOSED, in NAMES;
+    "three moments", "a period rounded once is a trillion times wrong": trillion(by, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3]);
     "near the separatrix, 1 - k^2 = 2e-5", "the same, and the period is hard to have":
-        modulo([1.0, 2.0, 2.5], [0.0, 1.0, 2e-3]);
-    "two moments", "the same of two circular motions": modulo([1.0, 1.0, 1.7], [0.8, 0.4, 0.3]);
+        trillion(by, [1.0, 2.0, 2.5], [0.0, 1.0, 2e-3]);
+    "two moments", "the same of two circular motions": trillion(by, [1.0, 1.0, 1.7], [0.8, 0.4, 0.3]);
 }

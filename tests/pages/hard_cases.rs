@@ -2,3 +2,5 @@
 
 #[path = "../hard_cases/table.rs"]
 mod table;
+#[path = "../hard_cases/torques.rs"]
+mod torques;

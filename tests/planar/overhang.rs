@@ -2,9 +2,12 @@
 //! allows both the solver says so.
 
 use super::G;
-use super::ladder::mechanism::Ladder;
+use super::ladder::mechanism::{LENGTH, Ladder};
+use core::f64::consts::{FRAC_PI_2, PI};
+use kit::bisect;
+use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
 use rotation_dynamics::integrators::Dop853;
-use rotation_dynamics::math::{sincos, tan};
+use rotation_dynamics::math::{cos, sincos, tan};
 use rotation_dynamics::planar::contact::{Mode, motion};
 use rotation_dynamics::{Error, Result};
 use support::{Errors, assert_largest};
@@ -103,6 +106,46 @@ fn both_motions_obey_all_laws() {
         let away = -(c * cos - s * sin);
         assert!(away > 0.0 && overhang + angle > core::f64::consts::FRAC_PI_2);
     }
+}
+
+/// Errors of the time and of the rate of the landing of a ladder that is not wedged, against a rod
+/// that swings about its foot and is longer by the part `damage`. By the energy
+/// L theta'^2 = 3 g cos(theta_0).
+fn swings(damage: f64) -> Errors {
+    let mut errors = Errors::of("landing of a ladder under an overhang");
+    let overhang = 0.35;
+    for angle in [1.4, 1.45, 1.5] {
+        let (length, mu) = (LENGTH * (1.0 + damage), 0.99 * least(overhang, angle, 0.0));
+        let rod = Suspension {
+            moment: length * length / 3.0,
+            mass: 1.0,
+            gravity: G,
+            lever: 0.5 * length,
+        };
+        // Counted from the hanging position.
+        let falls = Pendulum::new(rod, PI - angle, 0.0).unwrap();
+        let is_above = |t: f64| falls.at(t).unwrap().theta > FRAC_PI_2;
+        let [_, lands] = bisect([0.0, 1.0], 0.0, is_above);
+        let rate = (3.0 * G * cos(angle) / length).sqrt();
+        let ladder = Ladder {
+            gravity: G,
+            overhang,
+            mu,
+        };
+        let (method, start) = (Dop853::new(1e-15).unwrap(), ladder.at_rest(angle));
+        let found = motion(&ladder, &method, start, 1.0).unwrap();
+        let end = found.event("lands").unwrap();
+        errors.add(end.t, lands, lands);
+        errors.add(end.before.v[2], rate, rate);
+    }
+    errors
+}
+
+/// With too little friction to be wedged it falls, and its foot holds.
+#[test]
+fn with_less_friction_it_swings_about_its_foot() {
+    assert_largest!(swings(0.0), 6, @"2.87e-15");
+    assert!(swings(1e-9).largest() > 1e-10);
 }
 
 /// Steeper than at right angles to the wall the top is pressed to it: one motion, any friction.

@@ -1,0 +1,192 @@
+//! The numbers of the page: what is claimed of the table, limits, and the tables themselves.
+
+use super::naive::{by_modulo, guarded, on_quaternion, on_yaw_pitch_roll};
+use super::rotations::{flips, late, locked, scaled};
+use super::*;
+use kit::rounded_up;
+
+pub fn report(p: &Parameters) -> Result<Report> {
+    let all = computed(p)?;
+    let mut report = Report::new(
+        "Hard cases",
+        "cases times methods times attitude representations: an error within its bound, or a refusal by name",
+    )?;
+    claims(&mut report, &all)?;
+    let half = Attitude::about_space_axis(SpaceVector::new(1.0, -2.0, 3.0), PI)?;
+    limits! { report,
+        /// gravity has no lever on an axis that is exactly vertical
+        "exactly upright below the critical spin, after 1e6 s: tilt in rad":
+            HeavyTop::new(SymmetricTop::new(1.0, 0.5, 1.0, 1.0)?, Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 2.0))?
+                .angles(1e6).theta => 0.0, within 0.0;
+        /// half a turn and half a turn are a turn
+        "rotation by pi about a skew axis, twice: off the start, in rad":
+            (half * half).angle_to(&Attitude::IDENTITY) => 0.0, within 4.0 * EPS;
+    }?;
+    let asked = p.tolerance.map_or(vec![1e-9, 1e-6, 1e-12], |one| vec![one]);
+    // These cases are about arithmetic: what is in is rounding.
+    effect_card! { report, asked asked[0];
+        "rounding of the numbers": "2^-53" = EPS, costs 0.5 * EPS, "rad per radian turned", included;
+    }?;
+    report.strip(&flip()?, &asked)?;
+    let mut elsewhere = Table::new("findings_elsewhere", ["found", "the test that sees it"])?;
+    for [found, _, test] in findings::ELSEWHERE {
+        elsewhere.push([*found, *test])?;
+    }
+    report.add(vec![elsewhere, summary(&all)?])?;
+    for one in &all {
+        report.add(tables(one)?)?;
+    }
+    Ok(report)
+}
+
+fn claims(report: &mut Report, all: &[Arc<Computed>]) -> Result<()> {
+    // The example of the opening: the same function, and two ways to write it.
+    let x: f64 = 1e-6;
+    let half = sin(0.5 * x);
+    // About the middle axis of moments 1, 2, 2.5 a kick grows as exp(t sqrt(1/5)).
+    let rate = 0.2_f64.sqrt();
+    // The error of a naive method against the series, and once more against the closed form.
+    let off = |motion: Motion, naive: Option<Attitude>| -> Result<[f64; 2]> {
+        let exact = motion.in_closed_form()?;
+        let again = naive.map_or(f64::NAN, |naive| exact.angle_to(&naive));
+        Ok([motion.off(naive), again])
+    };
+    let (locked, molecule) = (locked()?, scaled(1e-46, 1e12)?);
+    let flips = flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?;
+    let late = late(1e12, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?;
+    let a = off(locked, on_yaw_pitch_roll(&locked))?;
+    let b = off(flips, on_quaternion(&flips, 1_000_050))?;
+    let c = off(late, Some(by_modulo(&late)?))?;
+    let d = off(molecule, guarded(&molecule))?;
+    let total = |n: usize| all.iter().map(|one| one.count()[n]).sum::<usize>() as f64;
+    let [cases, cells, holds, refused] = [0, 1, 2, 3].map(total);
+    let due = all.iter().map(|one| one.due()).sum::<usize>() as f64;
+    claims! { report,
+        /// condition of 1 - cos x at 1e-6 rad
+        function_condition: x * sin(x) / (2.0 * half * half), "-",
+            "x cot(x/2)" => x / tan(0.5 * x), within 1e-12;
+        /// condition of its last step, the subtraction
+        subtraction_condition: cos(x) / (2.0 * half * half), "-",
+            "its series, 2/x^2 - 5/6" => 2.0 / (x * x) - 5.0 / 6.0, within 0.01;
+        /// 1 - cos x as it stands, at 1e-8 rad
+        cancelled: 1.0 - cos(1e-8), "-", "the double nearest to 1 - 5e-17 is 1" => 0.0, within 0.0;
+        /// the smallest tilt but 0 that an arc cosine can give
+        least_tilt: acos(1.0 - EPS), "rad", "theta^2/2 = 2^-53" => (2.0 * EPS).sqrt(), within 1e-23;
+        /// a rounding about the middle axis has grown to one
+        grown: log(2.0 / EPS) / rate, "s", "first flip by RK4" => figures::first_flip(0.1)?, within 5.0;
+        /// yaw, pitch and roll from a pitch of pi/2, off after 20 s
+        locked: a[0], "rad", "the closed form" => a[1], within 1e-10;
+        /// RK4 on quaternion and rates, off after ten thousand flips
+        flipped: b[0], "rad", "the closed form" => b[1], within 1e-10;
+        /// time modulo the period in doubles, off after 1e12 periods
+        late: c[0], "rad", "the closed form" => c[1], within 1e-10;
+        /// 1e-30 kg m^2 added to the moments of a molecule, off after 30 rad
+        guarded: d[0], "rad", "the closed form" => d[1], within 1e-10;
+        /// cases
+        cases: cases, "-", "naive methods, one for each" => cases, within 0.0;
+        /// cells
+        cells: cells, "-", "cases times methods times representations" => due, within 0.0;
+        /// cells that hold
+        holds: holds, "-", "cells less refusals" => cells - refused, within 0.0;
+        /// cells that are refused
+        refused: refused, "-", "cells less those that hold" => cells - holds, within 0.0;
+    }
+}
+
+/// One flip next to the separatrix: 1 - k^2 = 1e-8.
+fn flip() -> Result<Problem<()>> {
+    let (moments, rates) = ([3.0, 4.0, 6.0], [0.0, 1.0, 4.7e-5]);
+    let motion = Motion::free(moments, Attitude::IDENTITY, rates, 38.0);
+    let (exact, body) = (motion.free_body()?, RigidBody::new(motion.body()?));
+    let (scene, end) = (Scene::new(body), exact.state(motion.end));
+    let start = body.state(motion.attitude, BodyVector::from_array(rates))?;
+    Ok(Problem::new(scene, start, motion.end, end).in_closed_form(move |t| exact.attitude(t)))
+}
+
+/// A line for each family.
+fn summary(all: &[Arc<Computed>]) -> Result<Table> {
+    let columns = "family, what it is, cases, cells, hold, refused, error/bound, naive";
+    Table::of(
+        "families",
+        columns.split(", "),
+        all,
+        |one: &Arc<Computed>| {
+            let parts = one.cells().filter_map(|(_, cell)| cell.part());
+            let worst = short(parts.fold(0.0, f64::max), 2);
+            let broken = one.rows.iter().map(Row::broken);
+            let broken = short(broken.fold(f64::INFINITY, f64::min), 2);
+            let (key, title) = (one.family.key.to_owned(), one.family.title.to_owned());
+            let [cases, cells, hold, refused] = one.count().map(|n| n.to_string());
+            Ok([key, title, cases, cells, hold, refused, worst, broken])
+        },
+    )
+}
+
+/// The name of an error: `GimbalLock`.
+pub fn name_of(error: &Error) -> String {
+    let told = format!("{error:?}");
+    let name = told.split([' ', '{', '(']).next();
+    name.unwrap_or_default().to_owned()
+}
+
+/// A family's three tables: what goes wrong and the naive method, the cells, and what the
+/// refusals say.
+fn tables(one: &Computed) -> Result<Vec<Table>> {
+    let Family { key, forms, .. } = one.family;
+    let columns = "case, what goes wrong, condition, naive method, its error, over the bound";
+    let mut naive = Table::new(&format!("{key}_naive"), columns.split(", "))?;
+    let columns = ["case", "method", "bound"].iter().chain(*forms);
+    let mut table = Table::new(key, columns.copied())?;
+    // What each kind of refusal says, once.
+    let mut refusals = Table::new(&format!("{key}_refusals"), ["refusal", "says"])?;
+    for row in &one.rows {
+        let number = |x: f64| x.is_finite().then(|| short(x, 2));
+        let condition = number(row.condition).unwrap_or("-".into());
+        let errors = [row.naive.1, row.broken()].map(number);
+        let [error, broken] = errors.map(|error| error.unwrap_or("no number".into()));
+        let (Case(case, wrong, _), (method, _)) = (row.case, row.naive);
+        naive.push([*case, *wrong, &condition, method, &error, &broken])?;
+        for (cells, by) in row.cells.chunks(forms.len()).zip(one.family.methods) {
+            let mut line = [row.case.0, by.0, "-"].map(str::to_owned).to_vec();
+            for cell in cells {
+                let printed = match cell {
+                    Cell::Refuses(error) => {
+                        let (name, told) = (name_of(error), error.to_string());
+                        if refusals.rows().iter().all(|told| told[0] != name) {
+                            refusals.push([&name, &told].map(String::as_str))?;
+                        }
+                        name
+                    }
+                    Cell::Holds { bound, .. } => {
+                        if line[2] == "-" {
+                            line[2] = rounded_up(*bound);
+                        }
+                        short(cell.part().unwrap_or_default(), 2)
+                    }
+                };
+                line.push(printed);
+            }
+            table.push(line)?;
+        }
+    }
+    let all = [naive, table, refusals];
+    Ok(all.into_iter().filter(|table| !table.is_empty()).collect())
+}
+
+/// All cells as numbers: family, case, method, representation, error, bound; those that hold.
+pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
+    let columns = "family, case, method, representation, error, bound";
+    let mut rows = Trajectory::new(columns.split(", "))?;
+    for (f, one) in computed(p)?.iter().enumerate() {
+        for (r, row) in one.rows.iter().enumerate() {
+            for (c, cell) in row.cells.iter().enumerate() {
+                if let Cell::Holds { measured, bound } = *cell {
+                    let (method, form) = (c / one.family.forms.len(), c % one.family.forms.len());
+                    let [f, r, method, form] = [f, r, method, form].map(|n| (n + 1) as f64);
+                    rows.push(vec![f, r, method, form, measured, bound])?;
+                }
+            }
+        }
+    }
+    Ok(rows)
+}
