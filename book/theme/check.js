@@ -151,7 +151,7 @@
         box.classList.toggle("more", wide && box.scrollLeft + box.clientWidth < box.scrollWidth - 1);
         box.classList.toggle("moved", box.scrollLeft > 0);
         if (scrolls === box.hasAttribute("tabindex")) return;
-        const label = box.matches("code") ? "program text" : box.matches(".formula") ? "formula" : "table";
+        const label = box.matches("code") ? "program text" : box.matches(".formula") ? "formula" : box.matches(".panels") ? "pictures" : "table";
         const told = { tabindex: "0", role: "group", "aria-label": `${label}, scrolls` };
         for (const [name, value] of Object.entries(told)) {
             if (scrolls) box.setAttribute(name, value);
@@ -159,7 +159,7 @@
         }
     };
     const resized = new ResizeObserver((entries) => entries.forEach((entry) => measure(entry.target)));
-    const boxes = document.querySelectorAll(".scroll, .table-wrapper, .formula, pre > code");
+    const boxes = document.querySelectorAll(".scroll, .panels, .table-wrapper, .formula, pre > code");
     for (const box of boxes) {
         resized.observe(box);
         box.addEventListener("scroll", () => measure(box), { passive: true });
@@ -176,26 +176,6 @@
     });
     // The hidden check box must not stop the tab key, nor the handle be read out.
     anchor?.setAttribute("tabindex", "-1");
-
-    // Chapters that are not written yet fold behind a line that counts them.
-    for (const list of document.querySelectorAll("#mdbook-sidebar ol.chapter")) {
-        let drafts = [];
-        const fold = () => {
-            if (drafts.length > 1) {
-                const item = document.createElement("li");
-                item.className = "chapter-item drafts";
-                item.innerHTML = `<details><summary>${drafts.length} to be written</summary><ol class="section"></ol></details>`;
-                drafts[0].before(item);
-                item.querySelector("ol").append(...drafts);
-            }
-            drafts = [];
-        };
-        for (const item of [...list.children]) {
-            if (!item.matches(".part-title, .spacer") && !item.querySelector("a[href]")) drafts.push(item);
-            else fold();
-        }
-        fold();
-    }
 
     // ---- The search knows formulas by the names of their letters.
     const greek = {

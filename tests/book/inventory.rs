@@ -78,6 +78,7 @@ fn missing(root: &Path, row: &Row, page: &str) -> Result<(), String> {
         None if is_figure => Err(format!("{id} has no figure")),
         None => Ok(()),
         Some(name) => {
+            let (stem, name) = name.split_once('/').unwrap_or((stem, name));
             let file = format!("tests/snapshots/{stem}/{name}.snap.svg");
             let shown = page.contains(stem) && root.join(file).is_file();
             shown.then_some(()).ok_or(format!("{id}: no figure {name}"))

@@ -36,7 +36,7 @@ fn names(directory: &str, suffix: &str) -> BTreeSet<String> {
 fn summary() -> Vec<(String, Option<String>)> {
     let text = read(&root().join("book/src/SUMMARY.md"));
     let entry = |line: &str| {
-        let line = line.trim_start_matches("- ").strip_prefix('[')?;
+        let line = line.trim_start_matches([' ', '-']).strip_prefix('[')?;
         let (title, file) = line.split_once("](")?;
         let file = file.strip_suffix(')')?;
         Some((
@@ -47,12 +47,27 @@ fn summary() -> Vec<(String, Option<String>)> {
     text.lines().filter_map(entry).collect()
 }
 
-/// Sections 12, exercises 9; sections 5, exercises 8; further problems 6; closing chapters 7,
-/// of which one has three pages; the front page; the effects 6; how it is computed.
+/// Sections 12, exercises 9; sections 5, exercises 8; further problems 6; closing chapters 7;
+/// the front page; the effects 6; pages that go on with another one; how it is computed.
 const ENTRIES: usize = 12 + 9 + 5 + 8 + 6 + 7 + CONTINUED.len() + 1 + 6 + DERIVED.len();
 
 /// Pages that go on with the page of an example, and have none of their own.
-const CONTINUED: [&str; 2] = ["hard_cases_sizes", "hard_cases_steps"];
+const CONTINUED: [&str; 14] = [
+    "accuracy_errors",
+    "ch15_1_gimbal_lock",
+    "ch15_2_gimbals",
+    "ch15_2_wheel_on_shaft",
+    "ch15_3_two_plates",
+    "ch15_4_worked_examples",
+    "ch15_5_two_cones",
+    "ch16_2_fast_gyroscope",
+    "ch16_2_motions",
+    "effects_2_sleep",
+    "effects_4_levels",
+    "effects_price",
+    "hard_cases_sizes",
+    "hard_cases_steps",
+];
 
 /// Pages that derive what a module computes: what an example is to others, its tests are to them.
 const DERIVED: [(&str, &str); 7] = [
@@ -75,6 +90,18 @@ fn the_book_is_built_and_every_page_is_in_it() {
     let out = Sample::directory("whole");
     let built = book(&root(), &["--out", &out.to_string_lossy()], "");
     assert!(built.ok, "{}", built.stderr);
+    // The sidebar and a page call it by one name; the sidebar may put the section before it.
+    let called = |title: &str, page: &str| {
+        let name = page.lines().next().and_then(|line| line.strip_prefix("# "));
+        let section = title.split_once(' ').filter(|(n, _)| n.contains('.'));
+        name.is_some_and(|name| name == title || section.is_some_and(|(_, rest)| rest == name))
+    };
+    for (title, file) in &entries {
+        let file = file.as_ref().expect("no page is a draft");
+        let page = read(&root().join("book/src").join(file));
+        assert!(called(title, &page), "{file} is not called {title}");
+        assert!(!called(&format!("The {title}"), &page), "{file}");
+    }
     let mut written = 0;
     for file in entries.iter().filter_map(|(_, file)| file.as_ref()) {
         let html = read(&out.join(file).with_extension("html"));

@@ -18,10 +18,12 @@
 //! | `{{measured RECORD:TABLE}}` | a table of `benches/record/RECORD.txt`, and under it on what it was measured |
 //! | `{{check STEM}}` | the answer box |
 //! | `{{exercise LEVEL \| SOLVED \| EVENTS \| TEACHES}}` | what the page's exercise is; see [`Exercise`] |
+//! | `{{pages STEM:NAME STEM:NAME …}}` | pages as cards: a locked figure, the title, the minutes that it takes |
 //! | `{{exercises GROUP}}` | the table of the exercises whose stems begin so |
 //! | `{{test FILE::NAME}}` | a link to the test, which must exist |
 
 use crate::check;
+use crate::contents;
 use crate::exercises::{self, Exercise};
 use crate::expand::Page;
 use crate::figure;
@@ -56,6 +58,8 @@ pub enum Directive {
     Given(String),
     /// Figures, side by side.
     Figure(Vec<(String, String)>),
+    /// Pages as cards, each with a figure.
+    Pages(Vec<(String, String)>),
     /// The frames of a moving figure.
     Stills { stem: String },
     /// One frame of a figure that moves by itself, the values it is moved with, the sliders.
@@ -172,6 +176,12 @@ impl Directive {
                 Ok(Self::Figure(figures))
             }
             ("figure", _) => Err(wrong("figure STEM:NAME NAME …")),
+            ("pages", [_, ..]) => {
+                let pages = words.iter().map(|word| pair(word)).collect();
+                let pages: Option<Vec<_>> = pages;
+                let form = "pages STEM:NAME STEM:NAME …";
+                pages.map(Self::Pages).ok_or_else(|| wrong(form))
+            }
             ("listing", [word]) => {
                 let found = word.split_once(':').filter(|(file, anchor)| {
                     let parts: Vec<&str> = file.split('/').collect();
@@ -233,7 +243,7 @@ impl Directive {
             ("test", _) => Err(wrong("test FILE::NAME")),
             _ => Err(format!(
                 "unknown directive {{{{{inner}}}}}; there are num, param, given, figure, stills, \
-                 moving, listing, output, table, measured, check, exercise, exercises, test"
+                 moving, listing, output, table, measured, check, exercise, exercises, pages, test"
             )),
         }
     }
@@ -413,6 +423,7 @@ pub fn block(
             let marks = panels(page, figures)?;
             Ok(page.row(&marks, None, caption, indent, &id))
         }
+        Directive::Pages(pages) => Ok(format!("{indent}{}\n\n", contents::html(project, pages)?)),
         Directive::Stills { stem } => {
             let mut names = project.figures(stem);
             names.retain(|name| name.starts_with("frame_"));
@@ -653,6 +664,7 @@ mod tests {
             ("param", "param STEM:NAME}} or {{param STEM:NAME unit"),
             ("stills", "stills STEM"),
             ("stills a:b", "stills STEM"),
+            ("pages a:b c", "pages STEM:NAME STEM:NAME …"),
             (
                 "moving",
                 "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",

@@ -1,10 +1,11 @@
 //! What mdBook's page frame lacks, put into its HTML: a sidebar button that the keyboard
-//! reaches, a skip link, one heading of the first level, a description and a title for each
-//! page, a fold "On this page", and a 404 page that finds its style sheets at any address. What
+//! reaches, a skip link, one heading of the first level, a description, a title and a place for
+//! each page, a fold "On this page", and a 404 page that finds its style sheets at any address. What
 //! mdBook colours listings with goes: `colour` has done it.
 //!
 //! Every place is looked for by name; if a new mdBook words it otherwise, the build says so.
 
+use crate::place::Place;
 use crate::text::{escape, unescape, without_tags};
 
 /// Where the 404 page finds the root of the book: the nearest directory above the address
@@ -16,6 +17,9 @@ const ROOT: &str = "<script>for(let d=location.pathname.replace(/[^\\/]*$/,'');d
 /// How the files of mdBook's that colour listings begin.
 pub const COLOURING: [&str; 3] = ["highlight", "tomorrow-night", "ayu-highlight"];
 
+/// mdBook's sign of a fold in the sidebar, which the book's fonts lack, and ours.
+pub const FOLD: [&str; 2] = ["\u{2771}", "\u{2192}"];
+
 /// What mdBook's script asks of the one that colours.
 const UNCOLOURED: &str = "<script>const hljs={configure(){},highlightBlock(){}}</script>";
 
@@ -26,7 +30,7 @@ const DESCRIPTION: usize = 240;
 ///
 /// # Errors
 /// A place in mdBook's frame that is not there.
-pub fn page(html: &str, address: &str) -> Result<String, String> {
+pub fn page(html: &str, address: &str, place: &Place) -> Result<String, String> {
     let mut page = Page(html.to_owned());
     if let Some(stray) = page.0.find("<h1 class=\"menu-title\">") {
         // A redirect page has no frame.
@@ -50,6 +54,7 @@ pub fn page(html: &str, address: &str) -> Result<String, String> {
         "<div id=\"mdbook-menu-bar\"",
         "<div role=\"banner\" id=\"mdbook-menu-bar\"",
     )?;
+    page.whole("<nav class=\"nav-wrapper\"", "</nav>", &place.turn)?;
     page.colouring()?;
     page.themes();
     page.title();
@@ -61,7 +66,7 @@ pub fn page(html: &str, address: &str) -> Result<String, String> {
         "print.html" => {}
         _ => {
             page.description();
-            page.contents();
+            page.under_title(&place.line);
         }
     }
     Ok(page.0)
@@ -217,8 +222,8 @@ impl Page {
         self.0 = done;
     }
 
-    /// The sections of the page as a fold under its title, for narrow screens.
-    fn contents(&mut self) {
+    /// The page's place under its title, and its sections as a fold, for narrow screens.
+    fn under_title(&mut self, place: &str) {
         let main = self.0.find("<main").unwrap_or(0);
         let mut items = String::new();
         let mut from = main;
@@ -236,12 +241,13 @@ impl Page {
         else {
             return;
         };
-        if !items.is_empty() {
-            let fold = format!(
+        let fold = match items.is_empty() {
+            true => String::new(),
+            false => format!(
                 "<details class=\"contents\"><summary>On this page</summary><ul>{items}</ul></details>"
-            );
-            self.0.insert_str(end, &fold);
-        }
+            ),
+        };
+        self.0.insert_str(end, &format!("{place}{fold}"));
     }
 }
 
@@ -264,11 +270,16 @@ mod tests {
         <body><label id=\"mdbook-sidebar-toggle\" class=\"x\" for=\"mdbook-sidebar-toggle-anchor\">=</label>\
         <div id=\"mdbook-menu-bar\"><h1 class=\"menu-title\">B</h1></div><main>\n<h1 id=\"b\">B</h1>\n<p>It <em>turns</em>. Why?</p><code>x -- --tilt 2</code><th></th><th>n</th>\
         <h2 id=\"s\"><a class=\"header\" href=\"#s\">S</a></h2>\
-        <details><h3 id=\"t\"><a class=\"header\" href=\"#t\">T</a></h3><a href=\"#s\">s</a></details></main>";
+        <details><h3 id=\"t\"><a class=\"header\" href=\"#t\">T</a></h3><a href=\"#s\">s</a></details></main>\
+        <nav class=\"nav-wrapper\"><a>bare</a></nav>";
 
     #[test]
     fn the_frame_is_mended() {
-        let done = page(FRAME, "b.html").expect("a frame");
+        let place = Place {
+            line: "<nav>after A</nav>".into(),
+            turn: "<nav>C</nav>".into(),
+        };
+        let done = page(FRAME, "b.html", &place).expect("a frame");
         for part in [
             "<title>B</title>",
             "content=\"It turns.\"",
@@ -278,7 +289,8 @@ mod tests {
             "<code>x <span class=\"flag\">--</span> <span class=\"flag\">--tilt</span> 2</code>",
             "<td></td><th>n</th>",
             "<h3 id=\"t\">T</h3><a href=\"#s\">s</a>",
-            "</h1><details class=\"contents\"><summary>On this page</summary>\
+            "</main><nav>C</nav>",
+            "</h1><nav>after A</nav><details class=\"contents\"><summary>On this page</summary>\
              <ul><li><a href=\"#s\">S</a></li></ul></details>",
         ] {
             assert!(done.contains(part), "{part}\n{done}");
@@ -287,9 +299,9 @@ mod tests {
         assert_eq!(done.matches("css\"></style>").count(), 3);
         assert!(done.contains(UNCOLOURED) && !done.contains("-1."));
         // The damaged twin: another frame is refused, a page without one left alone.
-        assert!(page(&FRAME.replace("<main>", "<div>"), "b.html").is_err());
+        assert!(page(&FRAME.replace("<main>", "<div>"), "b.html", &place).is_err());
         assert_eq!(
-            page("<p>moved</p>", "b.html").as_deref(),
+            page("<p>moved</p>", "b.html", &place).as_deref(),
             Ok("<p>moved</p>")
         );
     }

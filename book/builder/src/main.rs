@@ -9,6 +9,7 @@
 mod build;
 mod check;
 mod colour;
+mod contents;
 mod coverage;
 mod directive;
 mod exercises;
@@ -19,6 +20,7 @@ mod live;
 mod measured;
 mod modules;
 mod pages;
+mod place;
 mod preprocess;
 mod problem;
 mod project;

@@ -29,9 +29,12 @@ pub fn svg(project: &Project, name: &str) -> Result<String, String> {
 
 fn drawn(name: &str, table: &Table) -> Result<String, String> {
     let column = |name: &str| table.columns().iter().position(|c| c == name);
-    let (lines, unit) = match (column("delivered"), column("time")) {
-        (Some(error), Some(time)) => (of_strip(table, error, time), "samples of the closed form"),
-        _ => (of_races(table), "ms"),
+    let (lines, unit, races) = match (column("delivered"), column("time")) {
+        (Some(error), Some(time)) => {
+            let lines = of_strip(table, error, time);
+            (lines, "samples of the closed form", false)
+        }
+        _ => (of_races(table), "ms", true),
     };
     let lines: Vec<Line> = lines.into_iter().filter(|(_, p)| p.len() > 1).collect();
     if lines.is_empty() {
@@ -46,7 +49,11 @@ fn drawn(name: &str, table: &Table) -> Result<String, String> {
         .x(Axis::log(&format!("time / {unit}")))
         .y(Axis::log("error of the attitude / rad"));
     for (method, points) in lines {
-        let look = Method::named(&method);
+        // Another crate's method is not ours, whatever its name.
+        let look = match races && is_peer(&method) {
+            true => Method::Other,
+            false => Method::named(&method),
+        };
         let label = if look == Method::Other {
             method.as_str()
         } else {
@@ -73,6 +80,11 @@ fn of_strip(table: &Table, error: usize, time: usize) -> Vec<Line> {
         }
     }
     lines
+}
+
+/// Whether a row of races is another crate's: its name begins with that of the crate.
+fn is_peer(name: &str) -> bool {
+    name.starts_with(char::is_lowercase) && name != "closed form"
 }
 
 /// Races: a row for each method, a column for each error.
@@ -120,15 +132,22 @@ mod tests {
         );
         let races = table(
             &["method", "1e-3", "1e-6", "at best"],
-            &[&["ours", "2.5", "7", "-"], &["theirs", "-", "9", "1e-9"]],
+            &[
+                &["DOP853", "2.5", "7", "-"],
+                &["ivp DOP853", "4", "9", "-"],
+                &["theirs", "-", "9", "1e-9"],
+            ],
         );
         assert_eq!(
             of_races(&races),
             [
-                ("ours".into(), vec![(2.5, 1e-3), (7.0, 1e-6)]),
+                ("DOP853".into(), vec![(2.5, 1e-3), (7.0, 1e-6)]),
+                ("ivp DOP853".into(), vec![(4.0, 1e-3), (9.0, 1e-6)]),
                 ("theirs".into(), vec![(9.0, 1e-6)]),
             ]
         );
+        let svg = drawn("a_b", &races).expect("a drawing");
+        assert!(svg.contains(">ivp DOP853<") && svg.contains(">DOP853<"));
         let svg = drawn("a_b", &strip).expect("a drawing");
         assert!(svg.contains("RK4") && svg.contains("solve"));
         // The damaged twin: a table without times is no drawing.

@@ -12,6 +12,7 @@ use crate::live::Modules;
 use crate::maths;
 use crate::measured;
 use crate::pages;
+use crate::place::{self, Place};
 use crate::project::Project;
 use crate::source;
 use crate::splice::{self, Splice};
@@ -162,17 +163,19 @@ fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
     HtmlHandlebars::new().render(ctx)?;
     warnings::none()?;
     for path in files(fresh)? {
-        if frame::COLOURING
-            .iter()
-            .any(|name| address(fresh, &path).starts_with(name))
-        {
+        let name = address(fresh, &path);
+        if frame::COLOURING.iter().any(|begin| name.starts_with(begin)) {
             fs::remove_file(path)?;
+        } else if name.starts_with("toc") {
+            let [theirs, ours] = frame::FOLD;
+            fs::write(&path, fs::read_to_string(&path)?.replace(theirs, ours))?;
         }
     }
 
     let mut written = BTreeMap::new();
     let fonts = first_fonts(fresh)?;
     let modules = Modules::of(project).map_err(Error::msg)?;
+    let places = place::places(&ctx.book);
     let paths = files(fresh)?;
     bar.set_length(paths.len() as u64);
     for path in paths {
@@ -180,7 +183,8 @@ fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
         if path.extension().is_some_and(|e| e == "html") {
             let address = address(fresh, &path);
             let html = fs::read_to_string(&path)?;
-            let html = finish(project, modules.as_ref(), &html, &address, &fonts)
+            let place = places.get(&address).cloned().unwrap_or_default();
+            let html = finish(project, modules.as_ref(), &html, &address, &place, &fonts)
                 .map_err(|e| Error::msg(format!("{address}: {e}")))?;
             fs::write(&path, &html)?;
             written.insert(address, html);
@@ -236,13 +240,14 @@ fn finish(
     modules: Option<&Modules>,
     html: &str,
     address: &str,
+    place: &Place,
     fonts: &[String],
 ) -> Result<String, String> {
     let mut number = 0;
     // Everything on one page is for paper.
     let modules = modules.filter(|_| address != "print.html");
     let html = modules.map_or(html.to_owned(), |modules| modules.runs(html));
-    let html = colour::listings(&frame::page(&html, address)?);
+    let html = colour::listings(&frame::page(&html, address, place)?);
     let html = splice::fill(&html, |splice| {
         let plain = html_of(project, splice, &mut number)?;
         Ok(match (modules, splice) {

@@ -12,8 +12,10 @@ const MIXED: [&str; 4] = ["parameters", "claims", "limits", "effects"];
 const CARDS: &str = "effects";
 
 /// What a card's last column says, under the card.
-const CARD_LEGEND: &str = "In: twice the error is more than that part of what it is an error of, \
-     or of a radian, or more than the tolerance told.";
+const CARD_LEGEND: &str = "\u{201c}In\u{201d} means that leaving the effect out costs more than half the \
+     tolerance: the fraction in the heading (of the quantity, or of a radian for an angle), or the \
+     value beside the word. <a href=\"effects.html#how-to-read-the-table\">How to read this \
+     table</a>.";
 
 /// The most characters of a cell that is not broken: "height_ratio_release".
 const LONGEST_SHORT: usize = 20;
