@@ -4,7 +4,7 @@
 use super::contacts::{apart, beyond, overhang, to_film, towed};
 use super::ladder::{LENGTH, Ladder};
 use super::*;
-use rotation_dynamics::exact::ladder::Ladder as Exact;
+use models::ladder::Ladder as Exact;
 use rotation_dynamics::integrators::size_or;
 use rotation_dynamics::planar::contact::{
     Contact, Mechanism, MechanismState, motion, motion_within,
