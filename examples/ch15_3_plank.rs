@@ -13,9 +13,9 @@ pub use variations::rubbing;
 
 use core::f64::consts::FRAC_PI_2;
 use kit::{ClosedForm, Report, Result, Trajectory, times};
+use models::ladder::Ladder;
+use models::plank::Plank as Exact;
 use rotation_dynamics::accuracy::largest;
-use rotation_dynamics::exact::ladder::Ladder;
-use rotation_dynamics::exact::plank::Plank as Exact;
 use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, ode};
 use rotation_dynamics::math::{acos, acosh, asinh, cos, cosh, log, sin, sincos, sinh};
 use rotation_dynamics::planar::contact::{

@@ -22,8 +22,8 @@ mod picture;
 #[path = "ch16_2_gyroscope/rotor.rs"]
 mod rotor;
 
-use kit::heavy_top::{Motion, Nod, trajectory};
-use kit::{ClaimEntry, Report, Result, Trajectory, claim};
+use kit::{Claim, Report, Result, Trajectory, claim};
+use models::heavy_top::{Motion, Nod, trajectory};
 use rotation_dynamics::exact::heavy_top::{ReducedTop, Start};
 use rotation_dynamics::integrators::{Ode, size_or};
 use rotation_dynamics::math::sincos;
@@ -160,7 +160,7 @@ fn motions(p: &Parameters) -> Result<Vec<Motion>> {
 }
 
 /// The advance of phi a hair below the cusps, for the page's last section.
-fn near_the_cusps() -> Result<ClaimEntry> {
+fn near_the_cusps() -> Result<Claim> {
     let (top, energy) = (ReducedTop::new(2.0, 0.6, 0.2)?, -0.0801);
     let waves = Motion::with_energy("hair", top, energy, Start::ThetaMin)?;
     let meaning = "advance of phi in one nod at E~ = -0.0801";

@@ -21,8 +21,8 @@ mod slowing;
 mod tries;
 
 use core::f64::consts::FRAC_PI_2;
-use kit::heavy_top::{self, Equations, Motion};
-use kit::{ClaimEntry, Report, Result, Trajectory, claim};
+use kit::{Claim, Report, Result, Trajectory, claim};
+use models::heavy_top::{self, Equations, Motion};
 use rotation_dynamics::attitude::EulerAngles;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::frame::{BodyVector, DesignVector};
@@ -115,7 +115,7 @@ impl Body {
 
 impl Body {
     /// I1' as a claim, against the tensor of the displaced body.
-    fn moment_claim(&self, name: &str) -> Result<ClaimEntry> {
+    fn moment_claim(&self, name: &str) -> Result<Claim> {
         let tensor = InertiaTensor::diagonal([self.i1, self.i1, self.i3])?;
         let centre = DesignVector::new(0.0, 0.0, self.length);
         let about_tip =

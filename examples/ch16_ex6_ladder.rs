@@ -12,8 +12,8 @@ mod variations;
 
 use core::f64::consts::FRAC_PI_2;
 use kit::prelude::*;
+use models::ladder::Ladder as Exact;
 use rotation_dynamics::accuracy::largest;
-use rotation_dynamics::exact::ladder::Ladder as Exact;
 use rotation_dynamics::math::{EPS, acosh};
 use rotation_dynamics::planar::contact::{
     Contact, ContactMotion, Mechanism, MechanismState, Surface, kept_within, motion_within,

@@ -10,13 +10,11 @@ pub mod measured;
 
 use core::f64::consts::{PI, TAU};
 use kit::prelude::*;
+use models::gimbals::{Bearing, Bearings, Decay, GimbalMotion, Gimbals, NutationCycle, Pose};
 use rotation_dynamics::Error;
 use rotation_dynamics::effects::DiscDrag;
 use rotation_dynamics::exact::heavy_top::SymmetricTop;
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
-use rotation_dynamics::gimbals::{
-    Bearing, Bearings, Decay, GimbalMotion, Gimbals, NutationCycle, Pose,
-};
 use rotation_dynamics::integrators::Dop853;
 
 parameters! {

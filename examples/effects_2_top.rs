@@ -7,11 +7,11 @@ mod ledger;
 
 use core::f64::consts::TAU;
 use kit::prelude::*;
-use rotation_dynamics::effects::DiscDrag;
-use rotation_dynamics::integrators::Work;
-use rotation_dynamics::tops::{
+use models::tops::{
     Configuration, Dry, NoSlip, Patch, Shape, Smooth, Throw, TipFriction, Top, TopMotion,
 };
+use rotation_dynamics::effects::DiscDrag;
+use rotation_dynamics::integrators::Work;
 
 parameters! {
     /// The toy top of 16.2, its tip a ball.

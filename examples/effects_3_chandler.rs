@@ -363,7 +363,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let told = |key| {
         report
             .claim(key)
-            .map_or(f64::NAN, |claim| claim.oracle().value)
+            .map_or(f64::NAN, |claim| claim.oracle.value)
     };
     let (all, lasting) = (told("whole"), told("left_over"));
     let slower = all - told("ocean");

@@ -428,7 +428,7 @@ fn ten_flips(p: &Parameters, report: &mut Report) -> Result<()> {
             clock.map_or("lost".into(), off),
         ])?;
     }
-    report.add_table(table)
+    report.add(table)
 }
 
 /// The times of ten flips: exact and by two tolerances, and by RK4 with 60 steps a second for as
@@ -502,7 +502,7 @@ fn rounding(p: &Parameters, report: &mut Report) -> Result<()> {
         let told = after.map_or("never in 30 turns".into(), |t| format!("{t:.1} turns"));
         table.push([format!("attitude and L in space, {step:e}"), told])?;
     }
-    report.add_table(table)
+    report.add(table)
 }
 
 /// The accuracy strip: the attitude after three flips and a third, where errors have grown; before

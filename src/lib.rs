@@ -18,8 +18,6 @@
 //! | [`integrators`] | one method per file, coefficients as data |
 //! | [`accuracy`] | errors against the exact motion, and what they cost |
 //! | [`planar`] | one-axis scenes with contacts and located events |
-//! | [`gimbals`] | a rotor in a ring and a fork that have inertia, and friction in their bearings |
-//! | [`tops`] | tops on a rounded tip that slides, creeps and rolls, from throw to fall |
 //!
 //! The pages of the book are made by another crate, `kit` (`book/kit`), which uses this one.
 //!
@@ -123,14 +121,12 @@ pub mod effects;
 pub mod error;
 pub mod exact;
 pub mod frame;
-pub mod gimbals;
 pub mod inertia;
 pub mod integrators;
 pub mod math;
 pub mod motion;
 pub mod planar;
 pub mod scene;
-pub mod tops;
 mod written;
 
 pub use error::{Error, Result};

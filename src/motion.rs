@@ -125,8 +125,12 @@ pub(crate) fn condition_by_difference(moved: impl Fn(f64) -> Result<Option<f64>>
 }
 
 /// `square` and the squares of the conditions of these inputs, each changed by a part of itself.
-/// `moved`: the movement of the state (rad) for other inputs.
-pub(crate) fn condition_of_each<const N: usize>(
+/// `moved`: the movement of the state (rad) for other inputs. With it a closed form gives its
+/// [`Motion::condition`].
+///
+/// # Errors
+/// Those of `moved`, if it refuses every change of an input.
+pub fn condition_of_each<const N: usize>(
     square: f64,
     inputs: [f64; N],
     moved: impl Fn([f64; N]) -> Result<f64>,

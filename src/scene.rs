@@ -56,7 +56,7 @@ pub enum Invariant {
 
 impl Invariant {
     /// Its name, and its unit.
-    pub const fn name_and_unit(self) -> (&'static str, &'static str) {
+    pub(crate) const fn name_and_unit(self) -> (&'static str, &'static str) {
         match self {
             Self::Energy => ("energy", "J"),
             Self::MomentumX => ("angular momentum about X", "kg m^2/s"),

@@ -3,7 +3,7 @@
 
 use kit::cli::Outcome;
 use kit::draw::{Curve, Ink, Panel};
-use kit::{Claim, Example, Figure, Oracle, Report, Result, Trajectory, parse};
+use kit::{Example, Figure, Report, Result, Trajectory, claim, parse};
 use std::fs;
 use std::path::PathBuf;
 
@@ -29,28 +29,14 @@ fn report(p: &Parameters) -> Result<Report> {
     let inertia = p.length * p.length / 12.0 + p.offset * p.offset;
     let halves = [p.length / 2.0 - p.offset, p.length / 2.0 + p.offset];
     let by_halves = halves.map(|l| l * l * l / 3.0).iter().sum::<f64>() / p.length;
-    report.add_claim(
-        Claim::new(
-            "inertia",
-            "moment of inertia over mass",
-            inertia,
-            "m^2",
-            1e-12,
-            Oracle::new("two halves", by_halves),
-        )?
-        .slip(
-            p.length * p.length / 3.0,
-            "that is about the end of the rod",
-        ),
+    let length = p.length;
+    report.add(
+        claim("inertia", "moment of inertia over mass", inertia, "m^2")
+            .agrees_with("two halves", by_halves, 1e-12)
+            .slip(length * length / 3.0, "that is about the end of the rod"),
     )?;
-    report.add_claim(Claim::new(
-        "mass",
-        "mass",
-        p.mass.unwrap_or(1.0),
-        "kg",
-        0.0,
-        Oracle::new("itself", p.mass.unwrap_or(1.0)),
-    )?)?;
+    let mass = p.mass.unwrap_or(1.0);
+    report.add(claim("mass", "mass", mass, "kg").agrees_with("itself", mass, 0.0))?;
     Ok(report)
 }
 
@@ -563,7 +549,7 @@ fn effects_are_put_in_and_left_out_by_name() {
         .page()
         .report_with(&[("friction", 0.5), ("air-drag", 0.1)])
         .expect("sound");
-    assert_eq!(set.claim("decay").map(Claim::value), Some(0.3));
+    assert_eq!(set.claim("decay").map(|claim| claim.value), Some(0.3));
 }
 
 #[test]

@@ -177,9 +177,9 @@ pub fn write(
         "{description}; medians by criterion{quick}; measured, not locked. Measure again: {again}"
     );
     let mut report = Report::new(title, description)?;
-    report.add_table(conditions()?)?;
+    report.add(conditions()?)?;
     for table in tables {
-        report.add_table(table)?;
+        report.add(table)?;
     }
     save(name, &report)
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use kit::draw::Method as Look;
-use kit::{ClaimEntry, Result};
+use kit::{Claim, Result};
 use lines::{FLOW, Line, SIZE};
 use rotation_dynamics::accuracy::DigitPrice;
 use rotation_dynamics::math::log10;
@@ -213,7 +213,7 @@ pub fn add_claims(report: &mut Report, all: &[Measured]) -> Result<()> {
 }
 
 /// What one more digit costs on the heavy top.
-fn digit(line: &Line, bound: f64) -> Option<ClaimEntry> {
+fn digit(line: &Line, bound: f64) -> Option<Claim> {
     let (key, order) = (format!("top_{}_digit", line.key), line.method.order());
     let meaning = format!("{}: factor in work for one more digit", line.name);
     let predicted = DigitPrice::predicted(order).ok()?;
@@ -234,7 +234,7 @@ fn order_in_steps(line: &Line) -> Option<f64> {
 }
 
 /// By how much one method works more than another for 1e-9 rad.
-fn ratio(motion: &str, dear: &Line, cheap: &Line) -> Option<ClaimEntry> {
+fn ratio(motion: &str, dear: &Line, cheap: &Line) -> Option<Claim> {
     const ERROR: f64 = 1e-9;
     // Between two runs, as if the error went by a power of the work.
     let least = |line: &Line| {
@@ -256,7 +256,7 @@ fn ratio(motion: &str, dear: &Line, cheap: &Line) -> Option<ClaimEntry> {
 }
 
 /// What the path of a motion magnifies an error by.
-fn condition(measured: &Measured) -> Result<ClaimEntry> {
+fn condition(measured: &Measured) -> Result<Claim> {
     let (motion, (t, path)) = (&measured.motion, measured.path_condition);
     let key = format!("{}_condition", motion.key);
     let meaning = format!("{}: what the path magnifies an error by", motion.name);

@@ -3,7 +3,7 @@
 use super::*;
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Stack};
 use kit::{Figure, MovingPicture, sampled};
-use rotation_dynamics::exact::plank::PlankState;
+use models::plank::PlankState;
 
 /// All figures of the page.
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {

@@ -121,7 +121,7 @@ pub fn add_air(p: &Parameters, tumble: &Tumble, report: &mut Report) -> Result<(
         };
         table.push([flip.to_string(), short(due, 4), t, left])?;
     }
-    report.add_table(table)
+    report.add(table)
 }
 
 /// Adds the card of effects.

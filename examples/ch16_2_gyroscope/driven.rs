@@ -2,8 +2,8 @@
 
 use super::Parameters;
 use super::rotor::{ROTOR, asked_for};
-use kit::heavy_top::{Added, Stepped};
 use kit::{Report, Result};
+use models::heavy_top::{Added, Stepped};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::GravityAtLever;

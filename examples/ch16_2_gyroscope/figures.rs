@@ -4,8 +4,8 @@ use super::friction::{FRICTION, damped, tilts};
 use super::picture::{HUB, UP, camera, causes, on_stand};
 use super::{Equations, Parameters, driven, fast};
 use kit::draw::{Axis, Curve, Ink, Panel, Side, View};
-use kit::heavy_top::{Motion, Pose, direction, extents};
 use kit::{Figure, Result, sampled, times};
+use models::heavy_top::{Motion, Pose, direction, extents};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{acos, exp, pow};
 

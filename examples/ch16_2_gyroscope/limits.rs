@@ -2,8 +2,8 @@
 //! what the notes' misprints would do.
 
 use super::fast::{self, SHAPE};
-use kit::heavy_top::Motion;
 use kit::{Report, Result, claim, sampled, times};
+use models::heavy_top::Motion;
 use rotation_dynamics::Error;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::math::sincos;

@@ -2,8 +2,8 @@
 
 use super::{Parameters, driven, motions};
 use kit::draw::{Camera, Ink, Side, Solid, View};
-use kit::heavy_top::{Pose, direction};
 use kit::{Figure, MovingPicture, Result, times};
+use models::heavy_top::{Pose, direction};
 use rotation_dynamics::frame::SpaceVector;
 
 pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);

@@ -2,8 +2,8 @@
 //! minute, 10 cm from its pivot.
 
 use super::Parameters;
-use kit::heavy_top::{Motion, Nod, Steady};
 use kit::{Report, Result, Table, claim, supported_digits};
+use models::heavy_top::{Motion, Nod, Steady};
 use rotation_dynamics::attitude::EulerAngles;
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::GravityAtLever;

@@ -1,9 +1,9 @@
 //! The body with what `--with` puts in. No closed form knows it, so it is stepped.
 
 use super::{Parameters, TOP, WHEEL};
-use kit::heavy_top::{Added, Stepped};
 use kit::interval::between;
 use kit::{Report, Result};
+use models::heavy_top::{Added, Stepped};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::GravityAtLever;

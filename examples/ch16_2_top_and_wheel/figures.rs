@@ -3,8 +3,8 @@
 use super::sleeping::{kicked, reach};
 use super::{Parameters, TOP, WHEEL, driven};
 use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, View};
-use kit::heavy_top::{Equations, direction};
 use kit::{Figure, Result, sampled, times};
+use models::heavy_top::{Equations, direction};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::sincos;
 

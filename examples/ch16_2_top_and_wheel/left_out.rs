@@ -4,8 +4,8 @@
 
 use super::slowing::lead_by_angles;
 use super::{Body, TOP, WHEEL};
-use kit::heavy_top::Newton;
 use kit::{CardLine, EffectLine, Report, Result, claim, effect, sampled, times};
+use models::heavy_top::Newton;
 use rotation_dynamics::effects::{CoulombBearing, DiscDrag, Effect};
 use rotation_dynamics::exact::heavy_top::HeavyTop;
 use rotation_dynamics::integrators::{Dop853, Ode};

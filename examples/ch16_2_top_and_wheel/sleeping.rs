@@ -1,8 +1,8 @@
 //! The sleeping top: upright, spinning, and stable only above a critical spin.
 
 use super::{Body, TOP};
-use kit::heavy_top::Newton;
 use kit::{Report, Result};
+use models::heavy_top::Newton;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::integrators::{Dop853, Integrator};
 use rotation_dynamics::math::{acos, hypot, log, tanh};

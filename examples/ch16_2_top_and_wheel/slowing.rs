@@ -2,8 +2,8 @@
 
 use super::{Body, Parameters, TOP, WHEEL, driven};
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
-use kit::heavy_top::{Pose, Steady};
 use kit::{MovingPicture, Result, sampled, times};
+use models::heavy_top::{Pose, Steady};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::{CoulombBearing, GravityAtLever};

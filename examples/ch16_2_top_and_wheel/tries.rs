@@ -1,8 +1,8 @@
 //! What the page's tries come to, so that a reader without Rust can compare.
 
 use super::{Body, TOP, WHEEL};
-use kit::heavy_top::Nod;
 use kit::{Report, Result};
+use models::heavy_top::Nod;
 use rotation_dynamics::exact::heavy_top::HeavyTop;
 
 const ROOT: &str = "bisection of E~ - U_eff";

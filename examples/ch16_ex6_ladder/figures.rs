@@ -1,7 +1,7 @@
 //! The drawings of exercise 16.6.
 
 use super::*;
-use rotation_dynamics::exact::ladder::LadderState;
+use models::ladder::LadderState;
 use rotation_dynamics::math::log2;
 
 /// Top and foot of a ladder of length `l` whose middle is at `(x, y)`.

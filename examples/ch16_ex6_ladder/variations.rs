@@ -3,7 +3,7 @@
 
 use super::*;
 use kit::supported_digits;
-use rotation_dynamics::exact::ladder::Phase;
+use models::ladder::Phase;
 
 /// The start nearest to upright (rad) at which friction is simulated: the contacts take forces
 /// that differ by 1e-12 of the weight for the same, and here they differ by the angle.

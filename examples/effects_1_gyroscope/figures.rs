@@ -2,7 +2,7 @@
 
 use super::*;
 use kit::draw::Camera;
-use kit::heavy_top::direction;
+use models::heavy_top::direction;
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 /// Where the disc sits on the axle, whose length is 1; half the width of ring and fork.

@@ -2,7 +2,7 @@
 
 use super::*;
 use kit::draw::Camera;
-use rotation_dynamics::tops::Forces;
+use models::tops::Forces;
 
 /// The throw that hops: spin (rad/s) and tilt (rad).
 const FAST: f64 = 250.0;

@@ -1,9 +1,9 @@
 //! Which effect rules which part of the life, and what becomes of it without one of them.
 
 use super::*;
+use models::tops::{Grip, RollingResistance};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::exp;
-use rotation_dynamics::tops::{Grip, RollingResistance};
 
 /// Where the energy goes, part by part; together it is all that is lost. And rules of thumb.
 pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -198,7 +198,7 @@ fn card(p: &Parameters, [all, point, smooth]: [(f64, u64); 3], report: &mut Repo
     let told = |key| {
         report
             .claim(key)
-            .map_or(f64::NAN, |claim| claim.oracle().value)
+            .map_or(f64::NAN, |claim| claim.oracle.value)
     };
     let (leans, wakes) = (told("leans"), told("wakes"));
     // A tenth of friction and patch creeps alike and pivots with a hundredth.

@@ -31,13 +31,13 @@ pub fn parameters(drawn: &Drawn) -> Result<Vec<[String; 4]>, String> {
 /// The address, without that of the book.
 pub fn of(drawn: &Drawn) -> Result<String, String> {
     let check = |claim: &kit::Claim| {
-        let slips = claim.slips().iter();
-        let slips = slips.map(|slip| supported_digits(slip.value, claim.bound()));
+        let slips = claim.slips.iter();
+        let slips = slips.map(|slip| supported_digits(slip.value, claim.bound));
         let fields = [
-            claim.key().into(),
+            claim.key.clone(),
             claim.printed(),
             claim.printed_bound(),
-            rounded_up(claim.tolerance()),
+            rounded_up(claim.judged_within),
         ];
         fields
             .into_iter()

@@ -90,20 +90,15 @@ pub fn computed(exercise: &Exercise, flags: &[(String, String)]) -> Result<Repor
 /// unless that is so on the page.
 fn alike(report: &Report, usual: &Report) -> Result<(), String> {
     let (here, there) = (asked(report), asked(usual));
-    let keys = |claims: &[&Claim]| {
-        claims
-            .iter()
-            .map(|c| c.key().to_owned())
-            .collect::<Vec<_>>()
-    };
+    let keys = |claims: &[&Claim]| claims.iter().map(|c| c.key.clone()).collect::<Vec<_>>();
     if keys(&here) != keys(&there) {
         return Err("the page asks for something else".into());
     }
     let slipping = |claim: &Claim| {
         let near =
-            |value: f64| (value - claim.value()).abs() <= claim.tolerance() * claim.value().abs();
+            |value: f64| (value - claim.value).abs() <= claim.judged_within * claim.value.abs();
         claim
-            .slips()
+            .slips
             .iter()
             .map(|slip| near(slip.value))
             .collect::<Vec<_>>()
@@ -111,22 +106,22 @@ fn alike(report: &Report, usual: &Report) -> Result<(), String> {
     for (here, there) in here.into_iter().zip(there) {
         let hints = |claim: &Claim| {
             claim
-                .slips()
+                .slips
                 .iter()
                 .map(|s| s.hint.clone())
                 .collect::<Vec<_>>()
         };
-        if hints(here) != hints(there) || here.unit() != there.unit() {
-            return Err(format!("the page knows other slips for {}", here.key()));
+        if hints(here) != hints(there) || here.unit != there.unit {
+            return Err(format!("the page knows other slips for {}", here.key));
         }
         let new = slipping(here)
             .iter()
             .zip(slipping(there))
             .any(|(here, there)| *here && !there);
-        if new || (here.value() == 0.0 && there.value() != 0.0) {
+        if new || (here.value == 0.0 && there.value != 0.0) {
             return Err(format!(
                 "{} comes out right by mistake, or is zero",
-                here.key()
+                here.key
             ));
         }
     }

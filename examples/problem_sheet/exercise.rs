@@ -109,9 +109,9 @@ pub fn chosen<'e>(all: &'e [Exercise], numbers: &[String]) -> Result<Vec<&'e Exe
 
 /// What the answer box asks for: the claims with a group, or all if none has one.
 pub fn asked(report: &Report) -> Vec<&Claim> {
-    let grouped = report.claims().iter().any(|claim| claim.group().is_some());
+    let grouped = report.claims().iter().any(|claim| claim.group.is_some());
     let claims = report.claims().iter();
     claims
-        .filter(|claim| !grouped || claim.group().is_some())
+        .filter(|claim| !grouped || claim.group.is_some())
         .collect()
 }

@@ -148,23 +148,25 @@ fn besides(drawn: &Drawn, parameters: &[[String; 4]]) -> String {
 /// The quantities asked for, under their groups, and the key of the first.
 fn questions(drawn: &Drawn) -> (String, String) {
     let claims = asked(&drawn.report);
-    let key = claims.first().map_or("KEY", |claim| claim.key()).to_owned();
+    let key = claims.first().map_or("KEY", |claim| &claim.key).to_owned();
     let mut groups: Vec<Option<&str>> = Vec::new();
     for claim in &claims {
-        if !groups.contains(&claim.group()) {
-            groups.push(claim.group());
+        if !groups.contains(&claim.group.as_deref()) {
+            groups.push(claim.group.as_deref());
         }
     }
     let mut html = String::new();
     for group in groups {
-        let of = claims.iter().filter(|claim| claim.group() == group);
+        let of = claims
+            .iter()
+            .filter(|claim| claim.group.as_deref() == group);
         let item = |claim: &&Claim| {
-            let unit = match claim.unit() {
+            let unit = match claim.unit.as_str() {
                 "-" => String::new(),
                 unit => format!(" in {}", unit_html(unit)),
             };
-            let (what, key) = (words(claim.meaning()), claim.key());
-            let digits = digits_asked(claim.tolerance());
+            let (what, key) = (words(&claim.meaning), &claim.key);
+            let digits = digits_asked(claim.judged_within);
             format!("<li>{what}{unit} ({digits}) <code>{key}</code></li>")
         };
         let items: String = of.map(item).collect();
@@ -177,7 +179,7 @@ fn questions(drawn: &Drawn) -> (String, String) {
 /// A value with two digits more than are asked for, or all that its bound supports.
 pub fn answer(claim: &Claim) -> String {
     let printed = claim.printed();
-    let digits = digits_asked(claim.tolerance()) as usize + 2;
+    let digits = digits_asked(claim.judged_within) as usize + 2;
     // One that ends in a 5 is not rounded there, but a digit later.
     (digits..16)
         .find_map(|digits| shortened(&printed, digits))
@@ -207,8 +209,8 @@ pub fn answers(asked_for: &Asked, sheets: &[Sheet]) -> String {
         let heads = claims.iter().map(|c| {
             format!(
                 "<th class=\"a\"><code>{}</code>{}</th>",
-                c.key().replace('_', "_<wbr>"),
-                unit(c.unit())
+                c.key.replace('_', "_<wbr>"),
+                unit(&c.unit)
             )
         });
         let heads: String = heads.collect();
@@ -229,7 +231,7 @@ pub fn answers(asked_for: &Asked, sheets: &[Sheet]) -> String {
             );
         }
         let meanings = claims.iter();
-        let meanings = meanings.map(|c| format!("<code>{}</code> {}", c.key(), words(c.meaning())));
+        let meanings = meanings.map(|c| format!("<code>{}</code> {}", c.key, words(&c.meaning)));
         body += &format!(
             "<section>\n<h2><span class=\"n\">{}</span> {}</h2>\n<div class=\"wide\"><table>\n\
              <tr><th></th>{given}{heads}</tr>\n{rows}</table></div>\n<p class=\"legend\">{}</p>\n</section>\n",

@@ -108,7 +108,7 @@ impl EulerAngles {
     /// either frame.
     ///
     /// Accuracy: 1.6 eps of |phi'| + |theta'| + |zeta'|. Source: notes 15.2 (6).
-    pub fn nodal_angular_velocity(&self, rates: EulerRates) -> [f64; 3] {
+    fn nodal_angular_velocity(&self, rates: EulerRates) -> [f64; 3] {
         let (sin_theta, cos_theta) = math::sincos(self.theta);
         [
             rates.theta,

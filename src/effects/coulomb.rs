@@ -1,6 +1,6 @@
 //! Dry friction about the axis, until the spin stops.
 
-use super::{Effect, Feature, Properties, Resistance, part_per_radian};
+use super::{Effect, Feature, Properties, Resistance};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, finite, not_negative, plain};
 use crate::frame::SpaceVector;
@@ -106,12 +106,6 @@ impl CoulombBearing {
         } else {
             0.0
         }
-    }
-
-    /// tau/(|L| |omega|): the part of the momentum that is lost while the body turns by one
-    /// radian.
-    pub fn number(&self, body: &RigidBody, state: &State) -> f64 {
-        part_per_radian(self.torque.abs(), body, state)
     }
 }
 

@@ -1,6 +1,6 @@
 //! The drag of still air on a disc that spins.
 
-use super::{Effect, Feature, Properties, Resistance, part_per_radian};
+use super::{Effect, Feature, Properties, Resistance};
 use crate::body::{RigidBody, State};
 use crate::error::{Result, finite, positive};
 use crate::frame::SpaceVector;
@@ -65,7 +65,7 @@ impl DiscDrag {
     pub const AIR_VISCOSITY: f64 = 1.51e-5;
 
     /// The Reynolds number at which the flow becomes turbulent.
-    pub const TRANSITION: f64 = 3e5;
+    const TRANSITION: f64 = 3e5;
 
     /// The drag on a disc of this radius (m) in a fluid of this density (kg/m^3) and
     /// kinematic viscosity (m^2/s), in the regime of this spin (rad/s).
@@ -99,11 +99,6 @@ impl DiscDrag {
         self.regime
     }
 
-    /// The regime that this spin (rad/s) would have.
-    pub fn regime_at(&self, spin: f64) -> FlowRegime {
-        regime(self.reynolds(spin))
-    }
-
     /// The Reynolds number |omega| R^2/nu of this spin (rad/s).
     pub fn reynolds(&self, spin: f64) -> f64 {
         spin.abs() * self.radius * self.radius / self.viscosity
@@ -117,13 +112,6 @@ impl DiscDrag {
             FlowRegime::Turbulent => pow(size, 0.8),
         };
         -self.factor * power * spin
-    }
-
-    /// |torque|/(|L| |omega|): the part of the momentum that is lost while the body turns by
-    /// one radian. For a spin about e3 it is torque/(I3 omega^2).
-    pub fn number(&self, body: &RigidBody, state: &State) -> f64 {
-        let torque = self.torque(0.0, body, state).norm();
-        part_per_radian(torque, body, state)
     }
 }
 

@@ -125,26 +125,10 @@ impl ElasticYielding {
         Self::new(following / (rate * rate), rate)
     }
 
-    /// The compliance b (kg m^2 s^2).
-    pub const fn compliance(&self) -> f64 {
-        self.compliance
-    }
-
     /// The mean rate Omega (rad/s).
     pub const fn rate(&self) -> f64 {
         self.rate
     }
-
-    /// The number by which the yielding is judged, k2/k_s: the part of the bulge that
-    /// follows the axis, b Omega^2/|I3 - (I1 + I2)/2|.
-    pub fn number(&self, body: &RigidBody) -> f64 {
-        let following = self.compliance * self.rate * self.rate;
-        if following == 0.0 {
-            return 0.0;
-        }
-        following / bulge(body).abs()
-    }
-
     /// The angular momentum (kg m^2/s) with which this body turns so (rad/s), both on its
     /// axes.
     pub fn momentum(&self, body: &RigidBody, angular_velocity: BodyVector) -> BodyVector {
@@ -272,6 +256,16 @@ impl Effect for ElasticYielding {
     }
 
     #[inline]
+    /// The number by which the yielding is judged, k2/k_s: the part of the bulge that
+    /// follows the axis, b Omega^2/|I3 - (I1 + I2)/2|.
+    fn number(&self, body: &RigidBody, _state: &State) -> f64 {
+        let following = self.compliance * self.rate * self.rate;
+        if following == 0.0 {
+            return 0.0;
+        }
+        following / bulge(body).abs()
+    }
+
     fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
         0.0
     }

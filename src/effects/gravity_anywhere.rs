@@ -1,10 +1,7 @@
 //! Gravity on a body held at any of its points.
 
 use super::gravity::GRAVITY;
-use super::{
-    Conserved, Effect, Feature, GravityAtLever, IntegrableCase, Properties, Resistance,
-    part_per_radian,
-};
+use super::{Conserved, Effect, Feature, GravityAtLever, IntegrableCase, Properties, Resistance};
 use crate::body::{RigidBody, State};
 use crate::error::{Result, finite, positive};
 use crate::frame::{BodyVector, SpaceVector};
@@ -79,12 +76,6 @@ impl Gravity {
     /// m g |r| (N m), the largest torque.
     pub fn moment(&self) -> f64 {
         self.weight * self.centre_of_mass.norm()
-    }
-
-    /// m g |r|/(|L| |omega|): the weight against the motion. A body far below 1 turns as if
-    /// it were free; one far above swings like a pendulum.
-    pub fn number(&self, body: &RigidBody, state: &State) -> f64 {
-        part_per_radian(self.moment(), body, state)
     }
 }
 

@@ -147,18 +147,6 @@ impl<const FIXED: bool> GravityGradient<FIXED> {
     pub const fn mean_motion(&self) -> f64 {
         self.mean_motion
     }
-
-    /// The number by which the gradient is judged: 3 (n0/omega)^2 (I_max - I_min)/I_max, about
-    /// the angle (rad) by which it turns L while the body turns once; infinite for a
-    /// body at rest.
-    pub fn number(&self, body: &RigidBody, state: &State) -> f64 {
-        let [least, largest] = extremes(body);
-        if largest == least {
-            return 0.0;
-        }
-        let ratio = self.mean_motion / body.angular_velocity(state).norm();
-        3.0 * ratio * ratio * ((largest - least) / largest)
-    }
 }
 
 /// 3 g n x (I n) for this direction n and this 3 g (1/s^2), from the differences of the
@@ -231,6 +219,18 @@ impl<const FIXED: bool> Effect for GravityGradient<FIXED> {
         let [dx, dy, dz] = state.attitude.to_body(moving).to_array();
         let [d1, d2, d3] = deviations(body);
         3.0 * n0 * n0 * (d1 * x * dx + d2 * y * dy + d3 * z * dz)
+    }
+
+    /// The number by which the gradient is judged: 3 (n0/omega)^2 (I_max - I_min)/I_max, about
+    /// the angle (rad) by which it turns L while the body turns once; infinite for a
+    /// body at rest.
+    fn number(&self, body: &RigidBody, state: &State) -> f64 {
+        let [least, largest] = extremes(body);
+        if largest == least {
+            return 0.0;
+        }
+        let ratio = self.mean_motion / body.angular_velocity(state).norm();
+        3.0 * ratio * ratio * ((largest - least) / largest)
     }
 
     /// The largest torque, (3/2) n0^2 (I_max - I_min).

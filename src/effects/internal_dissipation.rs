@@ -66,14 +66,6 @@ impl InternalDissipation {
     pub const fn coefficient(&self) -> f64 {
         self.coefficient
     }
-
-    /// The number by which the loss is judged: a |L|, the largest slip as a part of omega. A
-    /// symmetric body's tan(theta) changes by its a |L|/cos(theta)-th part per radian of
-    /// the wobble.
-    pub fn number(&self, state: &State) -> f64 {
-        self.coefficient * state.angular_momentum.norm()
-    }
-
     /// 1/tau = a L^2 (I3 - I1)/(I1 I3) (1/s): the rate at which ln tan(theta) of a symmetric
     /// body falls; negative for a thin one.
     pub fn rate(&self, body: &RigidBody, state: &State) -> f64 {
@@ -111,6 +103,13 @@ impl Effect for InternalDissipation {
     }
 
     #[inline]
+    /// The number by which the loss is judged: a |L|, the largest slip as a part of omega. A
+    /// symmetric body's tan(theta) changes by its a |L|/cos(theta)-th part per radian of
+    /// the wobble.
+    fn number(&self, _body: &RigidBody, state: &State) -> f64 {
+        self.coefficient * state.angular_momentum.norm()
+    }
+
     fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {
         0.0
     }

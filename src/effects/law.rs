@@ -54,7 +54,7 @@ pub struct Part<'e> {
 
 impl<'e> Part<'e> {
     /// An effect without a law.
-    pub fn without_law(effect: &'e dyn AnyEffect) -> Self {
+    pub(crate) fn without_law(effect: &'e dyn AnyEffect) -> Self {
         Self { effect, law: None }
     }
 

@@ -213,6 +213,18 @@ pub trait Effect {
         self.torque(t, body, state).norm()
     }
 
+    /// The dimensionless number by which it is judged whether a scene needs it: its
+    /// [scale](Self::torque_scale) over |L| |omega|, the part of the momentum that it changes while the
+    /// body turns by one radian; infinite at rest.
+    fn number(&self, body: &RigidBody, state: &State) -> f64 {
+        match self.torque_scale(0.0, body, state) {
+            0.0 => 0.0,
+            torque => {
+                torque / (state.angular_momentum.norm() * body.angular_velocity(state).norm())
+            }
+        }
+    }
+
     /// The size that its rounding is a part of (N m): the length of the torque; of several
     /// effects the sum of theirs, which may cancel.
     fn torque_size(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
@@ -274,15 +286,6 @@ pub trait Effect {
     fn names(&self) -> Vec<&'static str> {
         vec![self.name()]
     }
-}
-
-/// |torque|/(|L| |omega|): the part of the momentum that a torque of this length changes
-/// while the body turns by one radian; infinite at rest.
-fn part_per_radian(torque: f64, body: &RigidBody, state: &State) -> f64 {
-    if torque == 0.0 {
-        return 0.0;
-    }
-    torque / (state.angular_momentum.norm() * body.angular_velocity(state).norm())
 }
 
 /// [`Effect::torque`] for several axes, one after the other.

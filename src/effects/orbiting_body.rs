@@ -126,18 +126,6 @@ impl<const AVERAGED: bool> OrbitingBody<AVERAGED> {
         }
         self.strength(self.orbit.pericentre())
     }
-
-    /// The number by which it is judged: 3 |g|/omega^2 (I_max - I_min)/I_max at its strongest,
-    /// about the angle (rad) by which it turns L while the body turns once; infinite for a body
-    /// at rest.
-    pub fn number(&self, body: &RigidBody, state: &State) -> f64 {
-        let [least, largest] = extremes(body);
-        if largest == least {
-            return 0.0;
-        }
-        let omega = body.angular_velocity(state).norm();
-        3.0 * (self.strongest().abs() / omega / omega) * ((largest - least) / largest)
-    }
 }
 
 impl<const AVERAGED: bool> Effect for OrbitingBody<AVERAGED> {
@@ -186,6 +174,18 @@ impl<const AVERAGED: bool> Effect for OrbitingBody<AVERAGED> {
         let [d1, d2, d3] = deviations(body);
         1.5 * growing * (d1 * x * x + d2 * y * y + d3 * z * z)
             + 3.0 * strength * (d1 * x * dx + d2 * y * dy + d3 * z * dz)
+    }
+
+    /// The number by which it is judged: 3 |g|/omega^2 (I_max - I_min)/I_max at its strongest,
+    /// about the angle (rad) by which it turns L while the body turns once; infinite for a body
+    /// at rest.
+    fn number(&self, body: &RigidBody, state: &State) -> f64 {
+        let [least, largest] = extremes(body);
+        if largest == least {
+            return 0.0;
+        }
+        let omega = body.angular_velocity(state).norm();
+        3.0 * (self.strongest().abs() / omega / omega) * ((largest - least) / largest)
     }
 
     /// The largest torque, (3/2) |g| (I_max - I_min) at the pericentre.

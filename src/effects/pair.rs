@@ -46,6 +46,25 @@ impl Effect for () {
     }
 }
 
+macro_rules! sums {
+    ($($name:ident -> $result:ty);+) => { $(
+        #[inline]
+        fn $name(&self, t: f64, body: &RigidBody, state: &State) -> $result {
+            self.0.$name(t, body, state) + self.1.$name(t, body, state)
+        }
+    )+ };
+}
+
+macro_rules! joined {
+    ($($name:ident -> $result:ty);+) => { $(
+        fn $name(&self) -> $result {
+            let mut all = self.0.$name();
+            all.extend(self.1.$name());
+            all
+        }
+    )+ };
+}
+
 /// Two effects together.
 impl<A: Effect, B: Effect> Effect for (A, B) {
     const PROPERTIES: Properties = A::PROPERTIES.and(B::PROPERTIES);
@@ -54,10 +73,8 @@ impl<A: Effect, B: Effect> Effect for (A, B) {
         "two effects"
     }
 
-    #[inline]
-    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        self.0.torque(t, body, state) + self.1.torque(t, body, state)
-    }
+    sums! { torque -> SpaceVector; potential_energy -> f64; power -> f64; torque_scale -> f64; torque_size -> f64 }
+    joined! { break_points -> Vec<f64>; about_axis -> Vec<&'static str>; parts -> Vec<Part<'_>>; names -> Vec<&'static str> }
 
     #[inline(always)]
     fn torques_on_axis<L: Lane>(&self, body: &RigidBody, axis: [L; 3]) -> [L; 3] {
@@ -81,30 +98,6 @@ impl<A: Effect, B: Effect> Effect for (A, B) {
         }
     }
 
-    #[inline]
-    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        self.0.potential_energy(t, body, state) + self.1.potential_energy(t, body, state)
-    }
-
-    fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        self.0.power(t, body, state) + self.1.power(t, body, state)
-    }
-
-    #[inline]
-    fn torque_scale(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        self.0.torque_scale(t, body, state) + self.1.torque_scale(t, body, state)
-    }
-
-    fn torque_size(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        self.0.torque_size(t, body, state) + self.1.torque_size(t, body, state)
-    }
-
-    fn break_points(&self) -> Vec<f64> {
-        let mut all = self.0.break_points();
-        all.extend(self.1.break_points());
-        all
-    }
-
     /// Known if both are.
     fn narrowest(&self) -> Option<Feature> {
         Some(self.0.narrowest()?.and(self.1.narrowest()?))
@@ -123,23 +116,5 @@ impl<A: Effect, B: Effect> Effect for (A, B) {
     ) -> Result<()> {
         self.0.holds_from(t, body, start, about_axis)?;
         self.1.holds_from(t, body, start, about_axis)
-    }
-
-    fn about_axis(&self) -> Vec<&'static str> {
-        let mut all = self.0.about_axis();
-        all.extend(self.1.about_axis());
-        all
-    }
-
-    fn parts(&self) -> Vec<Part<'_>> {
-        let mut all = self.0.parts();
-        all.extend(self.1.parts());
-        all
-    }
-
-    fn names(&self) -> Vec<&'static str> {
-        let mut all = self.0.names();
-        all.extend(self.1.names());
-        all
     }
 }

@@ -1,6 +1,6 @@
 //! A torque known as a function of time.
 
-use super::{Effect, Feature, Properties, part_per_radian, rising};
+use super::{Effect, Feature, Properties, rising};
 use crate::body::{RigidBody, State};
 use crate::error::{Error, Result, all_finite, finite, plain, positive};
 use crate::frame::{BodyVector, SpaceVector};
@@ -278,12 +278,6 @@ impl PrescribedTorque {
             Axes::Body(torque) => torque.norm(),
         };
         length * self.profile.largest()
-    }
-
-    /// |torque|/(|L| |omega|) at its largest: the part of the momentum that it changes while
-    /// the body turns by one radian.
-    pub fn number(&self, body: &RigidBody, state: &State) -> f64 {
-        part_per_radian(self.largest(), body, state)
     }
 }
 

@@ -21,12 +21,14 @@ use crate::math::{expm1, larger, log1p, pow};
 /// ```
 /// use rotation_dynamics::body::RigidBody;
 /// use rotation_dynamics::effects::{Effect, ViscousFriction};
+/// use rotation_dynamics::frame::BodyVector;
 /// use rotation_dynamics::inertia::PrincipalMoments;
 /// # fn main() -> rotation_dynamics::Result<()> {
 /// let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 0.5)?);
 /// let friction = ViscousFriction::about_axis(0.1)?.resistance(0.0, &body).expect("linear");
-/// // L_z falls by exp(-0.1 x 10/0.5) = exp(-2).
-/// assert!((friction.axial_after(2.0, 10.0) - 2.0 * rotation_dynamics::math::exp(-2.0)).abs() < 1e-15);
+/// // l_3' = -(0.1/0.5) l_3.
+/// let torque = friction.torque(BodyVector::new(0.3, 0.0, 2.0)).expect("a torque");
+/// assert_eq!(torque.to_array(), [0.0, 0.0, -0.4]);
 /// # Ok(())
 /// # }
 /// ```
@@ -109,7 +111,7 @@ impl Resistance {
     }
 
     /// True if dry friction acts along e3.
-    pub fn is_dry(&self) -> bool {
+    pub(crate) fn is_dry(&self) -> bool {
         matches!(self.law, Law::Dry(_))
     }
 
@@ -179,20 +181,8 @@ impl Resistance {
         }
     }
 
-    /// l_3 after the time `dt` (s), from `l` (kg m^2/s); NaN, as its integral, if that time is not
-    /// finite.
-    pub fn axial_after(&self, l: f64, dt: f64) -> f64 {
-        if !dt.is_finite() {
-            return f64::NAN;
-        }
-        l + self.gained([0.0, 0.0, l], [0.0; 3], dt)[2]
-    }
-
     /// The integral (kg m^2) of l_3 over the time `dt` (s), from `l`.
-    pub fn axial_integral(&self, l: f64, dt: f64) -> f64 {
-        if !dt.is_finite() {
-            return f64::NAN;
-        }
+    pub(crate) fn axial_integral(&self, l: f64, dt: f64) -> f64 {
         match self.law {
             Law::None => {
                 let x = self.rates[2] * dt;

@@ -1,6 +1,6 @@
 //! Friction in proportion to the rates.
 
-use super::{Effect, Feature, Properties, Resistance, part_per_radian};
+use super::{Effect, Feature, Properties, Resistance};
 use crate::body::{RigidBody, State};
 use crate::error::{Result, not_negative};
 use crate::frame::{BodyVector, SpaceVector};
@@ -75,13 +75,6 @@ impl ViscousFriction {
     /// The coefficients across and about the axis (N m s).
     pub const fn coefficients(&self) -> [f64; 2] {
         [self.transverse, self.axial]
-    }
-
-    /// |torque|/(|L| |omega|): the part of the momentum that is lost while the body turns by
-    /// one radian. For a spin about e3 it is c_a/(I3 omega).
-    pub fn number(&self, body: &RigidBody, state: &State) -> f64 {
-        let torque = self.torque(0.0, body, state).norm();
-        part_per_radian(torque, body, state)
     }
 }
 

@@ -185,8 +185,9 @@ const CLOSE: f64 = 0.0025;
 /// 2^160: p this far above the other arguments leaves R_J = 3 R_F / p to 2^-80.
 const FAR: f64 = 1.461_501_637_330_903e48;
 
-/// R_F in double-double arithmetic, to 2^-66 or better.
-pub(crate) fn rf_extended(mut x: Dd, mut y: Dd, mut z: Dd) -> Dd {
+/// R_F(x, y, z) in double-double arithmetic, to 2^-66 or better, of arguments that are not negative,
+/// at most one of them zero, and of moderate size.
+pub fn rf_extended(mut x: Dd, mut y: Dd, mut z: Dd) -> Dd {
     loop {
         let mean = (x + y + z) / 3.0;
         let d = deviations(mean, [x, y, z]);

@@ -1,6 +1,4 @@
-//! The elliptic integral of the first kind in double-double arithmetic, for set-ups.
-//!
-//! Not for: samples, which are plain `f64`.
+//! The elliptic integral of the first kind to the last digit of double-double arithmetic, for tests.
 //!
 //! Sources: B. C. Carlson, Numer. Algorithms 10, 13 (1995); DLMF 19.25, 19.36.
 

@@ -8,9 +8,7 @@
 //! | [`jacobi`] | sn, cn, dn and the amplitude |
 //! | [`free_body`] | torque-free rotation of any body (Euler-Poinsot) |
 //! | [`heavy_top`] | the heavy symmetric top about a fixed point (Lagrange) |
-//! | [`ladder`] | the sliding ladder of exercise 16.6 |
 //! | [`pendulum`] | the physical pendulum: swings, separatrix, rotations |
-//! | [`plank`] | a plank falling over on a smooth floor |
 //!
 //! Not for: motions that must be stepped; see [`crate::integrators`].
 //!
@@ -27,17 +25,16 @@
 
 mod batch;
 pub mod carlson;
+#[cfg(test)]
 mod extended;
 pub mod free_body;
 pub mod heavy_top;
 pub mod jacobi;
-pub mod ladder;
 pub mod legendre;
 mod modulus;
 mod nome;
 pub mod pendulum;
 mod phase;
-pub mod plank;
 mod scene;
 mod theta;
 

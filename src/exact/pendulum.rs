@@ -255,11 +255,6 @@ impl Pendulum {
         self.k2.to_f64()
     }
 
-    /// 1 - k^2, without cancellation; 0 on the separatrix, negative for rotations.
-    pub fn energy_gap(&self) -> f64 {
-        self.gap.to_f64()
-    }
-
     /// The period, s: T = 4 K(k)/W of a swing, 2 K(1/k)/(k W) of a turn, 2 pi/W of the
     /// smallest swings (and at rest); infinite on the separatrix.
     ///

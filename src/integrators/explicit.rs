@@ -6,7 +6,7 @@ use super::{Ode, Work};
 use crate::error::{Error, Result};
 
 /// The nonzero weights of a linear combination of stages: (index, weight).
-pub type Weights = &'static [(usize, f64)];
+pub(super) type Weights = &'static [(usize, f64)];
 
 /// The coefficients of an explicit Runge-Kutta method with `S` stages.
 ///

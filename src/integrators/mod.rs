@@ -37,11 +37,11 @@ mod work;
 
 pub(crate) use body_fixed::BodyFixed;
 pub use dop853::{Direction, Dop853, Event, LocatedEvent, Solution, after, small_frequency};
-pub use explicit::{Tableau, Weights};
+pub use explicit::Tableau;
 pub use gauss_legendre::{GaussLegendre, StageOde};
 pub use method::{About, Method};
 pub use munthe_kaas::MuntheKaas4;
-pub use ode::{ByClosure, Ode, Unscaled, newton, ode, place_and_velocity, second_order, size_or};
+pub use ode::{ByClosure, Ode, newton, ode, place_and_velocity, second_order, size_or};
 pub use projected::{FirstIntegrals, Projected};
 pub use rk4::Rk4;
 pub use spin_free::SpinFree;

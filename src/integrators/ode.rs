@@ -56,18 +56,15 @@ pub fn size_or<const N: usize>(least: [f64; N]) -> impl Fn(&[f64; N]) -> [f64; N
     move |y| core::array::from_fn(|i| y[i].abs().max(least[i]))
 }
 
-/// The system y' = f(t, y) by a closure, with its scale; see [`ode`].
+/// The system y' = f(t, y) by a closure, with its scale, none before it is
+/// [`scaled`](ByClosure::scaled); see [`ode`].
 #[derive(Debug, Clone, Copy)]
-pub struct ByClosure<F, S> {
+pub struct ByClosure<F, S = ()> {
     derivative: F,
     scale: S,
 }
 
-/// An [`ode`] before it is [`scaled`](Unscaled::scaled).
-#[derive(Debug, Clone, Copy)]
-pub struct Unscaled<F>(F);
-
-/// The system y' = f(t, y), once [`scaled`](Unscaled::scaled) gives the sizes against which errors
+/// The system y' = f(t, y), once [`scaled`](ByClosure::scaled) gives the sizes against which errors
 /// count.
 ///
 /// ```
@@ -87,18 +84,21 @@ pub struct Unscaled<F>(F);
 /// Dop853::new(1e-13)?.advance(&spring, 0.0, &[1e-6, 0.0], 1.0)?;
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
-pub const fn ode<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]>(derivative: F) -> Unscaled<F> {
-    Unscaled(derivative)
+pub const fn ode<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]>(derivative: F) -> ByClosure<F> {
+    ByClosure {
+        derivative,
+        scale: (),
+    }
 }
 
-impl<F> Unscaled<F> {
+impl<F> ByClosure<F> {
     /// With this [`scale`](Ode::scale), the size against which an error counts.
     pub fn scaled<const N: usize, S>(self, scale: S) -> ByClosure<F, S>
     where
         F: Fn(f64, &[f64; N]) -> [f64; N],
         S: Fn(&[f64; N]) -> [f64; N],
     {
-        let derivative = self.0;
+        let derivative = self.derivative;
         ByClosure { derivative, scale }
     }
 }
@@ -136,7 +136,7 @@ pub fn second_order(acceleration: impl Fn(f64, f64, f64) -> f64) -> impl Ode<2> 
 /// ```
 pub fn newton(
     acceleration: impl Fn(f64, [SpaceVector; 2]) -> SpaceVector,
-) -> Unscaled<impl Fn(f64, &[f64; 6]) -> [f64; 6]> {
+) -> ByClosure<impl Fn(f64, &[f64; 6]) -> [f64; 6]> {
     ode(move |t, state| {
         let [place, velocity] = place_and_velocity(state);
         let [ax, ay, az] = acceleration(t, [place, velocity]).to_array();

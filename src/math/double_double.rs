@@ -207,7 +207,8 @@ impl DoubleDouble {
     pub const TWO_PI: Self = Self::from_parts(core::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
     pub const FRAC_PI_2: Self =
         Self::from_parts(core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
-    pub const LN_2: Self = Self::from_parts(core::f64::consts::LN_2, 2.319_046_813_846_299_6e-17);
+    pub(crate) const LN_2: Self =
+        Self::from_parts(core::f64::consts::LN_2, 2.319_046_813_846_299_6e-17);
 
     /// A constant from its two parts; `|lo| <= ulp(hi)/2` is the caller's promise.
     #[inline]

@@ -20,8 +20,7 @@
 //! Where several contacts act at once and rub, which of them do what is itself a problem to
 //! be solved: [`contact`].
 //!
-//! Not for: rotation in three dimensions ([`crate::scene`]); but [`crate::tops`] go through
-//! phases as well, and are run by what is here.
+//! Not for: rotation in three dimensions ([`crate::scene`]).
 
 mod as_motion;
 mod bilateral;
@@ -221,7 +220,7 @@ pub enum Next<'s, P, const N: usize> {
 }
 
 /// Phase and state that follow, from the time and the state before.
-pub type Decision<'s, P, const N: usize> = Box<dyn Fn(f64, &[f64; N]) -> Result<Entry<P, N>> + 's>;
+type Decision<'s, P, const N: usize> = Box<dyn Fn(f64, &[f64; N]) -> Result<Entry<P, N>> + 's>;
 
 /// How a phase begins.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -242,7 +241,7 @@ impl<P, const N: usize> From<(P, [f64; N])> for Entry<P, N> {
 }
 
 /// The state after an impact as a function of the state before.
-pub type Impact<'s, const N: usize> = Box<dyn Fn(&[f64; N]) -> [f64; N] + 's>;
+type Impact<'s, const N: usize> = Box<dyn Fn(&[f64; N]) -> [f64; N] + 's>;
 
 impl<'s, P, const N: usize> Next<'s, P, N> {
     /// The phase `phase` after an impact that changes the state by `impact`.

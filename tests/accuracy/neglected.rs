@@ -247,7 +247,7 @@ fn the_tolerance_decides() {
     let push = Torque::on_space("push", |_, _, _| SpaceVector::new(1e-8, 0.0, 0.0)).smooth();
     let table = |tolerance: f64| {
         let called = scene.neglected_effects(&start, 10.0, tolerance)?;
-        let called = called.candidate(&loss, loss.number(&start))?;
+        let called = called.candidate(&loss, loss.number(&body, &start))?;
         Ok::<_, rotation_dynamics::Error>(called.candidate(&push, 1e-8)?.rows().to_vec())
     };
     let inside = |tolerance: f64| {

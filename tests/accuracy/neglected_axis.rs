@@ -1,7 +1,7 @@
 //! What leaving an effect out is predicted to cost of the direction of the axis, against
 //! runs with the effect and without.
 
-use kit::heavy_top::Steady;
+use models::heavy_top::Steady;
 use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};

@@ -3,15 +3,13 @@
 //! against power balance, Coulomb's law and linear theory.
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use models::gimbals::{Bearing, Bearings, Decay, GimbalMotion, Gimbals, Hold, NutationCycle, Pose};
 use rotation_dynamics::Error;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::effects::DiscDrag;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::gimbals::{
-    Bearing, Bearings, Decay, GimbalMotion, Gimbals, Hold, NutationCycle, Pose,
-};
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode, small_frequency};
 use rotation_dynamics::math::{EPS, cos, log, sin, sincos};
 use support::{Errors, assert_error, assert_largest};

@@ -2,15 +2,15 @@
 //! condition that holds next to a separatrix.
 
 use core::f64::consts::PI;
+use models::ladder::Ladder;
+use models::plank::Plank;
 use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::ExactMotion;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start, SymmetricTop};
-use rotation_dynamics::exact::ladder::Ladder;
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
-use rotation_dynamics::exact::plank::Plank;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::math::{EPS, exp, log, sin};

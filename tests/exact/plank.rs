@@ -1,8 +1,8 @@
 //! The falling plank: its limits, its energy, and Simpson's rule in theta.
 
 use core::f64::consts::FRAC_PI_2;
+use models::plank::{Plank, PlankState};
 use rotation_dynamics::Error;
-use rotation_dynamics::exact::plank::{Plank, PlankState};
 use rotation_dynamics::math::{EPS, cos, log, sin};
 use support::{Errors, assert_error, assert_largest};
 

@@ -2,8 +2,8 @@
 //! Newton's laws, and what the wall and the floor do.
 
 use core::f64::consts::FRAC_PI_2;
+use models::ladder::{Ladder, Phase};
 use rotation_dynamics::Error;
-use rotation_dynamics::exact::ladder::{Ladder, Phase};
 use rotation_dynamics::math::{EPS, cos, sin};
 use support::{Errors, assert_largest};
 

@@ -164,7 +164,7 @@ pub fn number(page: &dyn Page, flags: &str, key: &str) -> f64 {
 /// The value of a claim for these flags, to its last bit.
 #[track_caller]
 pub fn computed(page: &dyn Page, flags: &str, key: &str) -> f64 {
-    let value = with_report_for(page, flags, |report| Some(report.claim(key)?.value()));
+    let value = with_report_for(page, flags, |report| Some(report.claim(key)?.value));
     value.unwrap_or_else(|| panic!("no claim {key} with {flags}"))
 }
 

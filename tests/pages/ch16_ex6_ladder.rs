@@ -4,7 +4,7 @@ use crate::answers::{answer, column};
 use core::f64::consts::FRAC_PI_2;
 use kit::{But, parse, times};
 use pages::ch16_ex6_ladder::{EXAMPLE, Ladder as Scene, Parameters, Slide};
-use rotation_dynamics::exact::ladder::Ladder;
+use models::ladder::Ladder;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{cos, exp, sin, tan};
 use rotation_dynamics::planar::contact::{Mode, kept_within, motion, motion_within};

@@ -4,7 +4,7 @@
 use crate::answers::{answer, confirmed, refused};
 use kit::parse;
 use pages::effects_1_gyroscope::*;
-use rotation_dynamics::gimbals::{Bearing, Bearings, Decay, NutationCycle, Pose};
+use models::gimbals::{Bearing, Bearings, Decay, NutationCycle, Pose};
 use rotation_dynamics::math::{cos, log, pow, sin};
 use support::{Errors, assert_error, assert_largest};
 

@@ -5,7 +5,7 @@ use crate::answers::{confirmed, ledger, refused};
 use core::f64::consts::TAU;
 use pages::effects_2_top::*;
 use rotation_dynamics::math::{cos, log, sin};
-use rotation_dynamics::tops::{Dry, NoSlip, Patch, RollingResistance, Shape, Smooth, Throw, TipFriction, Top};
+use models::tops::{Dry, NoSlip, Patch, RollingResistance, Shape, Smooth, Throw, TipFriction, Top};
 use support::{Errors, assert_largest};
 
 const G: f64 = 9.80665;
@@ -44,7 +44,7 @@ fn eq_1_jellett() {
         let run = top.simulate(&Throw::spinning(0.25, 150.0).precessing(6.5), 1.5, 1e-12).unwrap();
         let [first, last] = [0.0, 1.5].map(|t| run.configuration(t).unwrap());
         errors.push(top.jellett(&last) / top.jellett(&first) - 1.0);
-        let along = |at: &rotation_dynamics::tops::Configuration| at.angular_momentum.dot(&at.axis);
+        let along = |at: &models::tops::Configuration| at.angular_momentum.dot(&at.axis);
         damaged.push(along(&last) / along(&first) - 1.0);
     }
     assert_largest!(errors, 3, @"2.00e-15");

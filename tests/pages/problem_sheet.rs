@@ -77,7 +77,7 @@ fn by_command(drawn: &Drawn) -> Vec<Value> {
 
 /// Whether the sheet's answer is what the command prints, rounded to the digits of the answer.
 fn is_answer(answer: &str, claim: &Claim, command: &[Value]) -> bool {
-    let found = command.iter().find(|json| json["key"] == claim.key());
+    let found = command.iter().find(|json| json["key"] == claim.key);
     let printed = found.and_then(|json| json["printed"].as_str()).unwrap_or("none");
     let digits = |text: &str| {
         let mantissa = text.split('e').next().unwrap_or("");
@@ -224,22 +224,22 @@ fn the_address_is_the_one_that_the_script_is_tried_with() {
     let Some(ladder) = exercise("16.6") else { return };
     let drawn = draw(ladder, 7, "Ada").expect("a set is found");
     let check = |claim: &&Claim| {
-        let slips = claim.slips().iter();
+        let slips = claim.slips.iter();
         let slips: Vec<Value> = slips.map(|slip| json!({"value": slip.value, "hint": slip.hint})).collect();
         json!({
-            "key": claim.key(), "value": claim.value(), "unit": claim.unit(),
-            "bound": claim.bound(), "within": claim.tolerance(), "slips": slips,
+            "key": claim.key, "value": claim.value, "unit": claim.unit,
+            "bound": claim.bound, "within": claim.judged_within, "slips": slips,
         })
     };
     // The page as it stands, and what must be said to answers on the sheet.
     let usual = asked(ladder.usual());
     let mut judged = Vec::new();
     for (claim, usual) in asked(&drawn.report).into_iter().zip(&usual) {
-        let slips = claim.slips().iter().map(|slip| format!("{:.7}", slip.value));
-        let answers = [paper::answer(claim), format!("{:.6}", usual.value())].into_iter().chain(slips);
+        let slips = claim.slips.iter().map(|slip| format!("{:.7}", slip.value));
+        let answers = [paper::answer(claim), format!("{:.6}", usual.value)].into_iter().chain(slips);
         for text in answers {
             let said = claim.verdict(Answer::read(&text).expect("an answer")).words();
-            judged.push(json!([claim.key(), text, said]));
+            judged.push(json!([claim.key, text, said]));
         }
     }
     // The floor carries a quarter of the weight whatever the numbers; all others change.

@@ -140,10 +140,10 @@ fn a_printed_bound_holds_for_the_printed_value() {
             assert_eq!(rows.len(), report.claims().len(), "{}", example.stem);
             for (row, claim) in rows.iter().zip(report.claims()) {
                 let number = |text: &str| text.parse::<f64>().expect("a number");
-                let needed = (number(&row[1]) - claim.value()).abs() + claim.bound();
-                let what = format!("{} {}: {needed:e}, {row:?}", example.stem, claim.key());
-                assert!(claim.key() == row[0] && needed <= number(&row[3]), "{what}");
-                damaged += usize::from(needed > number(&rounded_up(claim.bound())));
+                let needed = (number(&row[1]) - claim.value).abs() + claim.bound;
+                let what = format!("{} {}: {needed:e}, {row:?}", example.stem, claim.key);
+                assert!(claim.key == row[0] && needed <= number(&row[3]), "{what}");
+                damaged += usize::from(needed > number(&rounded_up(claim.bound)));
                 seen += 1;
             }
         });

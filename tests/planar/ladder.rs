@@ -7,7 +7,7 @@ pub mod mechanism;
 use super::G;
 use super::drift::adrift;
 use mechanism::{LENGTH, Ladder};
-use rotation_dynamics::exact::ladder::Ladder as Exact;
+use models::ladder::Ladder as Exact;
 use rotation_dynamics::integrators::Dop853;
 use rotation_dynamics::math::{cos, sin, sincos, tan};
 use rotation_dynamics::planar::Run;

@@ -1,6 +1,7 @@
 //! Any bits given to the constructors: a value or a clear error.
 
 use crate::{Held, holds};
+use models::{ladder::Ladder, plank::Plank};
 use proptest::prelude::*;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
@@ -8,7 +9,6 @@ use rotation_dynamics::effects::{DiscDrag, GravityAtLever, GravityGradient, Inte
 use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
-use rotation_dynamics::exact::{ladder::Ladder, plank::Plank};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::{InertiaTensor, PrincipalMoments, solids};
 use rotation_dynamics::motion::Motion;

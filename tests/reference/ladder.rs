@@ -1,7 +1,7 @@
 //! The ladder: closed form on the wall, Gauss rule off it.
 
 use super::case::{Case, Outcome, Result};
-use rotation_dynamics::exact::ladder::{Ladder, Phase};
+use models::ladder::{Ladder, Phase};
 use rotation_dynamics::math::DoubleDouble;
 
 /// Measured against `sens`, which asks for more than `sens_norm`: 4.8 over the

@@ -45,7 +45,7 @@ const METHODS: [Method; 7] = [
     },
     Method {
         kind: "ladder",
-        name: "exact::ladder",
+        name: "models::ladder",
         measured: 4.8..=4.9,
         cases: 25,
         promised: 64.0,
@@ -77,7 +77,7 @@ const METHODS: [Method; 7] = [
     },
     Method {
         kind: "plank_fall",
-        name: "exact::plank",
+        name: "models::plank",
         measured: 4.7..=4.8,
         cases: 29,
         promised: 64.0,

@@ -1,7 +1,7 @@
 //! The falling plank: one quadrature in a variable that makes it smooth.
 
 use super::case::{Case, Outcome, Result};
-use rotation_dynamics::exact::plank::Plank;
+use models::plank::Plank;
 
 /// Measured against `sens`, which asks for more than `sens_norm`: 4.73 (the force of the
 /// floor at the start, which is gravity's less what hardly moves), 3.27 over 94 others.

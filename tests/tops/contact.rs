@@ -2,11 +2,11 @@
 
 use super::{G, toy};
 use core::f64::consts::{PI, TAU};
+use models::tops::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::effects::{DiscDrag, GravityAtLever};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{hypot, sincos};
-use rotation_dynamics::tops::*;
 use support::{EPS, Errors, assert_largest};
 
 /// Force and torque of a patch of radius 1 with mu = 1 that slips by `slip` and pivots at 1:

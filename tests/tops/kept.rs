@@ -1,8 +1,8 @@
 //! What is kept, and where energy goes.
 
 use super::{G, others, simpson, toy};
+use models::tops::*;
 use rotation_dynamics::effects::{DiscDrag, Effect};
-use rotation_dynamics::tops::*;
 use support::{Errors, assert_largest};
 
 /// Largest relative change of energy, Jellett's integral, L_Z and L_3 over a run.

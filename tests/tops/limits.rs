@@ -2,11 +2,11 @@
 
 use super::{G, apart, others, toy};
 use core::f64::consts::{FRAC_PI_2, PI};
+use models::tops::*;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::math::{cos, hypot, log, sin, sincos};
-use rotation_dynamics::tops::*;
 use support::{Errors, assert_largest};
 
 /// A sharp tip that does not slip is the heavy top with a fixed point.

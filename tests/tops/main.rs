@@ -4,8 +4,8 @@ mod contact;
 mod kept;
 mod limits;
 
+use models::tops::Shape;
 use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::tops::Shape;
 
 const G: f64 = 9.80665;
 

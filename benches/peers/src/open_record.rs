@@ -38,7 +38,7 @@ pub fn text(races: &[Race]) -> Outcome<String> {
     tables.push(target_table(races)?);
     tables.push(run_table(races)?);
     for table in tables {
-        report.add_table(table).map_err(in_words)?;
+        report.add(table).map_err(in_words)?;
     }
     report.text().map_err(in_words)
 }
@@ -52,7 +52,7 @@ pub fn of_one(problem: &Problem, race: &Race) -> Outcome<String> {
     let mut runs = table("runs", RUNS)?;
     push_runs(&mut runs, problem.key, race)?;
     for table in [problem_table(problem.key, race)?, runs] {
-        report.add_table(table).map_err(in_words)?;
+        report.add(table).map_err(in_words)?;
     }
     report.text().map_err(in_words)
 }

@@ -90,7 +90,7 @@ pub fn text(races: &Races) -> Outcome<String> {
     tables.push(target_table(races)?);
     tables.push(run_table(races)?);
     for table in tables {
-        report.add_table(table).map_err(in_words)?;
+        report.add(table).map_err(in_words)?;
     }
     report.text().map_err(in_words)
 }

@@ -73,8 +73,8 @@ fn record() -> Outcome<()> {
                 rounded_up(last.phase / last.periods),
             ])?;
         }
-        report.add_table(grown)?;
-        report.add_table(powers)?;
+        report.add(grown)?;
+        report.add(powers)?;
     }
     save("drift", &report)
 }

@@ -60,9 +60,9 @@ fn record() -> Outcome<()> {
          program; the least of at least three runs of each; measured, not locked. Measure again: \
          cargo run --release -p benches --bin in_the_page",
     )?;
-    report.add_table(conditions()?)?;
-    report.add_table(pages)?;
-    report.add_table(ratios)?;
+    report.add(conditions()?)?;
+    report.add(pages)?;
+    report.add(ratios)?;
     save("in_the_page", &report)
 }
 

@@ -68,7 +68,7 @@ fn record() -> Outcome<()> {
          Gauss-Legendre sweeps its derivatives eight at a time. \
          Count again: benches/measure instructions",
     )?;
-    report.add_table(conditions()?)?;
+    report.add(conditions()?)?;
     let columns = core::iter::once("scene").chain(METHODS);
     let mut table = Table::new("instructions", columns)?;
     for scene in SCENES {
@@ -81,7 +81,7 @@ fn record() -> Outcome<()> {
         }
         table.push(row)?;
     }
-    report.add_table(table)?;
+    report.add(table)?;
     save("instructions", &report)
 }
 

@@ -92,7 +92,7 @@ impl Answer {
     ///
     /// # Errors
     /// Which unit it must have.
-    pub fn in_unit(&self, unit: &str) -> Result<f64, String> {
+    pub(crate) fn in_unit(&self, unit: &str) -> Result<f64, String> {
         match Fit::of(unit, &self.unit) {
             Fit::Same => Ok(self.value),
             Fit::Degrees => Ok(self.value / 180.0 * PI),
@@ -471,7 +471,7 @@ fn half_of_last(value: f64, digits: u32) -> f64 {
 
 /// Judges `answer`; the rules are those of [`Claim::verdict`].
 pub(super) fn judge(claim: &Claim, answer: &Answer) -> Verdict {
-    let (v, x, unit) = (claim.value(), answer.value, claim.unit());
+    let (v, x, unit) = (claim.value, answer.value, claim.unit.as_str());
     match Fit::of(unit, &answer.unit) {
         Fit::Same => {}
         Fit::Degrees => return Verdict::Slip(DEGREES.into()),
@@ -479,17 +479,17 @@ pub(super) fn judge(claim: &Claim, answer: &Answer) -> Verdict {
     }
     let within = |target: f64| {
         let scale = if target == 0.0 { 1.0 } else { target.abs() };
-        (x - target).abs() <= (claim.tolerance() * scale).max(claim.bound())
+        (x - target).abs() <= (claim.judged_within * scale).max(claim.bound)
     };
-    let asked = digits_asked(claim.tolerance());
+    let asked = digits_asked(claim.judged_within);
     let right = match v == 0.0 {
         true => within(v),
-        false => (x - v).abs() <= half_of_last(v, asked).max(claim.bound()),
+        false => (x - v).abs() <= half_of_last(v, asked).max(claim.bound),
     };
     if right {
         return Verdict::Right;
     }
-    if let Some(slip) = claim.slips().iter().find(|slip| within(slip.value)) {
+    if let Some(slip) = claim.slips.iter().find(|slip| within(slip.value)) {
         return Verdict::Slip(slip.hint.clone());
     }
     if v == 0.0 {

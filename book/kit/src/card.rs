@@ -93,12 +93,16 @@ impl EffectEntry {
             let rest = self.unit.strip_prefix(unit);
             rest.is_some_and(|rest| rest.is_empty() || rest.starts_with([' ', ',', ':']))
         };
-        let of = |claim: &'a Claim| (asked * claim.value().abs(), Some(claim.unit()));
+        let of = |claim: &'a Claim| (asked * claim.value.abs(), Some(claim.unit.as_str()));
         if let Some(key) = &self.beside {
-            let claim = claims.iter().find(|claim| claim.key() == key);
+            let claim = claims.iter().find(|claim| claim.key == *key);
             return claim.map(of).ok_or_else(|| Error::UnknownKey {
                 key: key.clone(),
-                known: claims.iter().map(Claim::key).collect::<Vec<_>>().join(", "),
+                known: claims
+                    .iter()
+                    .map(|claim| claim.key.as_str())
+                    .collect::<Vec<_>>()
+                    .join(", "),
             });
         }
         if self.unit == "-" || begins("of") || begins("rad") {
@@ -109,8 +113,8 @@ impl EffectEntry {
         }
         // "kg m^2/s" begins with "kg" as well: the longest unit counts, of those the first.
         let mut found: Option<&Claim> = None;
-        for claim in claims.iter().filter(|claim| begins(claim.unit())) {
-            if found.is_none_or(|best| claim.unit().len() > best.unit().len()) {
+        for claim in claims.iter().filter(|claim| begins(&claim.unit)) {
+            if found.is_none_or(|best| claim.unit.len() > best.unit.len()) {
                 found = Some(claim);
             }
         }

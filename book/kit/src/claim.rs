@@ -2,7 +2,8 @@
 
 use super::answer::{self, Answer, Verdict};
 use super::number::{below, rounded_up, supported_digits, taken_away};
-use crate::error::{Error, Result};
+use super::table::check_cell;
+use crate::error::{Error, Result, finite};
 use rotation_dynamics::math::EPS;
 
 /// The independent route that a claim was compared with.
@@ -14,16 +15,6 @@ pub struct Oracle {
     pub value: f64,
 }
 
-impl Oracle {
-    /// The route called `name`, which gives `value`.
-    pub fn new(name: impl Into<String>, value: f64) -> Self {
-        Self {
-            name: name.into(),
-            value,
-        }
-    }
-}
-
 /// A wrong answer that people give, and what to tell them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slip {
@@ -33,157 +24,153 @@ pub struct Slip {
     pub hint: String,
 }
 
-/// A number that may be printed: it has a bound, and a second route agrees within it.
+/// A number, its bound, and a second route that agrees within it. It needs
+/// [`within`](Claim::within) and [`against`](Claim::against), and is checked as
+/// [`Report::add`](super::Report::add) adds it.
 ///
 /// ```
-/// use kit::{Claim, Oracle};
-/// let claim = Claim::new("angle", "angle of release", 0.863_154_1, "rad", 1e-6,
-///     Oracle::new("located event", 0.863_154_3))?
+/// use kit::{Report, claim};
+/// let angle = claim("angle", "angle of release", 0.863_154_1, "rad")
+///     .within(1e-6)
+///     .against("located event", 0.863_154_3)
 ///     .slip(0.707_6, "that is measured from the floor");
-/// assert_eq!(claim.printed(), "0.863154");
+/// assert_eq!(angle.printed(), "0.863154");
 /// // 1e-6, and the tenth of it that is not printed.
-/// assert_eq!(claim.printed_bound(), "2e-6");
-/// // A value that its oracle contradicts cannot be made into a claim.
-/// assert!(Claim::new("angle", "angle of release", 0.9, "rad", 1e-6,
-///     Oracle::new("located event", 0.863_154_3)).is_err());
+/// assert_eq!(angle.printed_bound(), "2e-6");
+/// let mut report = Report::new("A ladder", "it slides down a wall")?;
+/// report.add(angle.clone())?;
+/// // A value that its oracle contradicts is refused.
+/// assert!(report.add(angle.against("by hand", 0.9)).is_err());
 /// # Ok::<(), kit::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[must_use = "it is added by Report::add"]
 pub struct Claim {
-    key: String,
-    meaning: String,
+    /// The key, unique in its report.
+    pub key: String,
+    /// What the number is, in a few words.
+    pub meaning: String,
+    /// The number.
+    pub value: f64,
+    /// Its unit, `"-"` if it has none.
+    pub unit: String,
+    /// The bound on its absolute error.
+    pub bound: f64,
+    /// The independent route.
+    pub oracle: Oracle,
+    /// The relative error that says how many digits an answer must have.
+    pub judged_within: f64,
+    /// The wrong answers that are recognised by name.
+    pub slips: Vec<Slip>,
+    /// The heading under which the answer box offers it, if it does.
+    pub group: Option<String>,
+}
+
+/// The claim that `meaning` is `value`, in `unit` (`"-"` if it has none); `key` (`[a-z0-9_]+`) names
+/// it everywhere.
+pub fn claim(
+    key: impl Into<String>,
+    meaning: impl Into<String>,
     value: f64,
-    unit: String,
-    bound: f64,
-    oracle: Oracle,
-    judged_within: f64,
-    slips: Vec<Slip>,
-    group: Option<String>,
+    unit: impl Into<String>,
+) -> Claim {
+    Claim {
+        key: key.into(),
+        meaning: meaning.into(),
+        value,
+        unit: unit.into(),
+        bound: f64::NAN,
+        oracle: Oracle {
+            name: "nothing".into(),
+            value: f64::NAN,
+        },
+        judged_within: 1e-3,
+        slips: Vec::new(),
+        group: None,
+    }
 }
 
 impl Claim {
-    /// The claim that `meaning` is `value` (in `unit`, `"-"` if it has none) up to
-    /// `bound`, as `oracle` confirms: `|value - oracle.value| <= bound`.
-    ///
-    /// `key` names it everywhere (`[a-z0-9_]+`). A bound of 0 claims equal bits.
-    ///
-    /// # Errors
-    /// [`Error::Contradicted`] if the oracle differs by more than the bound (or
-    /// anything is NaN or infinite), [`Error::Text`] for a key or text that does
-    /// not fit in a table.
-    pub fn new(
-        key: impl Into<String>,
-        meaning: impl Into<String>,
-        value: f64,
-        unit: impl Into<String>,
-        bound: f64,
-        oracle: Oracle,
-    ) -> Result<Self> {
-        let claim = Self {
-            key: key.into(),
-            meaning: meaning.into(),
-            value,
-            unit: unit.into(),
-            bound,
-            oracle,
-            judged_within: 1e-3,
-            slips: Vec::new(),
-            group: None,
-        };
-        let key_is_plain = !claim.key.is_empty()
-            && claim
-                .key
-                .bytes()
-                .all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_');
-        if !key_is_plain {
-            return Err(Error::Text {
-                text: claim.key,
-                allowed: "a key has only a-z, 0-9 and _",
-            });
-        }
-        for cell in [&claim.meaning, &claim.unit, &claim.oracle.name] {
-            super::table::check_cell(cell)?;
-        }
-        // Positive conditions, so that a NaN anywhere fails them.
-        let agrees = (claim.value - claim.oracle.value).abs() <= claim.bound;
-        if agrees && claim.bound.is_finite() && claim.value.is_finite() {
-            Ok(claim)
-        } else {
-            Err(Error::Contradicted {
-                key: claim.key,
-                value: claim.value,
-                oracle: claim.oracle.name,
-                oracle_value: claim.oracle.value,
-                bound: claim.bound,
-            })
-        }
-    }
-
-    /// Adds a wrong answer to be recognised by [`Claim::verdict`].
-    #[must_use]
-    pub fn slip(mut self, value: f64, hint: impl Into<String>) -> Self {
-        self.slips.push(Slip {
-            value,
-            hint: hint.into(),
-        });
+    /// The bound on its absolute error: of a part of a negative number its size; 0 claims equal bits.
+    pub fn within(mut self, bound: f64) -> Self {
+        self.bound = bound.abs();
         self
     }
 
-    /// Sets the relative error that says how many digits a reader's answer must have, as
+    /// The independent route called `oracle`, and what it gives.
+    pub fn against(mut self, oracle: &str, value: f64) -> Self {
+        let name = oracle.into();
+        self.oracle = Oracle { name, value };
+        self
+    }
+
+    /// [`against`](Self::against) and [`within`](Self::within) in one line.
+    pub fn agrees_with(self, oracle: &str, value: f64, bound: f64) -> Self {
+        self.against(oracle, value).within(bound)
+    }
+
+    /// A wrong answer that people give, and a hint that does not give the right one away.
+    pub fn slip(mut self, value: f64, hint: impl Into<String>) -> Self {
+        let hint = hint.into();
+        self.slips.push(Slip { value, hint });
+        self
+    }
+
+    /// The relative error that says how many digits a reader's answer must have, as
     /// [`digits_asked`](super::digits_asked) counts them (0.001 if never set, and so 4 digits).
-    #[must_use]
     pub fn judged_within(mut self, relative: f64) -> Self {
         self.judged_within = relative;
         self
     }
 
-    /// Offers it in the page's answer box, under the heading `group`.
-    #[must_use]
+    /// Offers it in the page's answer box, under this heading: something a student would compute.
     pub fn answer(mut self, group: impl Into<String>) -> Self {
         self.group = Some(group.into());
         self
     }
 
-    /// The key, unique in its report.
-    pub fn key(&self) -> &str {
-        &self.key
+    /// Refuses a number that its oracle contradicts, or text and numbers that no report can hold.
+    pub(super) fn check(&self) -> Result<()> {
+        let plain = |b: u8| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_';
+        if self.key.is_empty() || !self.key.bytes().all(plain) {
+            return Err(Error::Text {
+                text: self.key.clone(),
+                allowed: "a key has only a-z, 0-9 and _",
+            });
+        }
+        for cell in [&self.meaning, &self.unit, &self.oracle.name] {
+            check_cell(cell)?;
+        }
+        // Positive conditions, so that a NaN anywhere fails them.
+        let agrees = self.difference() <= self.bound;
+        if !(agrees && self.bound.is_finite() && self.value.is_finite()) {
+            return Err(Error::Contradicted {
+                key: self.key.clone(),
+                value: self.value,
+                oracle: self.oracle.name.clone(),
+                oracle_value: self.oracle.value,
+                bound: self.bound,
+            });
+        }
+        let tolerance = self.judged_within;
+        if !(0.0 < tolerance && tolerance < 1.0) {
+            return Err(rotation_dynamics::Error::out_of_range(
+                "the relative tolerance of a check",
+                tolerance,
+                "it must lie between 0 and 1",
+            )
+            .into());
+        }
+        for slip in &self.slips {
+            finite("a slip", slip.value)?;
+            check_cell(&slip.hint)?;
+        }
+        Ok(())
     }
-    /// What the number is, in a few words.
-    pub fn meaning(&self) -> &str {
-        &self.meaning
-    }
-    /// The number.
-    pub fn value(&self) -> f64 {
-        self.value
-    }
-    /// Its unit, `"-"` if it has none.
-    pub fn unit(&self) -> &str {
-        &self.unit
-    }
-    /// The bound on its absolute error.
-    pub fn bound(&self) -> f64 {
-        self.bound
-    }
-    /// The independent route.
-    pub fn oracle(&self) -> &Oracle {
-        &self.oracle
-    }
+
     /// How far the two routes are apart.
     pub fn difference(&self) -> f64 {
         (self.value - self.oracle.value).abs()
-    }
-    /// The relative error that says how many digits an answer must have.
-    pub fn tolerance(&self) -> f64 {
-        self.judged_within
-    }
-    /// The wrong answers that are recognised by name.
-    pub fn slips(&self) -> &[Slip] {
-        &self.slips
-    }
-
-    /// The heading under which the answer box offers it, if it does.
-    pub fn group(&self) -> Option<&str> {
-        self.group.as_deref()
     }
 
     /// The value with the digits that its bound supports.

@@ -509,13 +509,13 @@ fn delivered(outcome: &Outcome, out: &mut dyn Write, err: &mut dyn Write) -> u8 
 
 fn judged(report: &Report, key: &str, answer: &Answer) -> Result<(String, bool)> {
     let claim: &Claim = report.claim(key).ok_or_else(|| {
-        let keys: Vec<&str> = report.claims().iter().map(Claim::key).collect();
+        let keys: Vec<&str> = report.claims().iter().map(|c| c.key.as_str()).collect();
         Error::UnknownKey {
             key: key.into(),
             known: keys.join(", "),
         }
     })?;
-    let unit = match claim.unit() {
+    let unit = match claim.unit.as_str() {
         "-" => String::new(),
         unit => format!(" {unit}"),
     };

@@ -1,7 +1,8 @@
 //! The lines of a report, one builder each: `report.add(claim(…).within(…).against(…))?`.
 
 use super::card::{EffectEntry, SMALL};
-use super::claim::{Claim, Oracle, Slip};
+use super::claim::Claim;
+use super::lab::Lab;
 use super::sections::{Limit, Price, Report};
 use super::table::Table;
 use crate::error::Result;
@@ -19,151 +20,15 @@ pub trait Entry {
     fn enter(self, report: &mut Report) -> Result<()>;
 }
 
-/// The claim that `meaning` is `value`, in `unit` (`"-"` if it has none). It needs
-/// [`within`](ClaimEntry::within) and [`against`](ClaimEntry::against).
-pub fn claim(
-    key: impl Into<String>,
-    meaning: impl Into<String>,
-    value: f64,
-    unit: impl Into<String>,
-) -> ClaimEntry {
-    ClaimEntry {
-        key: key.into(),
-        meaning: meaning.into(),
-        value,
-        unit: unit.into(),
-        bound: f64::NAN,
-        oracle: Oracle::new("nothing", f64::NAN),
-        judged_within: None,
-        slips: Vec::new(),
-        group: None,
-    }
-}
-
-/// A claim to be added; without a bound or an oracle it is refused.
-#[derive(Debug, Clone)]
-#[must_use = "it is added by Report::add"]
-pub struct ClaimEntry {
-    key: String,
-    meaning: String,
-    value: f64,
-    unit: String,
-    bound: f64,
-    oracle: Oracle,
-    judged_within: Option<f64>,
-    slips: Vec<Slip>,
-    group: Option<String>,
-}
-
-impl ClaimEntry {
-    /// The bound on its absolute error: of a part of a negative number its size.
-    pub fn within(mut self, bound: f64) -> Self {
-        self.bound = bound.abs();
-        self
-    }
-    /// The independent route called `oracle`, and what it gives.
-    pub fn against(mut self, oracle: &str, value: f64) -> Self {
-        self.oracle = Oracle::new(oracle, value);
-        self
-    }
-    /// [`against`](Self::against) and [`within`](Self::within) in one line.
-    pub fn agrees_with(self, oracle: &str, value: f64, bound: f64) -> Self {
-        self.against(oracle, value).within(bound)
-    }
-    /// A wrong answer that people give, and a hint that does not give the right one away.
-    pub fn slip(mut self, value: f64, hint: impl Into<String>) -> Self {
-        let hint = hint.into();
-        self.slips.push(Slip { value, hint });
-        self
-    }
-    /// The relative error that says how many digits a reader's answer must have (0.001 if never
-    /// set, and so 4 digits).
-    pub fn judged_within(mut self, relative: f64) -> Self {
-        self.judged_within = Some(relative);
-        self
-    }
-    /// Offers it in the page's answer box, under this heading: something a student would compute.
-    pub fn answer(mut self, group: impl Into<String>) -> Self {
-        self.group = Some(group.into());
-        self
-    }
-}
-
-impl Entry for ClaimEntry {
-    fn enter(self, report: &mut Report) -> Result<()> {
-        let mut claim = Claim::new(
-            self.key,
-            self.meaning,
-            self.value,
-            self.unit,
-            self.bound,
-            self.oracle,
-        )?;
-        if let Some(relative) = self.judged_within {
-            claim = claim.judged_within(relative);
-        }
-        if let Some(group) = self.group {
-            claim = claim.answer(group);
-        }
-        for Slip { value, hint } in self.slips {
-            claim = claim.slip(value, hint);
-        }
-        claim.enter(report)
-    }
-}
-
 impl Entry for Claim {
     fn enter(self, report: &mut Report) -> Result<()> {
         report.add_claim(self)
     }
 }
 
-/// In the limit `limit` the result must be `must_give`, and it `gives` this. It needs
-/// [`within`](LimitEntry::within) and [`because`](LimitEntry::because).
-pub fn limit(limit: impl Into<String>, must_give: f64, gives: f64) -> LimitEntry {
-    LimitEntry {
-        limit: limit.into(),
-        because: String::new(),
-        must_give,
-        gives,
-        within: f64::NAN,
-    }
-}
-
-/// A limit to be added; without a bound and a reason it is refused.
-#[derive(Debug, Clone)]
-#[must_use = "it is added by Report::add"]
-pub struct LimitEntry {
-    limit: String,
-    because: String,
-    must_give: f64,
-    gives: f64,
-    within: f64,
-}
-
-impl LimitEntry {
-    /// By how much the two may differ: of a part of a negative number its size.
-    pub fn within(mut self, bound: f64) -> Self {
-        self.within = bound.abs();
-        self
-    }
-    /// Why this must come out, in a few words.
-    pub fn because(mut self, reason: impl Into<String>) -> Self {
-        self.because = reason.into();
-        self
-    }
-}
-
-impl Entry for LimitEntry {
+impl Entry for Limit {
     fn enter(self, report: &mut Report) -> Result<()> {
-        report.add_limit(Limit::new(
-            self.limit,
-            self.because,
-            self.must_give,
-            self.gives,
-            self.within,
-        )?);
-        Ok(())
+        report.add_limit(self)
     }
 }
 
@@ -255,7 +120,7 @@ pub trait CardLine {
     /// ```
     /// use rotation_dynamics::attitude::{Attitude, EulerAngles};
     /// use rotation_dynamics::body::RigidBody;
-    /// use rotation_dynamics::effects::{DiscDrag, GravityAtLever};
+    /// use rotation_dynamics::effects::{DiscDrag, Effect, GravityAtLever};
     /// use rotation_dynamics::frame::BodyVector;
     /// use rotation_dynamics::inertia::PrincipalMoments;
     /// use kit::{CardLine, Report};
@@ -341,12 +206,10 @@ impl EffectLine {
 
 impl Entry for EffectLine {
     fn enter(self, report: &mut Report) -> Result<()> {
-        self.entry.check()?;
         if let Some(asked) = self.asked {
             report.ask(asked)?;
         }
-        report.add_effect(self.entry);
-        Ok(())
+        report.add_effect(self.entry)
     }
 }
 
@@ -359,6 +222,14 @@ impl Entry for Table {
 impl Entry for Price {
     fn enter(self, report: &mut Report) -> Result<()> {
         report.add_price(self);
+        Ok(())
+    }
+}
+
+/// The methods that a reader may try.
+impl Entry for Lab {
+    fn enter(self, report: &mut Report) -> Result<()> {
+        report.set_lab(self);
         Ok(())
     }
 }

@@ -3,7 +3,7 @@
 use crate::interval::Interval;
 use core::fmt;
 use rotation_dynamics::error::plain;
-pub(crate) use rotation_dynamics::error::{finite, not_negative, positive};
+pub(crate) use rotation_dynamics::error::{finite, positive};
 
 /// What can go wrong on a page, with the numbers that went wrong.
 #[non_exhaustive]

@@ -37,14 +37,14 @@ pub(super) fn claims(stem: &str, report: &Report) -> String {
             format!(
                 "    {{\"key\": {}, \"meaning\": {}, \"value\": {:?}, \"printed\": {}, \"unit\": {}, \
                  \"bound\": {:?}, \"oracle\": {}, \"oracle_value\": {:?}, \"error\": {:?}}}",
-                quoted(c.key()),
-                quoted(c.meaning()),
-                c.value(),
+                quoted(&c.key),
+                quoted(&c.meaning),
+                c.value,
                 quoted(&c.printed()),
-                quoted(c.unit()),
-                c.bound(),
-                quoted(&c.oracle().name),
-                c.oracle().value,
+                quoted(&c.unit),
+                c.bound,
+                quoted(&c.oracle.name),
+                c.oracle.value,
                 c.difference(),
             )
         })

@@ -10,7 +10,7 @@
 //! its [`claims!`](crate::claims), its [`limits!`](crate::limits) and its card of
 //! [`effect_card!`](crate::effect_card); [`figures!`](crate::figures) by [`draw`], a
 //! [`MovingPicture`], and [`times`] and [`sampled`] to sample a motion; [`allowed!`](crate::allowed) and [`require`] to refuse what the page cannot take; all that by [`prelude`]; at the end [`example!`](crate::example), which makes an
-//! [`Example`] of them. What the pages on the heavy top share is in [`heavy_top`].
+//! [`Example`] of them.
 //!
 //! # The text of a report
 //! ```text
@@ -56,7 +56,6 @@ mod entries;
 pub mod error;
 mod example;
 mod files;
-pub mod heavy_top;
 pub mod interval;
 mod json;
 mod lab;
@@ -77,21 +76,21 @@ mod trajectory;
 pub use air::{driven_in_air, taken_by_air};
 pub use answer::{Answer, DEGREES, RECIPROCAL, USUAL_SLIPS, Verdict, digits_asked};
 pub use card::EffectEntry;
-pub use claim::{Claim, Oracle, Slip};
+pub use claim::{Claim, Oracle, Slip, claim};
 pub use computation::{ClosedForm, Computation};
-pub use entries::{CardLine, ClaimEntry, EffectLine, Entry, LimitEntry, claim, effect, limit};
+pub use entries::{CardLine, EffectLine, Entry, effect};
 pub use error::{Error, Result};
 pub use example::{Example, Page};
 pub use json::quoted;
 pub use lab::{Lab, Tried};
 pub use live::Moves;
 pub use moving::MovingPicture;
-pub use number::{below, rounded_up, short, supported_digits};
+pub use number::{below, decimals, exactly, rounded_up, short, supported_digits};
 pub use numeric::{But, bisect, require, simpson, solved, try_bisect, when};
 pub use parameters::{Flag, Grid, ParameterSet, Settings, Value, name_of_flag};
 pub use prepared::Prepared;
 pub use sampling::{sampled, times};
-pub use sections::{Limit, Price, Report, for_reading};
+pub use sections::{Limit, Price, Report, for_reading, limit};
 pub use strip::STEPPING;
 pub use table::{Parsed, Table, parse};
 pub use trajectory::Trajectory;

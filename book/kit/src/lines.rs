@@ -23,16 +23,15 @@
 ///     tip: f64::NAN, "s", "nothing" => 0.0, within 0.0, if length < 0.0;
 /// }?;
 /// assert_eq!(report.claims().len(), 2);
-/// assert_eq!(report.claims()[0].slips().len(), 2);
-/// assert_eq!(report.claims().iter().map(|c| c.tolerance()).collect::<Vec<_>>(), [1e-3, 1e-2]);
+/// assert_eq!(report.claims()[0].slips.len(), 2);
+/// assert_eq!(report.claims().iter().map(|c| c.judged_within).collect::<Vec<_>>(), [1e-3, 1e-2]);
 /// # Ok::<(), kit::Error>(())
 /// ```
 ///
 /// A meaning that is put together at run time needs [`claim`](crate::claim).
 ///
 /// # Errors
-/// As [`Claim::new`](crate::Claim::new) and
-/// [`Report::add_claim`](crate::Report::add_claim).
+/// As [`Report::add`](crate::Report::add).
 #[macro_export]
 macro_rules! claims {
     ($report:expr,
@@ -106,7 +105,7 @@ macro_rules! allowed {
 /// A name or a reason that is put together at run time needs [`limit`](crate::limit).
 ///
 /// # Errors
-/// As [`Limit::new`](crate::Limit::new).
+/// As [`Report::add`](crate::Report::add).
 #[macro_export]
 macro_rules! limits {
     ($report:expr,

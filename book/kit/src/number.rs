@@ -60,7 +60,7 @@ pub fn short(value: f64, digits: u32) -> String {
 }
 
 /// `value` with as many digits as it takes to read the same bits back.
-pub(super) fn exactly(value: f64) -> String {
+pub fn exactly(value: f64) -> String {
     if value == 0.0 || (1e-4..1e7).contains(&value.abs()) {
         value.to_string()
     } else {
@@ -70,7 +70,7 @@ pub(super) fn exactly(value: f64) -> String {
 
 /// `value` with so many decimals: after an exponent where it is large, or where they would show
 /// nothing of it.
-pub(super) fn decimals(value: f64, places: usize) -> String {
+pub fn decimals(value: f64, places: usize) -> String {
     let plain = format!("{value:.places$}");
     let seen = value == 0.0 || plain.parse::<f64>() != Ok(0.0);
     if seen && value.abs() < 1e15 {

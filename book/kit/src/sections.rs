@@ -19,8 +19,11 @@ const LIMITS: &str = "limits";
 pub(super) const EFFECTS: &str = "effects";
 const ACCURACY: &str = "accuracy";
 
-/// A limit in which the answer is known: what must come out, and what does.
+/// A limit in which the answer is known: what must come out, and what does. It needs
+/// [`within`](Limit::within) and [`because`](Limit::because), and is checked as [`Report::add`] adds
+/// it.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use = "it is added by Report::add"]
 pub struct Limit {
     limit: String,
     because: String,
@@ -29,40 +32,44 @@ pub struct Limit {
     within: f64,
 }
 
+/// In the limit `limit` the result must be `must_give`, and it `gives` this.
+pub fn limit(limit: impl Into<String>, must_give: f64, gives: f64) -> Limit {
+    Limit {
+        limit: limit.into(),
+        because: String::new(),
+        must_give,
+        gives,
+        within: f64::NAN,
+    }
+}
+
 impl Limit {
-    /// In the limit `limit` the result must be `must_give`, because `because`; it
-    /// `gives` a value that may differ by `within`.
-    ///
-    /// # Errors
-    /// [`Error::Contradicted`] if it differs by more, or anything is not finite.
-    pub fn new(
-        limit: impl Into<String>,
-        because: impl Into<String>,
-        must_give: f64,
-        gives: f64,
-        within: f64,
-    ) -> Result<Self> {
-        let entry = Self {
-            limit: limit.into(),
-            because: because.into(),
-            must_give,
-            gives,
-            within,
-        };
-        check_cell(&entry.limit)?;
-        check_cell(&entry.because)?;
-        let agrees = (gives - must_give).abs() <= within;
-        if agrees && within.is_finite() && gives.is_finite() {
-            Ok(entry)
-        } else {
-            Err(Error::Contradicted {
-                key: entry.limit,
-                value: gives,
-                oracle: entry.because,
-                oracle_value: must_give,
-                bound: within,
-            })
+    /// By how much the two may differ: of a part of a negative number its size.
+    pub fn within(mut self, bound: f64) -> Self {
+        self.within = bound.abs();
+        self
+    }
+
+    /// Why this must come out, in a few words.
+    pub fn because(mut self, reason: impl Into<String>) -> Self {
+        self.because = reason.into();
+        self
+    }
+
+    fn check(&self) -> Result<()> {
+        check_cell(&self.limit)?;
+        check_cell(&self.because)?;
+        let agrees = (self.gives - self.must_give).abs() <= self.within;
+        if agrees && self.within.is_finite() && self.gives.is_finite() {
+            return Ok(());
         }
+        Err(Error::Contradicted {
+            key: self.limit.clone(),
+            value: self.gives,
+            oracle: self.because.clone(),
+            oracle_value: self.must_give,
+            bound: self.within,
+        })
     }
 }
 
@@ -129,30 +136,12 @@ impl Report {
         entry.enter(self)
     }
 
-    /// Adds a claim.
-    ///
-    /// # Errors
-    /// [`Error::Text`] if its key is taken,
-    /// [`Error::OutOfRange`](rotation_dynamics::Error::OutOfRange) if its tolerance is not
-    /// between 0 and 1, [`Error::NotFinite`](rotation_dynamics::Error::NotFinite) if a slip is
-    /// NaN or infinite.
-    pub fn add_claim(&mut self, claim: Claim) -> Result<()> {
-        let tolerance = claim.tolerance();
-        if !(0.0 < tolerance && tolerance < 1.0) {
-            return Err(rotation_dynamics::Error::out_of_range(
-                "the relative tolerance of a check",
-                tolerance,
-                "it must lie between 0 and 1",
-            )
-            .into());
-        }
-        for slip in claim.slips() {
-            finite("a slip", slip.value)?;
-            check_cell(&slip.hint)?;
-        }
-        if self.claim(claim.key()).is_some() {
+    /// Adds a claim whose key is not taken.
+    pub(super) fn add_claim(&mut self, claim: Claim) -> Result<()> {
+        claim.check()?;
+        if self.claim(&claim.key).is_some() {
             return Err(Error::Text {
-                text: claim.key().into(),
+                text: claim.key,
                 allowed: "a key may be used only once in a report",
             });
         }
@@ -160,14 +149,17 @@ impl Report {
         Ok(())
     }
 
-    /// Adds a limit.
-    pub fn add_limit(&mut self, limit: Limit) {
+    pub(super) fn add_limit(&mut self, limit: Limit) -> Result<()> {
+        limit.check()?;
         self.limits.push(limit);
+        Ok(())
     }
 
     /// Adds a line to the card of effects.
-    pub fn add_effect(&mut self, effect: EffectEntry) {
+    pub(super) fn add_effect(&mut self, effect: EffectEntry) -> Result<()> {
+        effect.check()?;
         self.effects.push(effect);
+        Ok(())
     }
 
     /// Asks for this accuracy: an effect is in or out on the card by whether the error of leaving
@@ -190,7 +182,7 @@ impl Report {
     }
 
     /// Adds a line to the accuracy strip.
-    pub fn add_price(&mut self, price: Price) {
+    pub(super) fn add_price(&mut self, price: Price) {
         self.add_lines(move || Ok(vec![price.clone()]));
     }
 
@@ -212,11 +204,8 @@ impl Report {
         self.set_closed_form(ClosedForm::new(move |part| Ok(state(part))));
     }
 
-    /// Adds a table of its own.
-    ///
-    /// # Errors
-    /// [`Error::Text`] if its name is taken.
-    pub fn add_table(&mut self, table: Table) -> Result<()> {
+    /// Adds a table of its own, whose name is not taken.
+    pub(super) fn add_table(&mut self, table: Table) -> Result<()> {
         if self.tables.iter().any(|t| t.heading() == table.heading()) {
             return Err(Error::Text {
                 text: table.heading().into(),
@@ -241,7 +230,7 @@ impl Report {
     }
     /// The claim with this key.
     pub fn claim(&self, key: &str) -> Option<&Claim> {
-        self.claims.iter().find(|claim| claim.key() == key)
+        self.claims.iter().find(|claim| claim.key == key)
     }
 
     /// The card of effects, line by line.
@@ -374,15 +363,15 @@ impl Report {
         let mut slips = Table::headed("slips", ["key", "value", "hint"])?;
         for c in &self.claims {
             checks.push([
-                c.key().into(),
-                rounded_up(c.tolerance()),
-                c.meaning().into(),
-                c.group().unwrap_or("-").into(),
+                c.key.clone(),
+                rounded_up(c.judged_within),
+                c.meaning.clone(),
+                c.group.clone().unwrap_or("-".into()),
             ])?;
-            for slip in c.slips() {
+            for slip in &c.slips {
                 slips.push([
-                    c.key().into(),
-                    supported_digits(slip.value, c.bound()),
+                    c.key.clone(),
+                    supported_digits(slip.value, c.bound),
                     slip.hint.clone(),
                 ])?;
             }

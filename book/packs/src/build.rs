@@ -9,7 +9,7 @@ use std::{env, fs};
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// What the module is compiled of.
-const SOURCES: [&str; 8] = [
+const SOURCES: [&str; 9] = [
     "Cargo.toml",
     "Cargo.lock",
     "src",
@@ -17,6 +17,7 @@ const SOURCES: [&str; 8] = [
     "tests/every_example",
     "book/kit",
     "book/live",
+    "book/models",
     "book/packs",
 ];
 

@@ -98,11 +98,6 @@ impl ReducedTop {
         0.5 * self.a * q * q - 2.0 * self.c * sin * sin
     }
 
-    /// The same as [`Self::effective_potential`], by the notes' name.
-    pub fn u_eff(&self, theta: f64) -> f64 {
-        self.effective_potential(theta)
-    }
-
     /// The acceleration theta'' = -dU_eff/dtheta (notes, 16.2 (4)).
     pub fn torque(&self, theta: f64) -> f64 {
         let (sin, cos) = math::sincos(theta / 2.0);
@@ -144,11 +139,6 @@ impl ReducedTop {
     pub fn minimum(&self) -> (f64, f64) {
         let (theta, value, _) = self.minimum_dd();
         (theta.to_f64(), value.to_f64())
-    }
-
-    /// The same as [`Self::minimum`], by the notes' name.
-    pub fn u_min(&self) -> (f64, f64) {
-        self.minimum()
     }
 
     /// True if E~ is above U_min by more than rounding in `f64` can pretend: without
@@ -233,12 +223,6 @@ impl ReducedTop {
     /// cos theta = b. `None` unless |b| < 1.
     pub fn cusp_energy(&self) -> Option<f64> {
         (self.b.abs() < 1.0).then(|| (Dd::sum(self.b, -1.0) * self.c).to_f64())
-    }
-
-    /// The critical c of the sleeping top, a/4: upright with b = 1, it is stable for
-    /// c <= a/4.
-    pub fn sleeping_limit(&self) -> f64 {
-        self.a / 4.0
     }
 
     /// How far E~ may lie below U_min and still mean U_min: the error that rounding U_min to a

@@ -91,7 +91,7 @@ impl Dop853 {
     /// The smallest tolerance: below it the error estimates are round-off.
     pub const SMALLEST_TOLERANCE: f64 = 1e-15;
     /// The largest tolerance.
-    pub const LARGEST_TOLERANCE: f64 = 0.1;
+    pub(crate) const LARGEST_TOLERANCE: f64 = 0.1;
 
     /// The method that holds the error of each step to `tolerance`, from 1e-15
     /// to 0.1, relative to [`Ode::scale`].

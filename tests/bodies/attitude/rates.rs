@@ -81,10 +81,6 @@ fn angular_velocity_is_how_the_attitude_turns() {
     let wrong = BodyVector::new(velocity.x(), velocity.y(), rates.zeta);
     let order = math::log2(error(0.02, wrong) / error(0.01, wrong));
     assert!(order.abs() < 0.1, "{order}");
-    // Nodal components, eq. (6), keep the length.
-    let [x, y, z] = angles.nodal_angular_velocity(rates);
-    assert_eq!((x, z), (rates.theta, velocity.z()));
-    assert_error!(SpaceVector::new(x, y, z).norm() - velocity.norm(), 0.0 eps);
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use super::bearings::{N, Rubbing, STOP, pose};
 use super::{Bearings, Gimbals, Holds, Pose};
-use crate::error::{Error, Result, finite};
-use crate::integrators::{Dop853, Work};
-use crate::planar::{Run, simulate};
 use core::f64::consts::TAU;
+use rotation_dynamics::error::{Error, Result, finite};
+use rotation_dynamics::integrators::{Dop853, Work};
+use rotation_dynamics::planar::{Run, simulate};
 
 /// A nod has at least so many steps while it is alive, so that no reversal of a bearing hides.
 const STEPS: f64 = 32.0;
@@ -44,7 +44,7 @@ pub struct Change {
 ///
 /// ```
 /// use rotation_dynamics::exact::heavy_top::SymmetricTop;
-/// use rotation_dynamics::gimbals::{Bearing, Bearings, GimbalMotion, Gimbals};
+/// use models::gimbals::{Bearing, Bearings, GimbalMotion, Gimbals};
 /// # fn main() -> rotation_dynamics::Result<()> {
 /// let rotor = SymmetricTop::new(5.45e-3, 9.0e-4, 4.9, 0.1)?;
 /// let gimbals = Gimbals::new(rotor, [1.5e-4, 1.5e-4, 2e-5], 2e-4)?;

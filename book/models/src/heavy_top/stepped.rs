@@ -2,16 +2,17 @@
 
 use super::Pose;
 use super::moving::{Drawn, Moment};
-use crate::draw::{Axis, Camera, Curve, Ink, Panel, Side, Stack, View};
-use crate::error::{Result, not_negative};
-use crate::number::exactly;
-use crate::{CardLine, ClaimEntry, EffectLine, Figure, Lab, MovingPicture, Report, Trajectory};
-use crate::{claim, times};
 use core::f64::consts::TAU;
+use kit::Result;
+use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Stack, View};
+use kit::exactly;
+use kit::{CardLine, Claim, EffectLine, Figure, Lab, MovingPicture, Report, Trajectory};
+use kit::{claim, times};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
     Conserved, CoulombBearing, DiscDrag, Effect, Feature, GravityAtLever, Properties,
 };
+use rotation_dynamics::error::not_negative;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::scene::{components, state};
 use rotation_dynamics::integrators::{Dop853, Ode, Solution, size_or};
@@ -230,7 +231,7 @@ impl Stepped {
     ///
     /// # Errors
     /// Those of [`Scene::solve`] and of the run.
-    pub fn claims(&self, tolerance: f64) -> Result<Vec<ClaimEntry>> {
+    pub fn claims(&self, tolerance: f64) -> Result<Vec<Claim>> {
         let solved = self.scene.solve(&self.start, self.end, tolerance)?;
         let (body, end) = (self.scene.body(), &solved.state);
         let [lx, ly, lz, x, y, z, work] = *self.vectors()?.end_state();
@@ -241,7 +242,7 @@ impl Stepped {
             azimuth([axis.x(), axis.y()]),
             azimuth([x, y]) - azimuth([axis.x(), axis.y()]),
         );
-        let beyond = beyond - TAU * libm::round(beyond / TAU);
+        let beyond = beyond - TAU * (beyond / TAU).round();
         let (start, i3) = (&self.start, body.moments().i3());
         let momentum = start.angular_momentum.norm();
         // The route's own error is that of its steps, over many turns.
@@ -298,7 +299,7 @@ impl Stepped {
         let mut report = Report::new(title, description)?;
         report.add(self.claims(tolerance)?)?;
         report.add(self.ledger(tolerance, names)?)?;
-        report.set_lab(Lab::against_error_control(self.scene, self.start, self.end));
+        report.add(Lab::against_error_control(self.scene, self.start, self.end))?;
         Ok(report)
     }
 
@@ -330,7 +331,7 @@ impl Stepped {
             let axis = now.attitude.axis();
             let ([x, y, z], spin) = (axis.to_array(), body.angular_velocity(&now).z());
             let phi = atan2(x, -y);
-            before = phi + TAU * libm::round((before - phi) / TAU);
+            before = phi + TAU * ((before - phi) / TAU).round();
             Ok([t, atan2(hypot(x, y), z), before, spin, x, y, z])
         })
     }
@@ -349,7 +350,7 @@ impl Stepped {
         for row in trajectory.rows().iter().skip(4).step_by(8) {
             let [lx, ly, lz, x, y, z, _] = other.at(row[0])?;
             let phi = atan2(x, -y);
-            let phi = phi + TAU * libm::round((row[2] - phi) / TAU);
+            let phi = phi + TAU * ((row[2] - phi) / TAU).round();
             let spin = (lx * x + ly * y + lz * z) / i3;
             for (dots, value) in dots.iter_mut().zip([atan2(hypot(x, y), z), phi, spin]) {
                 dots.push((row[0], value));

@@ -2,8 +2,8 @@
 
 use super::Motion;
 use super::routes::{Newton, Nod, greatest_tilt};
-use crate::error::Result;
-use crate::{ClaimEntry, claim};
+use kit::Result;
+use kit::{Claim, claim};
 use rotation_dynamics::Error;
 use rotation_dynamics::exact::heavy_top::Regime;
 use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode};
@@ -20,7 +20,7 @@ impl Motion {
     ///
     /// # Errors
     /// Those of the second routes.
-    pub fn claims(&self, equations: &impl Ode<4>) -> Result<Vec<ClaimEntry>> {
+    pub fn claims(&self, equations: &impl Ode<4>) -> Result<Vec<Claim>> {
         match self.exact.regime() {
             _ if !self.clear_of_poles() => self.tilt(),
             Regime::Steady => self.steady(equations),
@@ -32,7 +32,7 @@ impl Motion {
         }
     }
 
-    fn claim(&self, what: &str, meaning: &str, value: f64, unit: &str) -> ClaimEntry {
+    fn claim(&self, what: &str, meaning: &str, value: f64, unit: &str) -> Claim {
         let meaning = if self.name.is_empty() {
             meaning.into()
         } else {
@@ -42,7 +42,7 @@ impl Motion {
     }
 
     /// The same, offered in the answer box.
-    fn answer(&self, what: &str, meaning: &str, value: f64, unit: &str) -> ClaimEntry {
+    fn answer(&self, what: &str, meaning: &str, value: f64, unit: &str) -> Claim {
         let claim = self.claim(what, meaning, value, unit);
         if self.group.is_empty() {
             claim
@@ -52,7 +52,7 @@ impl Motion {
     }
 
     /// Turning points, period and advances, against bisection and quadrature.
-    fn nod(&self) -> Vec<ClaimEntry> {
+    fn nod(&self) -> Vec<Claim> {
         let exact = &self.exact;
         let nod = Nod::by_quadrature(&self.top, self.energy);
         // With a spin below 0 the time t' runs backwards.
@@ -112,7 +112,7 @@ impl Motion {
     }
 
     /// phi at the end, against the notes' equations.
-    fn azimuth(&self, equations: &impl Ode<4>) -> Result<Option<ClaimEntry>> {
+    fn azimuth(&self, equations: &impl Ode<4>) -> Result<Option<Claim>> {
         let Some((state, apart)) = self.carried(equations)? else {
             return Ok(None);
         };
@@ -136,7 +136,7 @@ impl Motion {
     }
 
     /// Constant tilt: where, the two constant rates, and the energy.
-    fn steady(&self, equations: &impl Ode<4>) -> Result<Vec<ClaimEntry>> {
+    fn steady(&self, equations: &impl Ode<4>) -> Result<Vec<Claim>> {
         let (a, b, c) = (self.top.a(), self.top.b(), self.top.c());
         let (exact, unit) = (&self.exact, self.unit);
         // "Steady" may nod a little, up to 1e-7 rad; its means are steady to second order.
@@ -181,7 +181,7 @@ impl Motion {
 
     /// Near a pole: the greatest tilt, and the tilt at the end against a run in vectors,
     /// which knows no poles.
-    fn tilt(&self) -> Result<Vec<ClaimEntry>> {
+    fn tilt(&self) -> Result<Vec<Claim>> {
         let (top, mut claims) = (&self.top, Vec::new());
         let greatest = self.exact.theta_max();
         // Rounding of E~, b and c over the torque, neighbouring numbers, and, of a body,
@@ -232,7 +232,7 @@ impl Motion {
     /// Near a pole: least tilt and time of one nod, against the places where a run in vectors
     /// is highest. Nothing where no run comes round twice: a top that sleeps, or one that takes
     /// for ever to the vertical.
-    fn nod_in_vectors(&self) -> Result<Vec<ClaimEntry>> {
+    fn nod_in_vectors(&self) -> Result<Vec<Claim>> {
         let (least, period) = (self.exact.theta_min(), self.exact.nutation_period());
         let (newton, start) = (self.newton(), self.start_in_vectors());
         let end = 2.5 * period / self.unit.abs();

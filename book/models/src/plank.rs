@@ -39,10 +39,10 @@
 //! Source: the notes, 15.3, exercise 3, for the equation of motion; the variable and
 //! the form of N are ours.
 
-use super::ladder::gauss_legendre;
-use crate::error::{Error, Result, finite, plain};
-use crate::math::{self, DoubleDouble as Dd, EPS};
-use crate::motion::{Kept, Motion, condition_of_each};
+use crate::ladder::gauss_legendre;
+use rotation_dynamics::error::{Error, Result, finite, plain};
+use rotation_dynamics::math::{self, DoubleDouble as Dd, EPS};
+use rotation_dynamics::motion::{Kept, Motion, condition_of_each};
 
 /// While X + V is below this, the integrand is 1 to 19 digits.
 const UPRIGHT: f64 = 1e-10;
@@ -65,7 +65,7 @@ pub struct PlankState {
 /// A uniform plank falling over on a smooth floor.
 ///
 /// ```
-/// use rotation_dynamics::exact::plank::Plank;
+/// use models::plank::Plank;
 /// let plank = Plank::new(1.0, 9.80665, 0.01, 0.0)?;
 /// assert!((plank.landing_time() - 0.883_792_345_570_950_95).abs() < 2e-16);
 /// assert!((plank.landing().floor_force - 0.25).abs() < 1e-15);

@@ -1,8 +1,7 @@
 //! A motion as a scene for the methods that step, with its exact answer.
 
 use super::Motion;
-use crate::Report;
-use crate::error::Result;
+use kit::{Report, Result};
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::GravityAtLever;

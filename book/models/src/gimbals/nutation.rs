@@ -1,9 +1,9 @@
 //! One nod of a gyroscope in gimbals without friction, by quadrature.
 
 use super::{Gimbals, Pose};
-use crate::error::{Error, Result};
-use crate::math::{EPS, acos, atan2, cos, sin, sincos};
 use core::f64::consts::{PI, TAU};
+use rotation_dynamics::error::{Error, Result};
+use rotation_dynamics::math::{EPS, acos, atan2, cos, sin, sincos};
 
 /// One nod: the tilts between which the axis goes, and the motion in the time.
 ///
@@ -21,7 +21,7 @@ use core::f64::consts::{PI, TAU};
 /// than pi, or the axis goes right round and they are 2 pi apart.
 ///
 /// Accuracy, as measured: without gimbals within 5.2 eps of
-/// [`HeavyTop`](crate::exact::heavy_top::HeavyTop) (advances over 1/sin^2 of the closest
+/// [`HeavyTop`](rotation_dynamics::exact::heavy_top::HeavyTop) (advances over 1/sin^2 of the closest
 /// approach to the vertical); with gimbals, through the vertical and right round, within 9e-14
 /// of DOP853 at 1e-14. Cost: some dozens of
 /// points, more near a separatrix.
@@ -250,10 +250,10 @@ fn around(f: impl Fn(f64) -> [f64; 3]) -> Result<[f64; 3]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::attitude::{Attitude, EulerAngles};
-    use crate::exact::heavy_top::{HeavyTop, SymmetricTop};
-    use crate::frame::BodyVector;
     use core::f64::consts::TAU;
+    use rotation_dynamics::attitude::{Attitude, EulerAngles};
+    use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
+    use rotation_dynamics::frame::BodyVector;
 
     /// Without ring and fork it is the nod of the heavy top.
     #[test]

@@ -3,12 +3,12 @@
 use super::configuration::Coordinates;
 use super::motion::{Scene, checked};
 use super::{Configuration, ContactMode, Forces, Phase, ResistingMoment, TipFriction, Top};
-use crate::effects::Effect;
-use crate::error::Result;
-use crate::frame::SpaceVector;
-use crate::integrators::{Dop853, Work};
-use crate::math::{hypot, sincos};
-use crate::planar::{Run, Transition, simulate};
+use rotation_dynamics::effects::Effect;
+use rotation_dynamics::error::Result;
+use rotation_dynamics::frame::SpaceVector;
+use rotation_dynamics::integrators::{Dop853, Work};
+use rotation_dynamics::math::{hypot, sincos};
+use rotation_dynamics::planar::{Run, Transition, simulate};
 
 /// How a top starts, leaning towards X: angles in rad, rates in rad/s.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,7 +82,7 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect + Clone> Top<F, R, E> {
     ///
     /// # Errors
     /// A throw that is not finite; a start that the floor would have to hold down or with the rim
-    /// in the floor ([`CannotHold`](crate::Error::CannotHold)); the errors of [`simulate`].
+    /// in the floor ([`CannotHold`](rotation_dynamics::Error::CannotHold)); the errors of [`simulate`].
     pub fn simulate(
         &self,
         throw: &Throw,
@@ -156,7 +156,7 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect> TopMotion<F, R, E> {
     /// The first event with this name.
     ///
     /// # Errors
-    /// [`NotReached`](crate::Error::NotReached) if there was none.
+    /// [`NotReached`](rotation_dynamics::Error::NotReached) if there was none.
     pub fn event(&self, name: &'static str) -> Result<&Transition<Phase, 14>> {
         self.run.transition(name)
     }
@@ -169,7 +169,7 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect> TopMotion<F, R, E> {
     /// The phase at the time `t`.
     ///
     /// # Errors
-    /// [`OutsideRun`](crate::Error::OutsideRun), as of all that follow.
+    /// [`OutsideRun`](rotation_dynamics::Error::OutsideRun), as of all that follow.
     pub fn phase(&self, t: f64) -> Result<Phase> {
         Ok(self.run.at(t)?.0)
     }

@@ -1,10 +1,10 @@
 //! Friction in the three bearings of a gyroscope in gimbals.
 
 use super::{Gimbals, Pose};
-use crate::effects::DiscDrag;
-use crate::error::{Result, not_negative};
-use crate::math::{cos, sincos};
-use crate::planar::{Condition, Next, Phased};
+use rotation_dynamics::effects::DiscDrag;
+use rotation_dynamics::error::{Result, not_negative};
+use rotation_dynamics::math::{cos, sincos};
+use rotation_dynamics::planar::{Condition, Next, Phased};
 
 /// Friction of one bearing: the torque -c q' - tau sign(q') against its rate q', and, at
 /// rest, whatever is needed up to tau.

@@ -1,12 +1,11 @@
 //! The quantities of a moment: velocities, forces, energies.
 
 use super::{ContactMode, Phase, ResistingMoment, TipFriction, Top};
-use crate::attitude::Attitude;
-use crate::attitude::product::spun;
-use crate::body::State;
-use crate::effects::Effect;
-use crate::frame::{BodyVector, SpaceVector};
-use crate::math::{atan2, hypot, sincos};
+use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::body::State;
+use rotation_dynamics::effects::Effect;
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::math::{atan2, hypot, sincos};
 
 /// A top at a moment, on the axes of the floor: Z is its normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,7 +98,9 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect> Top<F, R, E> {
     pub fn attitude(&self, coordinates: &Coordinates) -> Attitude {
         let [w, x, y, z, spin, ..] = *coordinates;
         // Coordinates of a run are finite, and their quaternion is not zero.
-        Attitude::from_quaternion(spun([w, x, y, z], spin)).unwrap_or(Attitude::IDENTITY)
+        let (s, c) = sincos(0.5 * spin);
+        let turned = [w * c - z * s, x * c + y * s, y * c - x * s, z * c + w * s];
+        Attitude::from_quaternion(turned).unwrap_or(Attitude::IDENTITY)
     }
 
     /// The moment with these coordinates, in this phase.

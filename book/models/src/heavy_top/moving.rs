@@ -2,9 +2,9 @@
 //! moment, and moving.
 
 use super::{Motion, direction};
-use crate::draw::{Axis, Curve, Ink, Panel, Side, View};
-use crate::error::Result;
-use crate::{MovingPicture, sampled, times};
+use kit::Result;
+use kit::draw::{Axis, Curve, Ink, Panel, Side, View};
+use kit::{MovingPicture, sampled, times};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{acos, sincos};
 use std::sync::Arc;

@@ -5,7 +5,7 @@
 //! coordinates and their momenta are carried; the floor pushes with a normal force N, rubs by a
 //! [law](TipFriction) of your choice, and lets go where N would have to pull. An effect that is not
 //! asked for is not there: friction, [resistances](ResistingMoment) of the contact and
-//! [effects](crate::effects) on the body are types, and absent ones compile to nothing.
+//! [effects](rotation_dynamics::effects) on the body are types, and absent ones compile to nothing.
 //!
 //! | item | what it is |
 //! |---|---|
@@ -22,7 +22,7 @@
 //! and whether the tip slides, creeps or rolls; drilling, rolling resistance and air do not.
 //!
 //! Not for: tips that jump (a run ends where the floor lets go); bodies without symmetry; the
-//! fixed tip ([`crate::exact::heavy_top`]).
+//! fixed tip ([`rotation_dynamics::exact::heavy_top`]).
 //!
 //! Sources: J. H. Jellett, *A Treatise on the Theory of Friction* (1872); E. J. Routh,
 //! *Advanced Rigid Dynamics*; the laws of friction at their types.
@@ -39,12 +39,12 @@ pub use friction::{
 pub use motion::{ContactMode, Phase};
 pub use top_motion::{Throw, TopMotion};
 
-use crate::body::RigidBody;
-use crate::effects::Effect;
-use crate::error::{Error, Result, finite, not_negative, positive};
-use crate::frame::SpaceVector;
-use crate::inertia::PrincipalMoments;
-use crate::math::sincos;
+use rotation_dynamics::body::RigidBody;
+use rotation_dynamics::effects::Effect;
+use rotation_dynamics::error::{Error, Result, finite, not_negative, positive};
+use rotation_dynamics::frame::SpaceVector;
+use rotation_dynamics::inertia::PrincipalMoments;
+use rotation_dynamics::math::sincos;
 
 /// A symmetric body that ends in a ball: SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -125,7 +125,7 @@ impl Shape {
         let Some([radius, height]) = self.rim else {
             return f64::INFINITY;
         };
-        let level = crate::math::hypot(axis.x(), axis.y());
+        let level = rotation_dynamics::math::hypot(axis.x(), axis.y());
         self.tip + (self.lever + height) * axis.z() - radius * level
     }
 }
@@ -135,7 +135,7 @@ impl Shape {
 ///
 /// ```
 /// use rotation_dynamics::effects::DiscDrag;
-/// use rotation_dynamics::tops::{ContactMode, Dry, Shape, Throw, Top};
+/// use models::tops::{ContactMode, Dry, Shape, Throw, Top};
 /// # fn main() -> rotation_dynamics::Result<()> {
 /// // 100 g, its centre of mass 4 cm above the centre of a ball of 5 mm.
 /// let shape = Shape::new(0.1, 4e-5, 4e-5, 0.04, 0.005)?.with_rim(0.03, 0.0)?;

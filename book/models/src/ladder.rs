@@ -6,7 +6,7 @@
 //! a few units of round-off, from a release a hair off the vertical to one a hair off the floor.
 //!
 //! Not for: friction, a start with a push, the impact on the floor. Those scenes
-//! are simulated, with [`crate::planar`].
+//! are simulated, with [`rotation_dynamics::planar`].
 //!
 //! # On the wall
 //!
@@ -39,12 +39,12 @@
 //!
 //! Source: lecture notes, chapter 16, exercise 6; the two integrals are ours.
 
-use super::Modulus;
-use super::extended::carlson_rf;
-use super::jacobi::Jacobi;
-use crate::error::{Error, Result, finite};
-use crate::math::{self, DoubleDouble};
-use crate::motion::{Kept, Motion, condition_of_each};
+use rotation_dynamics::error::{Error, Result, finite};
+use rotation_dynamics::exact::Modulus;
+use rotation_dynamics::exact::carlson::rf_extended;
+use rotation_dynamics::exact::jacobi::Jacobi;
+use rotation_dynamics::math::{self, DoubleDouble};
+use rotation_dynamics::motion::{Kept, Motion, condition_of_each};
 
 /// The smallest angle of release: below it `theta0^2` leaves the range of the
 /// double-double products.
@@ -87,7 +87,7 @@ pub struct LadderState {
 /// A uniform ladder released at rest against a smooth wall.
 ///
 /// ```
-/// use rotation_dynamics::exact::ladder::{Ladder, Phase};
+/// use models::ladder::{Ladder, Phase};
 /// let ladder = Ladder::new(3.0, 9.80665, 0.25)?;
 /// assert!((ladder.release_time() - 0.876_085_675_555_771).abs() < 1e-15);
 /// assert_eq!(ladder.at(1.0)?.phase, Phase::OffWall);
@@ -153,7 +153,7 @@ impl Ladder {
         let release_cos = cos0 * 2.0 / 3.0;
         let versine0 = sin_half.square().scaled(2.0);
         let release_phase = (release_cos / (cos0 + 1.0)).sqrt()
-            * carlson_rf(
+            * rf_extended(
                 versine0 * (release_cos + 1.0) / (cos0 + 1.0),
                 versine0,
                 1.0 - release_cos,
@@ -204,7 +204,7 @@ impl Ladder {
         self.theta0
     }
 
-    /// The time at which the wall lets go, s: [`F`](super::legendre::f) at the amplitude
+    /// The time at which the wall lets go, s: [`F`](rotation_dynamics::exact::legendre::f) at the amplitude
     /// with `sin^2 phi = (2/3) cos theta0 / ((1 + cos theta0)(1 - (2/3) cos theta0))`, over `W`.
     ///
     /// Accuracy: half a unit in the last place (formed in double-double).
@@ -230,7 +230,7 @@ impl Ladder {
         let covered = cos_half.square().scaled(2.0);
         let (_, cos0) = DoubleDouble::from(self.theta0).sin_cos();
         let phase = (cos0.scaled(2.0) / covered).sqrt()
-            * carlson_rf(versine0 / covered, versine0, DoubleDouble::ONE);
+            * rf_extended(versine0 / covered, versine0, DoubleDouble::ONE);
         (phase / self.rate).to_f64()
     }
 
@@ -446,7 +446,7 @@ fn in_range(
 /// Both integrands are analytic inside the ellipse of foci 0 and `growth` whose
 /// semi-axes add up to 5.4 half-lengths, whatever `theta0`: the error is below
 /// `5.4^-24 = 3e-18` of the value. (Abramowitz and Stegun, table 25.4.)
-pub(super) fn gauss_legendre(end: f64, f: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn gauss_legendre(end: f64, f: impl Fn(f64) -> f64) -> f64 {
     const NODES: [(f64, f64); 6] = [
         (0.981_560_634_246_719_3, 0.047_175_336_386_511_83),
         (0.904_117_256_370_474_9, 0.106_939_325_995_318_43),

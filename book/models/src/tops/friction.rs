@@ -3,10 +3,10 @@
 //! Everything here is per newton of the normal force: a force is a pure number, a torque a
 //! length.
 
-use crate::error::{Result, not_negative, positive};
-use crate::frame::SpaceVector;
-use crate::math::{asin, cbrt, hypot};
 use core::f64::consts::PI;
+use rotation_dynamics::error::{Result, not_negative, positive};
+use rotation_dynamics::frame::SpaceVector;
+use rotation_dynamics::math::{asin, cbrt, hypot};
 
 /// Friction at the tip, over the normal force.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,7 +132,7 @@ impl TipFriction for Dry {
 ///
 /// ```
 /// use rotation_dynamics::frame::SpaceVector;
-/// use rotation_dynamics::tops::{Patch, TipFriction};
+/// use models::tops::{Patch, TipFriction};
 /// let patch = Patch::new(0.1, 1e-4)?;
 /// let grip = patch.sliding(SpaceVector::zero(), 100.0);
 /// assert!((grip.torque + 3.0 * core::f64::consts::PI / 16.0 * 0.1 * 1e-4).abs() < 1e-20);

@@ -1,9 +1,9 @@
 //! The effect of friction on a fast gyroscope, by theory: how its nods die and its axis sags.
 
 use super::{Bearings, Gimbals};
-use crate::error::Result;
-use crate::integrators::{Ode, ode};
-use crate::math::sincos;
+use rotation_dynamics::error::Result;
+use rotation_dynamics::integrators::{Ode, ode};
+use rotation_dynamics::math::sincos;
 
 /// Decay and sag at one tilt and spin, without simulating anything.
 ///

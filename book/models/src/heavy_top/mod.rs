@@ -17,8 +17,7 @@ pub use steady::Steady;
 pub use stepped::{Added, Stepped};
 pub use strip::Gravity;
 
-use super::number::decimals;
-use super::{Trajectory, times};
+use kit::{Trajectory, decimals, times};
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Regime, Start};
 use rotation_dynamics::math::sin;
 use rotation_dynamics::{Error, Result};
@@ -27,7 +26,8 @@ use rotation_dynamics::{Error, Result};
 ///
 /// ```
 /// use rotation_dynamics::exact::heavy_top::{ReducedTop, Start};
-/// use kit::{Report, heavy_top::{Equations, Motion}};
+/// use kit::Report;
+/// use models::heavy_top::{Equations, Motion};
 /// let top = ReducedTop::new(2.0, 0.6, 0.2)?;
 /// let cusps = Motion::with_energy("cusps", top, -0.08, Start::ThetaMin)?;
 /// let mut report = Report::new("A top", cusps.description())?;
@@ -173,7 +173,7 @@ impl Motion {
 ///
 /// # Errors
 /// None for sound motions.
-pub fn trajectory(motions: &[Motion]) -> crate::Result<Trajectory> {
+pub fn trajectory(motions: &[Motion]) -> kit::Result<Trajectory> {
     let seconds = motions.iter().any(Motion::in_seconds);
     let mut table = Trajectory::new([
         "motion",

@@ -2,7 +2,7 @@
 //!
 //! The rotor spins in a *ring* (or yoke), the ring tilts in a *fork*, and the fork turns about
 //! the vertical. A mass that turns with phi alone is no torque on the rotor, so it is no
-//! [`effect`](crate::effects): it changes the equations. They keep their two momenta and their
+//! [`effect`](rotation_dynamics::effects): it changes the equations. They keep their two momenta and their
 //! energy, but the cubic of the heavy top becomes a polynomial of the seventh degree, and the
 //! closed form a quadrature.
 //!
@@ -18,7 +18,7 @@
 //! the axis: it may pass 0 and become negative, for with a fork there is no pole.
 //!
 //! Not for: rotors that are not symmetric, gimbals that bend, and play in the bearings. A top
-//! without gimbals is known in closed form, [`crate::exact::heavy_top`].
+//! without gimbals is known in closed form, [`rotation_dynamics::exact::heavy_top`].
 //!
 //! Sources: K. Magnus, *Kreisel: Theorie und Anwendungen* (1971), on the gyroscope in gimbals;
 //! R. N. Arnold, L. Maunder, *Gyrodynamics and its Engineering Applications* (1961).
@@ -33,11 +33,11 @@ pub use decay::Decay;
 pub use motion::{Change, GimbalMotion};
 pub use nutation::NutationCycle;
 
-use crate::error::{Error, Result, finite, not_negative};
-use crate::exact::heavy_top::SymmetricTop;
-use crate::inertia::{ROUNDING, possible};
-use crate::integrators::Ode;
-use crate::math::{cos, sincos};
+use rotation_dynamics::error::{Error, Result, finite, not_negative};
+use rotation_dynamics::exact::heavy_top::SymmetricTop;
+use rotation_dynamics::inertia::InertiaTensor;
+use rotation_dynamics::integrators::Ode;
+use rotation_dynamics::math::{cos, sincos};
 
 /// A heavy symmetric rotor in a ring, in a fork.
 ///
@@ -53,7 +53,7 @@ use crate::math::{cos, sincos};
 ///
 /// ```
 /// use rotation_dynamics::exact::heavy_top::SymmetricTop;
-/// use rotation_dynamics::gimbals::{Gimbals, NutationCycle};
+/// use models::gimbals::{Gimbals, NutationCycle};
 /// # fn main() -> rotation_dynamics::Result<()> {
 /// let rotor = SymmetricTop::new(5.45e-3, 9.0e-4, 4.9, 0.1)?;
 /// let bare = Gimbals::new(rotor, [0.0; 3], 0.0)?;
@@ -147,7 +147,7 @@ impl Gimbals {
         {
             not_negative(name, moment)?;
         }
-        possible(ring, ROUNDING * ring.into_iter().fold(0.0, f64::max))?;
+        InertiaTensor::diagonal(ring)?;
         not_negative("moment of the fork", fork)?;
         Ok(Self { rotor, ring, fork })
     }

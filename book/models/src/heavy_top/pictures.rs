@@ -1,9 +1,9 @@
 //! Figures of a motion: its angles against time, and its path on the sphere.
 
 use super::Motion;
-use crate::draw::{Axis, Camera, Curve, Ink, Panel, Side, Stack, View};
-use crate::error::Result;
-use crate::{Figure, times};
+use kit::Result;
+use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Stack, View};
+use kit::{Figure, times};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Dop853, Ode};
 use rotation_dynamics::math::sincos;

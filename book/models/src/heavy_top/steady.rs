@@ -21,7 +21,7 @@ const TOLERANCE: f64 = 1e-10;
 /// use rotation_dynamics::effects::{CoulombBearing, GravityAtLever};
 /// use rotation_dynamics::inertia::PrincipalMoments;
 /// use rotation_dynamics::math::sin;
-/// use kit::heavy_top::Steady;
+/// use models::heavy_top::Steady;
 /// # fn main() -> kit::Result<()> {
 /// let body = RigidBody::new(PrincipalMoments::symmetric(5.45e-3, 9e-4)?);
 /// let steady = Steady::new(body, GravityAtLever::new(4.9, 0.1)?, 1.0, 314.0)?;
@@ -91,7 +91,7 @@ impl Steady {
     pub fn changed_by(&self, effect: impl Effect) -> Result<[f64; 2]> {
         let ([tilt, azimuth], [other, ahead]) = (self.after(())?, self.after(effect)?);
         let beyond = ahead - azimuth;
-        Ok([other - tilt, beyond - TAU * libm::round(beyond / TAU)])
+        Ok([other - tilt, beyond - TAU * (beyond / TAU).round()])
     }
 
     /// Tilt, and azimuth beyond the turn (between -pi and pi), after the time of a turn, with

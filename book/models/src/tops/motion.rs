@@ -2,11 +2,11 @@
 
 use super::configuration::{Coordinates, axis};
 use super::{Configuration, Forces, ResistingMoment, TipFriction, Top};
-use crate::effects::Effect;
-use crate::error::Result;
-use crate::frame::SpaceVector;
-use crate::math::hypot;
-use crate::planar::{Condition, Next, Phased};
+use rotation_dynamics::effects::Effect;
+use rotation_dynamics::error::Result;
+use rotation_dynamics::frame::SpaceVector;
+use rotation_dynamics::math::hypot;
+use rotation_dynamics::planar::{Condition, Next, Phased};
 
 /// The mode of the tip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -214,7 +214,7 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect> Phased<14> for Scene<'_, F, 
 /// Checks that a start is one: all its numbers are finite.
 pub(super) fn checked(y: Coordinates) -> Result<Coordinates> {
     for c in y {
-        crate::error::finite("start of a top", c)?;
+        rotation_dynamics::error::finite("start of a top", c)?;
     }
     Ok(y)
 }
