@@ -1,6 +1,6 @@
 //! Axes: a label, a range that defaults to the data's, and where the ticks stand.
 
-use super::ticks::{Step, angle_ticks, decade_ticks, decimal_ticks, stepped_ticks};
+use super::ticks::Step;
 use rotation_dynamics::error::{Error, Result, finite};
 use rotation_dynamics::math::log10;
 
@@ -92,7 +92,7 @@ impl Axis {
     /// Ticks stand at the multiples of pi over `denominator`.
     #[must_use]
     pub fn parts_of_pi(mut self, denominator: u32) -> Self {
-        self.step = Some(Step::Pi(denominator));
+        self.step = Some(Step::Pi(1, denominator.into()));
         self
     }
 
@@ -137,21 +137,17 @@ impl Axis {
     }
 
     /// The places and labels of the ticks within an extent; at most about `most`.
-    pub(super) fn marks(&self, (low, high): (f64, f64), most: usize) -> Result<Vec<(f64, String)>> {
-        if let Some(ticks) = &self.ticks {
-            return ticks
-                .iter()
-                .map(|(value, label)| Ok((self.place(*value)?, label.clone())))
-                .collect();
-        }
-        if let Some(step) = self.step {
-            return stepped_ticks(low, high, step);
-        }
-        Ok(match self.scale {
-            Scale::Linear => decimal_ticks(low, high, most),
-            Scale::Angle => angle_ticks(low, high, most),
-            Scale::Log => decade_ticks(low, high, most),
-        })
+    pub(super) fn marks(&self, extent: (f64, f64), most: usize) -> Result<Vec<(f64, String)>> {
+        let Some(ticks) = &self.ticks else {
+            let step = self.step.unwrap_or_else(|| match self.scale {
+                Scale::Linear => Step::decimal(extent, most),
+                Scale::Angle => Step::angle(extent, most),
+                Scale::Log => Step::decades(extent, most),
+            });
+            return step.ticks(extent);
+        };
+        let mark = |(value, label): &(f64, String)| Ok((self.place(*value)?, label.clone()));
+        ticks.iter().map(mark).collect()
     }
 }
 

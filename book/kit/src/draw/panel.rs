@@ -156,43 +156,34 @@ impl Panel {
         self
     }
 
-    /// Adds a dot with a label; the label may be empty.
-    #[must_use]
-    pub fn dot(mut self, x: f64, y: f64, ink: Ink, label: &str, side: Side) -> Self {
+    fn noted(mut self, at: Point, ink: Ink, text: &str, side: Side, dot: Option<bool>) -> Self {
+        let text = text.into();
         self.notes.push(Note {
-            at: (x, y),
-            text: label.into(),
+            at,
+            text,
             ink,
             side,
-            dot: Some(false),
+            dot,
         });
         self
+    }
+
+    /// Adds a dot with a label; the label may be empty.
+    #[must_use]
+    pub fn dot(self, x: f64, y: f64, ink: Ink, label: &str, side: Side) -> Self {
+        self.noted((x, y), ink, label, side, Some(false))
     }
 
     /// Adds a ring with a label: a point that is not reached, or the start.
     #[must_use]
-    pub fn ring(mut self, x: f64, y: f64, ink: Ink, label: &str, side: Side) -> Self {
-        self.notes.push(Note {
-            at: (x, y),
-            text: label.into(),
-            ink,
-            side,
-            dot: Some(true),
-        });
-        self
+    pub fn ring(self, x: f64, y: f64, ink: Ink, label: &str, side: Side) -> Self {
+        self.noted((x, y), ink, label, side, Some(true))
     }
 
     /// Adds a text beside the point `(x, y)`.
     #[must_use]
-    pub fn note(mut self, x: f64, y: f64, ink: Ink, text: &str, side: Side) -> Self {
-        self.notes.push(Note {
-            at: (x, y),
-            text: text.into(),
-            ink,
-            side,
-            dot: None,
-        });
-        self
+    pub fn note(self, x: f64, y: f64, ink: Ink, text: &str, side: Side) -> Self {
+        self.noted((x, y), ink, text, side, None)
     }
 
     /// Marks the present: curves are faint beyond `x`, with a dot where they pass it.
