@@ -178,16 +178,12 @@ impl Frame<'_> {
     pub(super) fn draw(&self, points: &[Point], paint: &Paint) -> Result<()> {
         let (across, up) = (self.0.get_x_range(), self.0.get_y_range());
         for &(x, y) in points {
-            // Far outside the sheet the whole numbers would overflow.
             for (name, value, range) in [("x in a figure", x, &across), ("y in a figure", y, &up)] {
                 finite(name, value)?;
+                // Far outside the sheet the whole numbers would overflow.
                 if ((value - range.start) / (range.end - range.start)).abs() > 100.0 {
-                    return Err(rotation_dynamics::Error::out_of_range(
-                        name,
-                        value,
-                        "it must not lie far outside the figure",
-                    )
-                    .into());
+                    let allowed = "it must not lie far outside the figure";
+                    return Err(rotation_dynamics::Error::out_of_range(name, value, allowed).into());
                 }
             }
         }
@@ -209,10 +205,21 @@ pub(super) fn drawn<T, E: core::fmt::Debug>(answer: core::result::Result<T, E>) 
 
 /// A sheet of paper.
 pub(super) struct Canvas {
-    display: RefCell<Display>,
+    pub(super) display: RefCell<Display>,
 }
 
 impl Canvas {
+    /// An empty one, of this width and height in px.
+    pub(super) fn new(size: (u32, u32)) -> Self {
+        let (shapes, texts) = (Vec::new(), Vec::new());
+        let display = RefCell::new(Display {
+            size,
+            shapes,
+            texts,
+        });
+        Self { display }
+    }
+
     /// All of it, in plotters' pixels.
     pub(super) fn area(&self) -> DrawingArea<Sheet<'_>, Shift> {
         Sheet(&self.display).into_drawing_area()
@@ -245,23 +252,7 @@ impl Canvas {
         }
     }
 
-    /// How many shapes and texts there are.
-    pub(super) fn count(&self) -> [usize; 2] {
-        let display = self.display.borrow();
-        [display.shapes.len(), display.texts.len()]
-    }
-
-    /// What was drawn after there were so many.
-    pub(super) fn since(&self, [shapes, texts]: [usize; 2]) -> Display {
-        let display = self.display.borrow();
-        Display {
-            size: display.size,
-            shapes: display.shapes[shapes..].to_vec(),
-            texts: display.texts[texts..].to_vec(),
-        }
-    }
-
-    /// Draws what was drawn before.
+    /// Adds what was drawn elsewhere.
     pub(super) fn again(&self, drawn: &Display) {
         let mut display = self.display.borrow_mut();
         display.shapes.extend_from_slice(&drawn.shapes);
@@ -289,17 +280,11 @@ pub(super) fn figure(
             allowed: "the alternative text of a figure says in a sentence what is to be seen",
         });
     }
-    let display = RefCell::new(Display {
-        size,
-        shapes: Vec::new(),
-        texts: Vec::new(),
-    });
-    let canvas = Canvas { display };
+    let canvas = Canvas::new(size);
     draw(&canvas)?;
-    let display = canvas.display.into_inner();
     Ok(Figure {
         name: name.into(),
         alt: alt.into(),
-        display,
+        display: canvas.display.into_inner(),
     })
 }

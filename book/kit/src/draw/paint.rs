@@ -32,25 +32,18 @@ impl Panel {
 
     /// The extents of both axes, in places.
     pub(super) fn extents(&self) -> Result<(Point, Point)> {
-        let mut all = Vec::new();
-        for points in self
-            .curves
-            .iter()
-            .map(|c| &c.points)
-            .chain(self.areas.iter().map(|a| &a.0))
-        {
-            all.extend(self.places(points)?);
-        }
-        let (mut xs, mut ys) = (Vec::new(), Vec::new());
+        let curves = self.curves.iter().map(|curve| &curve.points);
+        let outlines = curves.chain(self.areas.iter().map(|area| &area.0));
+        let all = outlines.map(|points| self.places(points));
+        let all: Vec<Vec<Point>> = all.collect::<Result<_>>()?;
+        let (mut xs, mut ys): (Vec<f64>, Vec<f64>) = all.into_iter().flatten().unzip();
         for (rule, ..) in &self.rules {
             match rule {
                 Rule::Across(y) => ys.push(self.y.place(*y)?),
                 Rule::Up(x) => xs.push(self.x.place(*x)?),
             }
         }
-        let x = self.x.extent(all.iter().map(|p| p.0).chain(xs))?;
-        let y = self.y.extent(all.iter().map(|p| p.1).chain(ys))?;
-        Ok((x, y))
+        Ok((self.x.extent(xs)?, self.y.extent(ys)?))
     }
 
     fn y_ticks(&self, y: Point, height: f64) -> rotation_dynamics::Result<Vec<(f64, String)>> {
@@ -142,9 +135,9 @@ impl Panel {
         };
         let mut chart = drawn(builder.build_cartesian_2d(x_scale, y_scale));
         let frame = Frame(chart.plotting_area().clone());
-        for (outline, ink, alpha) in &self.areas {
+        for (outline, ink) in &self.areas {
             let cut = clipped_polygon(&self.places(outline)?, x, y);
-            frame.draw(&cut, &Paint::Fill(*ink, *alpha))?;
+            frame.draw(&cut, &Paint::Fill(*ink, 0.18))?;
         }
         let mut mesh = chart.configure_mesh();
         mesh.disable_mesh().set_all_tick_mark_size(units(TICK));
@@ -238,11 +231,13 @@ impl Panel {
             canvas.again(labels);
             return Ok(());
         }
-        let before = canvas.count();
-        self.paint_labels(&canvas.sheet(), frame, &curves, &lines, plot, obstacles)?;
-        if let Some(labels) = &self.labels {
+        let apart = Canvas::new(canvas.display.borrow().size);
+        self.paint_labels(&apart.sheet(), frame, &curves, &lines, plot, obstacles)?;
+        let labels = apart.display.into_inner();
+        canvas.again(&labels);
+        if let Some(kept) = &self.labels {
             // Another frame may have been first.
-            let _ = labels.set((plot, canvas.since(before)));
+            let _ = kept.set((plot, labels));
         }
         Ok(())
     }

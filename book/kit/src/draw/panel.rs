@@ -45,7 +45,7 @@ pub struct Panel {
     pub(super) x: Axis,
     pub(super) y: Axis,
     pub(super) equal: bool,
-    pub(super) areas: Vec<(Vec<Point>, Ink, f64)>,
+    pub(super) areas: Vec<(Vec<Point>, Ink)>,
     pub(super) rules: Vec<(Rule, Ink, String)>,
     pub(super) curves: Vec<Curve>,
     pub(super) notes: Vec<Note>,
@@ -138,7 +138,7 @@ impl Panel {
     /// Adds a faint area with this outline.
     #[must_use]
     pub fn area(mut self, outline: impl IntoIterator<Item = (f64, f64)>, ink: Ink) -> Self {
-        self.areas.push((outline.into_iter().collect(), ink, 0.18));
+        self.areas.push((outline.into_iter().collect(), ink));
         self
     }
 
