@@ -8,7 +8,7 @@ use std::error::Error;
 use std::ops::Range;
 use wasmparser::{
     DataKind, ExternalKind, KnownCustom, Linking, Name, Operator, Parser, Payload, RelocationEntry,
-    RelocationType, SymbolInfo,
+    RelocationType, SymbolInfo, TypeRef,
 };
 
 /// What a body or a datum names.
@@ -59,7 +59,7 @@ pub struct Function {
     pub name: String,
     /// The index of its type.
     pub kind: u32,
-    /// Locals and code.
+    /// Locals and code; of an import nothing.
     pub bytes: Vec<u8>,
     pub holes: Vec<Hole>,
 }
@@ -127,6 +127,8 @@ enum Symbol {
 struct Parts<'a> {
     sections: [Vec<u8>; 3],
     kinds: Vec<u32>,
+    /// How many of the functions are imports: they come first.
+    imported: usize,
     bodies: Vec<Range<usize>>,
     code: usize,
     segments: Vec<Segment<'a>>,
@@ -151,21 +153,31 @@ impl<'a> Parts<'a> {
         let raw = |range: Range<u64>| module[at(range.start)..at(range.end)].to_vec();
         for payload in Parser::new(0).parse_all(module) {
             match payload? {
-                Payload::ImportSection(imports) if imports.count() > 0 => {
-                    return Err(
-                        "the module imports something, and a page has nothing to give".into(),
-                    );
+                Payload::ImportSection(imports) => {
+                    for import in imports.into_imports() {
+                        let import = import?;
+                        let TypeRef::Func(kind) = import.ty else {
+                            return Err("the module imports what is no function".into());
+                        };
+                        parts.names.insert(parts.imported, import.name.into());
+                        parts.kinds.push(kind);
+                        parts.imported += 1;
+                    }
                 }
                 Payload::TypeSection(section) => parts.sections[0] = raw(section.range()),
                 Payload::MemorySection(section) => parts.sections[1] = raw(section.range()),
                 Payload::GlobalSection(section) => parts.sections[2] = raw(section.range()),
                 Payload::FunctionSection(section) => {
-                    parts.kinds = section.into_iter().collect::<Result<_, _>>()?;
+                    for kind in section {
+                        parts.kinds.push(kind?);
+                    }
                 }
                 Payload::ExportSection(section) => {
                     for export in section {
                         let export = export?;
-                        if export.kind == ExternalKind::Func {
+                        // What begins so belongs to the tool wasm-bindgen, which is not used.
+                        let others = export.name.starts_with("__");
+                        if export.kind == ExternalKind::Func && !others {
                             parts
                                 .exports
                                 .insert(export.name.into(), export.index as usize);
@@ -243,8 +255,9 @@ impl<'a> Parts<'a> {
     fn symbol(&mut self, symbol: &SymbolInfo) {
         let found = match symbol {
             SymbolInfo::Func { index, name, .. } => {
-                let name = name.unwrap_or_default().to_owned();
-                self.names.insert(*index as usize, name);
+                if let Some(name) = name {
+                    self.names.insert(*index as usize, (*name).into());
+                }
                 Symbol::Function(*index as usize)
             }
             SymbolInfo::Data {
@@ -312,7 +325,7 @@ impl Linked {
     /// Reads a module that was linked with its relocations.
     ///
     /// # Errors
-    /// It is no module, or one of a kind that is not cut: with imports, or without relocations.
+    /// It is no module, or one of a kind that is not cut: without relocations.
     pub fn read(module: &[u8]) -> Outcome<Self> {
         let mut parts = Parts::read(module)?;
         let mut data = parts.data();
@@ -357,19 +370,22 @@ impl Linked {
                 value,
             })
         };
-        let mut functions = Vec::with_capacity(parts.bodies.len());
+        let mut functions = Vec::with_capacity(parts.kinds.len());
         let mut code = parts.relocations[0].iter().peekable();
-        for (index, body) in parts.bodies.iter().enumerate() {
-            let mut holes = Vec::new();
-            while let Some(entry) =
-                code.next_if(|entry| parts.code + (entry.offset as usize) < body.end)
-            {
-                holes.push(hole(entry, body.start, parts.code + entry.offset as usize)?);
+        for (index, kind) in parts.kinds.iter().enumerate() {
+            let (mut bytes, mut holes) = (Vec::new(), Vec::new());
+            if let Some(body) = index.checked_sub(parts.imported).map(|n| &parts.bodies[n]) {
+                while let Some(entry) =
+                    code.next_if(|entry| parts.code + (entry.offset as usize) < body.end)
+                {
+                    holes.push(hole(entry, body.start, parts.code + entry.offset as usize)?);
+                }
+                bytes = module[body.clone()].to_vec();
             }
             functions.push(Function {
                 name: parts.names.get(&index).cloned().unwrap_or_default(),
-                kind: parts.kinds[index],
-                bytes: module[body.clone()].to_vec(),
+                kind: *kind,
+                bytes,
                 holes,
             });
         }

@@ -225,7 +225,7 @@ fn run() -> Outcome<()> {
         }
     }
     let linked = linked.map_or_else(|| build::linked(&root), Ok)?;
-    let module = Slim::new(&Linked::read(&fs::read(linked)?)?);
+    let module = Slim::new(&Linked::read(&fs::read(linked)?)?)?;
     let traced = build::traced(&root, &pack::whole(&module))?;
     let (packs, mut index) = packs(&module, &traced)?;
     index["sources"] = sources.into();

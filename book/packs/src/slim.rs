@@ -162,7 +162,10 @@ fn filled(bytes: &[u8], holes: &[Hole], value: impl Fn(&Hole) -> i64) -> Vec<u8>
 
 impl Slim {
     /// What the exports reach, slim.
-    pub fn new(module: &Linked) -> Self {
+    ///
+    /// # Errors
+    /// They reach an import: a page has nothing to give.
+    pub fn new(module: &Linked) -> Result<Self, String> {
         let same = Same::find(module);
         let names = |node: Node| -> Vec<Node> {
             let holes = match node {
@@ -183,6 +186,14 @@ impl Slim {
             .filter(|(_, datum)| datum.name.is_empty());
         let roots = roots.chain(unnamed.map(|(index, _)| Node::Datum(index)));
         let kept = closure(roots, names, |_| true);
+        let imported = |node: &&Node| match node {
+            Node::Function(f) => module.functions[*f].bytes.is_empty(),
+            Node::Datum(_) => false,
+        };
+        if let Some(Node::Function(f)) = kept.iter().find(imported) {
+            let name = &module.functions[*f].name;
+            return Err(format!("the module needs {name} of whoever runs it"));
+        }
 
         let mut slots = BTreeSet::new();
         for &node in &kept {
@@ -255,7 +266,7 @@ impl Slim {
                 names(node).into_iter().map(renamed).collect(),
             )
         });
-        Self {
+        Ok(Self {
             sections: module.sections.clone(),
             kinds: order.iter().map(|f| module.functions[*f].kind).collect(),
             slots: slots.len(),
@@ -268,7 +279,7 @@ impl Slim {
                 .collect(),
             names: names.collect(),
             called: called.collect(),
-        }
+        })
     }
 }
 
@@ -313,6 +324,7 @@ pub fn closure(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::linked::Function;
 
     #[test]
     fn numbers_take_as_few_bytes_as_they_can() {
@@ -340,6 +352,39 @@ mod tests {
             unsigned(value, &mut out);
             assert_eq!(out, bytes, "{value}");
         }
+    }
+
+    /// A page has nothing to give to a module; what is imported and not used is cut.
+    #[test]
+    fn an_import_is_refused_if_it_is_reached() {
+        let function = |name: &str, bytes: &[u8], calls: &[usize]| Function {
+            name: name.into(),
+            kind: 0,
+            bytes: bytes.into(),
+            holes: calls
+                .iter()
+                .map(|f| Hole {
+                    at: 0,
+                    form: Form::Unsigned,
+                    target: Target::Function(*f),
+                    value: 0,
+                })
+                .collect(),
+        };
+        let module = |exported: usize| Linked {
+            sections: Default::default(),
+            functions: vec![
+                function("window", &[], &[]),
+                function("asks", &[0; 5], &[0]),
+                function("computes", &[0; 5], &[2]),
+            ],
+            data: Vec::new(),
+            exports: BTreeMap::from([("run".into(), exported)]),
+        };
+        let kept = Slim::new(&module(2)).expect("nothing is asked for");
+        assert_eq!(kept.bodies.len(), 1);
+        let refused = Slim::new(&module(1)).unwrap_err();
+        assert_eq!(refused, "the module needs window of whoever runs it");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Axes: a label, a range that defaults to the data's, and where the ticks stand.
 
-use super::ticks::{Step, angle_ticks, decade_ticks, decimal_ticks, stepped_ticks};
+use super::ticks::Step;
 use rotation_dynamics::error::{Error, Result, finite};
 use rotation_dynamics::math::log10;
 
@@ -28,6 +28,13 @@ pub struct Axis {
     range: Option<(f64, f64)>,
     ticks: Option<Vec<(f64, String)>>,
     step: Option<Step>,
+}
+
+/// The least and the greatest value.
+fn span(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    let none = (f64::INFINITY, f64::NEG_INFINITY);
+    let wider = |(low, high): (f64, f64), x| (low.min(x), high.max(x));
+    values.into_iter().fold(none, wider)
 }
 
 impl From<&str> for Axis {
@@ -74,11 +81,7 @@ impl Axis {
     /// figure shows.
     #[must_use]
     pub fn over(self, values: impl IntoIterator<Item = f64>) -> Self {
-        let (low, high) = values
-            .into_iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
-                (a.min(x), b.max(x))
-            });
+        let (low, high) = span(values);
         self.range(low, high)
     }
 
@@ -92,7 +95,7 @@ impl Axis {
     /// Ticks stand at the multiples of pi over `denominator`.
     #[must_use]
     pub fn parts_of_pi(mut self, denominator: u32) -> Self {
-        self.step = Some(Step::Pi(denominator));
+        self.step = Some(Step::Pi(1, denominator.into()));
         self
     }
 
@@ -118,12 +121,10 @@ impl Axis {
     }
 
     /// The range in places, given the places of the data.
-    pub(super) fn extent(&self, places: impl Iterator<Item = f64>) -> Result<(f64, f64)> {
+    pub(super) fn extent(&self, places: impl IntoIterator<Item = f64>) -> Result<(f64, f64)> {
         let (low, high) = match self.range {
             Some((from, to)) => (self.place(from)?, self.place(to)?),
-            None => places.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
-                (a.min(x), b.max(x))
-            }),
+            None => span(places),
         };
         if low < high {
             Ok((low, high))
@@ -137,21 +138,17 @@ impl Axis {
     }
 
     /// The places and labels of the ticks within an extent; at most about `most`.
-    pub(super) fn marks(&self, (low, high): (f64, f64), most: usize) -> Result<Vec<(f64, String)>> {
-        if let Some(ticks) = &self.ticks {
-            return ticks
-                .iter()
-                .map(|(value, label)| Ok((self.place(*value)?, label.clone())))
-                .collect();
-        }
-        if let Some(step) = self.step {
-            return stepped_ticks(low, high, step);
-        }
-        Ok(match self.scale {
-            Scale::Linear => decimal_ticks(low, high, most),
-            Scale::Angle => angle_ticks(low, high, most),
-            Scale::Log => decade_ticks(low, high, most),
-        })
+    pub(super) fn marks(&self, extent: (f64, f64), most: usize) -> Result<Vec<(f64, String)>> {
+        let Some(ticks) = &self.ticks else {
+            let step = self.step.unwrap_or_else(|| match self.scale {
+                Scale::Linear => Step::decimal(extent, most),
+                Scale::Angle => Step::angle(extent, most),
+                Scale::Log => Step::decades(extent, most),
+            });
+            return step.ticks(extent);
+        };
+        let mark = |(value, label): &(f64, String)| Ok((self.place(*value)?, label.clone()));
+        ticks.iter().map(mark).collect()
     }
 }
 
@@ -195,7 +192,7 @@ mod tests {
     #[test]
     fn siblings_have_one_range_and_one_step() {
         let axis = Axis::linear("x").over([0.3, -0.1, 1.2]).step(0.25);
-        let extent = axis.extent([5.0].into_iter()).expect("its own range");
+        let extent = axis.extent([5.0]).expect("its own range");
         assert_eq!(extent, (-0.1, 1.2));
         assert_eq!(
             labels(&axis, extent),
@@ -209,24 +206,14 @@ mod tests {
                 "{step}"
             );
         }
-        assert!(
-            Axis::linear("x")
-                .over([])
-                .extent([1.0, 2.0].into_iter())
-                .is_err()
-        );
+        assert!(Axis::linear("x").over([]).extent([1.0, 2.0]).is_err());
     }
 
     #[test]
     fn an_axis_refuses_what_it_cannot_show() {
         assert!(Axis::log("x").place(0.0).is_err());
         assert!(Axis::linear("x").place(f64::NAN).is_err());
-        assert!(
-            Axis::linear("x")
-                .range(1.0, 1.0)
-                .extent(core::iter::empty())
-                .is_err()
-        );
-        assert!(Axis::linear("x").extent(core::iter::empty()).is_err());
+        assert!(Axis::linear("x").range(1.0, 1.0).extent([]).is_err());
+        assert!(Axis::linear("x").extent([]).is_err());
     }
 }

@@ -1,15 +1,18 @@
 //! A sheet of paper: marks in the coordinates of a figure become a display list.
 
+use super::backend::{Mark, Scale, Sheet};
 use super::display::{Dash, Display, Place, Shape, Stroke, Text, UNITS, thinned};
 use super::ink::Ink;
 use super::label::SIZE;
-use super::map::Map;
 use super::method::Marker;
 use super::words::{Rect, Words};
 use crate::Figure;
 use crate::error::{Error, Result, finite};
 use core::cell::RefCell;
 use core::f64::consts::PI;
+use plotters::coord::Shift;
+use plotters::drawing::{DrawingArea, IntoDrawingArea};
+use plotters::prelude::Cartesian2d;
 use rotation_dynamics::math::{atan2, hypot, sincos};
 
 /// A point in the coordinates of its figure.
@@ -49,7 +52,7 @@ impl Display {
         }
     }
 
-    fn mark(&mut self, mut points: Vec<Place>, paint: &Paint) {
+    pub(super) fn mark(&mut self, mut points: Vec<Place>, paint: &Paint) {
         match paint {
             Paint::Line(stroke) => self.line(&points, false, *stroke),
             Paint::Loop(stroke) => self.line(&points, true, *stroke),
@@ -128,7 +131,7 @@ impl Display {
     }
 }
 
-fn units(px: f64) -> i32 {
+pub(super) fn units(px: f64) -> i32 {
     libm::round(px * UNITS) as i32
 }
 
@@ -167,85 +170,69 @@ fn head_at_end(points: &mut [Place], length: f64, open: bool) -> Vec<Place> {
     head
 }
 
-/// A part of the canvas with its own coordinates.
-pub(super) struct Frame<'a> {
-    display: &'a RefCell<Display>,
-    map: Map,
-    x: Point,
-    y: Point,
-}
+/// A part of the sheet with its own coordinates.
+pub(super) struct Frame<'a>(pub(super) DrawingArea<Sheet<'a>, Cartesian2d<Scale, Scale>>);
 
 impl Frame<'_> {
     /// Draws `paint` at `points`.
     pub(super) fn draw(&self, points: &[Point], paint: &Paint) -> Result<()> {
+        let (across, up) = (self.0.get_x_range(), self.0.get_y_range());
         for &(x, y) in points {
-            // Far outside the sheet the whole numbers would overflow.
-            for (name, value, (from, to)) in
-                [("x in a figure", x, self.x), ("y in a figure", y, self.y)]
-            {
+            for (name, value, range) in [("x in a figure", x, &across), ("y in a figure", y, &up)] {
                 finite(name, value)?;
-                if ((value - from) / (to - from)).abs() > 100.0 {
-                    return Err(rotation_dynamics::Error::out_of_range(
-                        name,
-                        value,
-                        "it must not lie far outside the figure",
-                    )
-                    .into());
+                // Far outside the sheet the whole numbers would overflow.
+                if ((value - range.start) / (range.end - range.start)).abs() > 100.0 {
+                    let allowed = "it must not lie far outside the figure";
+                    return Err(rotation_dynamics::Error::out_of_range(name, value, allowed).into());
                 }
             }
         }
-        let places = points.iter().map(|&p| self.map.place(p)).collect();
-        self.display.borrow_mut().mark(places, paint);
+        drawn(self.0.draw(&Mark(points, paint)));
         Ok(())
-    }
-
-    /// How many shapes and texts there are.
-    pub(super) fn count(&self) -> [usize; 2] {
-        let display = self.display.borrow();
-        [display.shapes.len(), display.texts.len()]
-    }
-
-    /// What was drawn after there were so many.
-    pub(super) fn since(&self, [shapes, texts]: [usize; 2]) -> Display {
-        let display = self.display.borrow();
-        Display {
-            size: display.size,
-            shapes: display.shapes[shapes..].to_vec(),
-            texts: display.texts[texts..].to_vec(),
-        }
-    }
-
-    /// Draws what was drawn before.
-    pub(super) fn again(&self, drawn: &Display) {
-        let mut display = self.display.borrow_mut();
-        display.shapes.extend_from_slice(&drawn.shapes);
-        display.texts.extend_from_slice(&drawn.texts);
     }
 
     /// Where `point` comes to lie, in px.
     pub(super) fn px(&self, point: Point) -> Point {
-        let (x, y) = self.map.place(point);
+        let (x, y) = self.0.map_coordinate(&point);
         (f64::from(x) / UNITS, f64::from(y) / UNITS)
     }
 }
 
+/// What plotters answers: a display list takes all that is drawn.
+pub(super) fn drawn<T, E: core::fmt::Debug>(answer: core::result::Result<T, E>) -> T {
+    answer.expect("nothing else draws on the sheet meanwhile")
+}
+
 /// A sheet of paper.
 pub(super) struct Canvas {
-    display: RefCell<Display>,
+    pub(super) display: RefCell<Display>,
 }
 
 impl Canvas {
+    /// An empty one, of this width and height in px.
+    pub(super) fn new(size: (u32, u32)) -> Self {
+        let (shapes, texts) = (Vec::new(), Vec::new());
+        let display = RefCell::new(Display {
+            size,
+            shapes,
+            texts,
+        });
+        Self { display }
+    }
+
+    /// All of it, in plotters' pixels.
+    pub(super) fn area(&self) -> DrawingArea<Sheet<'_>, Shift> {
+        Sheet(&self.display).into_drawing_area()
+    }
+
     /// Coordinates in which `x` and `y`, from first to second, fill `rect` from left
     /// to right and from bottom to top.
     pub(super) fn frame(&self, x: Point, y: Point, rect: Rect) -> Frame<'_> {
-        let across = (units(rect.left), units(rect.right));
-        let up = (units(rect.bottom), units(rect.top));
-        Frame {
-            display: &self.display,
-            map: Map::new(x, y, across, up),
-            x,
-            y,
-        }
+        let across = units(rect.left)..units(rect.right);
+        let up = units(rect.bottom)..units(rect.top);
+        let scale = |range| Scale::new(range, 0, Vec::new());
+        let coordinates = Cartesian2d::new(scale(x), scale(y), (across, up));
+        Frame(self.area().apply_coord_spec(coordinates))
     }
 
     /// Coordinates in px, from the upper left corner.
@@ -263,6 +250,13 @@ impl Canvas {
             top: 0.0,
             bottom: f64::from(height),
         }
+    }
+
+    /// Adds what was drawn elsewhere.
+    pub(super) fn again(&self, drawn: &Display) {
+        let mut display = self.display.borrow_mut();
+        display.shapes.extend_from_slice(&drawn.shapes);
+        display.texts.extend_from_slice(&drawn.texts);
     }
 }
 
@@ -286,17 +280,11 @@ pub(super) fn figure(
             allowed: "the alternative text of a figure says in a sentence what is to be seen",
         });
     }
-    let display = RefCell::new(Display {
-        size,
-        shapes: Vec::new(),
-        texts: Vec::new(),
-    });
-    let canvas = Canvas { display };
+    let canvas = Canvas::new(size);
     draw(&canvas)?;
-    let display = canvas.display.into_inner();
     Ok(Figure {
         name: name.into(),
         alt: alt.into(),
-        display,
+        display: canvas.display.into_inner(),
     })
 }

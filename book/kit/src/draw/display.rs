@@ -5,6 +5,7 @@
 //! so that the same drawing is the same list on every machine.
 
 use super::ink::Ink;
+use super::place::distance_squared;
 
 /// Units of a place in a pixel.
 pub(super) const UNITS: f64 = 100.0;
@@ -151,13 +152,14 @@ pub(super) fn thinned(points: &[Place]) -> Vec<Place> {
     let Some(last) = points.len().checked_sub(1) else {
         return Vec::new();
     };
+    let at = |i: usize| (f64::from(points[i].0), f64::from(points[i].1));
     let mut keep = vec![false; points.len()];
     keep[0] = true;
     keep[last] = true;
     let mut spans = vec![(0, last)];
     while let Some((a, b)) = spans.pop() {
         let farthest = (a + 1..b)
-            .map(|i| (i, squared_distance(points[i], points[a], points[b])))
+            .map(|i| (i, distance_squared([at(a), at(b)], at(i))))
             .fold(
                 (a, NEAR * NEAR),
                 |best, next| if next.1 > best.1 { next } else { best },
@@ -170,25 +172,6 @@ pub(super) fn thinned(points: &[Place]) -> Vec<Place> {
     }
     let kept = points.iter().zip(keep);
     kept.filter_map(|(p, keep)| keep.then_some(*p)).collect()
-}
-
-/// The distance of `p` from the segment `ab`, squared.
-fn squared_distance(p: Place, a: Place, b: Place) -> f64 {
-    let vector = |from: Place, to: Place| {
-        (
-            f64::from(to.0) - f64::from(from.0),
-            f64::from(to.1) - f64::from(from.1),
-        )
-    };
-    let ((dx, dy), (px, py)) = (vector(a, b), vector(a, p));
-    let length = dx * dx + dy * dy;
-    let along = if length == 0.0 {
-        0.0
-    } else {
-        ((px * dx + py * dy) / length).clamp(0.0, 1.0)
-    };
-    let (ex, ey) = (px - along * dx, py - along * dy);
-    ex * ex + ey * ey
 }
 
 #[cfg(test)]

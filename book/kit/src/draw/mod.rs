@@ -15,9 +15,11 @@
 //! ([`Method`]), lines are labelled directly, labels speak a little TeX (`"$U_{eff}$"`),
 //! coordinates are finer than pixels, and the same input gives the same bytes on every
 //! machine. A figure is a list ([`Display`]) of strokes, areas, faces, dots and texts;
-//! its SVG is one way to write that down. This module is not a general plotting library.
+//! its SVG is one way to write that down. Plotters draws the list: it lays out the axes of a
+//! panel, and maps coordinates to places. Where ticks and labels go is decided here.
 
 mod axis;
+mod backend;
 mod bodies;
 mod canvas;
 mod clip;
@@ -29,7 +31,6 @@ mod encoded;
 mod hidden;
 mod ink;
 mod label;
-mod map;
 mod mechanism;
 mod method;
 mod paint;

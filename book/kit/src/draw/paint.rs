@@ -1,6 +1,7 @@
 //! How a panel is painted: margins, axes, contents, labels.
 
-use super::canvas::{Canvas, Frame, Paint, Point};
+use super::backend::Scale;
+use super::canvas::{Canvas, Frame, Paint, Point, drawn, units};
 use super::clip::{clipped, clipped_polygon};
 use super::curve::{AXIS, Curve, LabelPlace};
 use super::display::Stroke;
@@ -11,6 +12,7 @@ use super::place::{GAP, Obstacles};
 use super::stations::spread;
 use super::words::{Rect, Side, Words};
 use crate::error::Result;
+use plotters::chart::ChartBuilder;
 use rotation_dynamics::math::sort_by_number;
 
 /// Length of ticks, and distance of the axes from the data.
@@ -30,25 +32,18 @@ impl Panel {
 
     /// The extents of both axes, in places.
     pub(super) fn extents(&self) -> Result<(Point, Point)> {
-        let mut all = Vec::new();
-        for points in self
-            .curves
-            .iter()
-            .map(|c| &c.points)
-            .chain(self.areas.iter().map(|a| &a.0))
-        {
-            all.extend(self.places(points)?);
-        }
-        let (mut xs, mut ys) = (Vec::new(), Vec::new());
+        let curves = self.curves.iter().map(|curve| &curve.points);
+        let outlines = curves.chain(self.areas.iter().map(|area| &area.0));
+        let all = outlines.map(|points| self.places(points));
+        let all: Vec<Vec<Point>> = all.collect::<Result<_>>()?;
+        let (mut xs, mut ys): (Vec<f64>, Vec<f64>) = all.into_iter().flatten().unzip();
         for (rule, ..) in &self.rules {
             match rule {
                 Rule::Across(y) => ys.push(self.y.place(*y)?),
                 Rule::Up(x) => xs.push(self.x.place(*x)?),
             }
         }
-        let x = self.x.extent(all.iter().map(|p| p.0).chain(xs))?;
-        let y = self.y.extent(all.iter().map(|p| p.1).chain(ys))?;
-        Ok((x, y))
+        Ok((self.x.extent(xs)?, self.y.extent(ys)?))
     }
 
     fn y_ticks(&self, y: Point, height: f64) -> rotation_dynamics::Result<Vec<(f64, String)>> {
@@ -111,7 +106,6 @@ impl Panel {
         y: Point,
         labelled_x: bool,
     ) -> Result<()> {
-        let sheet = canvas.sheet();
         let margins = self.margins(left, labelled_x);
         let mut plot = Rect {
             left: outer.left + margins.left,
@@ -122,70 +116,56 @@ impl Panel {
         if self.equal {
             plot = equal_units(plot, x, y);
         }
-        let frame = canvas.frame(x, y, plot);
-        for (outline, ink, alpha) in &self.areas {
+        let (floor, wall) = (plot.bottom + OFFSET, plot.left - OFFSET);
+        let most = ((plot.right - plot.left) / 48.0) as usize;
+        let room = units(OFFSET) - 1;
+        let x_scale = Scale::new(x, room, self.x.marks(x, most)?);
+        let y_scale = Scale::new(y, room, self.y_ticks(y, plot.bottom - plot.top)?);
+        let (area, whole) = (canvas.area(), canvas.rect());
+        // Plotters counts the last pixel of an area as a part of it, and draws an axis on the first
+        // pixel beyond.
+        let right = units(whole.right - plot.right) - 1;
+        let below = units(whole.bottom - floor);
+        let mut builder = ChartBuilder::on(&area);
+        builder.margin_top(units(plot.top)).margin_right(right);
+        builder.y_label_area_size(units(wall) + 1);
+        match labelled_x {
+            true => builder.x_label_area_size(below),
+            false => builder.margin_bottom(below),
+        };
+        let mut chart = drawn(builder.build_cartesian_2d(x_scale, y_scale));
+        let frame = Frame(chart.plotting_area().clone());
+        for (outline, ink) in &self.areas {
             let cut = clipped_polygon(&self.places(outline)?, x, y);
-            frame.draw(&cut, &Paint::Fill(*ink, *alpha))?;
+            frame.draw(&cut, &Paint::Fill(*ink, 0.18))?;
         }
+        let mut mesh = chart.configure_mesh();
+        mesh.disable_mesh().set_all_tick_mark_size(units(TICK));
+        drawn(mesh.draw());
+
+        let sheet = canvas.sheet();
+        if labelled_x {
+            let text = Words::new(&self.x.label, Ink::Ink, Side::BelowLeft, 0.0);
+            let at = (plot.right, floor + TICK + LINE + 2.0);
+            sheet.draw(&[at], &Paint::Text(text))?;
+        }
+        let text = Words::new(&self.y.label, Ink::Ink, Side::AboveRight, 0.0).bare();
+        let at = (wall - TICK, plot.top - 8.0);
         let mut obstacles = Obstacles::new(Rect {
             left: plot.left,
             right: outer.right - 2.0,
             top: outer.top + 2.0,
             bottom: plot.bottom + 3.0,
         });
-        self.paint_axes(&sheet, &frame, plot, (x, y), labelled_x, &mut obstacles)?;
-        self.paint_contents(&sheet, &frame, (x, y), plot, &mut obstacles)
-    }
-
-    fn paint_axes(
-        &self,
-        sheet: &Frame<'_>,
-        frame: &Frame<'_>,
-        plot: Rect,
-        (x, y): (Point, Point),
-        labelled_x: bool,
-        obstacles: &mut Obstacles,
-    ) -> Result<()> {
-        let line = Paint::Line(Stroke::new(Ink::Ink, AXIS));
-        let (floor, wall) = (plot.bottom + OFFSET, plot.left - OFFSET);
-        let upright = [(wall, plot.top), (wall, plot.bottom)];
-        sheet.draw(&upright, &line)?;
-        obstacles.add_line(Obstacles::NOBODY, &upright);
-        if labelled_x {
-            sheet.draw(&[(plot.left, floor), (plot.right, floor)], &line)?;
-            for (place, label) in self
-                .x
-                .marks(x, ((plot.right - plot.left) / 48.0) as usize)?
-            {
-                let at = frame.px((place, y.0)).0;
-                sheet.draw(&[(at, floor), (at, floor + TICK)], &line)?;
-                // The last label moves in rather than over the edge; widths are estimates.
-                let half = 0.55 * Label::new(&label).width(SIZE);
-                let inside = at.min(plot.right + 11.0 - half);
-                let text = Words::new(&label, Ink::Ink, Side::Below, 3.0);
-                sheet.draw(&[(inside, floor + TICK)], &Paint::Text(text.bare()))?;
-            }
-            let text = Words::new(&self.x.label, Ink::Ink, Side::BelowLeft, 0.0);
-            sheet.draw(
-                &[(plot.right, floor + TICK + LINE + 2.0)],
-                &Paint::Text(text),
-            )?;
-        }
-        for (place, label) in self.y_ticks(y, plot.bottom - plot.top)? {
-            let at = frame.px((x.0, place)).1;
-            sheet.draw(&[(wall, at), (wall - TICK, at)], &line)?;
-            let text = Words::new(&label, Ink::Ink, Side::Left, 4.0);
-            sheet.draw(&[(wall - TICK, at)], &Paint::Text(text.bare()))?;
-        }
-        let text = Words::new(&self.y.label, Ink::Ink, Side::AboveRight, 0.0);
-        let at = (wall - TICK, plot.top - 8.0);
+        obstacles.add_line(Obstacles::NOBODY, &[(wall, plot.top), (wall, plot.bottom)]);
         obstacles.take(text.rect(at));
-        sheet.draw(&[at], &Paint::Text(text.bare()))
+        sheet.draw(&[at], &Paint::Text(text))?;
+        self.paint_contents(canvas, &frame, (x, y), plot, &mut obstacles)
     }
 
     fn paint_contents(
         &self,
-        sheet: &Frame<'_>,
+        canvas: &Canvas,
         frame: &Frame<'_>,
         (x, y): (Point, Point),
         plot: Rect,
@@ -203,12 +183,11 @@ impl Panel {
                     [(at, y.0), (at, y.1)]
                 }
             };
-            let curve = Curve::new(line, *ink).thin();
-            curves.push(if label.is_empty() {
-                curve
-            } else {
-                curve.label(label)
-            });
+            let mut curve = Curve::new(line, *ink).thin();
+            if !label.is_empty() {
+                curve = curve.label(label);
+            }
+            curves.push(curve);
         }
         for curve in &self.curves {
             let mut curve = curve.clone();
@@ -249,14 +228,16 @@ impl Panel {
             }
         }
         if let Some((_, labels)) = kept {
-            sheet.again(labels);
+            canvas.again(labels);
             return Ok(());
         }
-        let before = sheet.count();
-        self.paint_labels(sheet, frame, &curves, &lines, plot, obstacles)?;
-        if let Some(labels) = &self.labels {
+        let apart = Canvas::new(canvas.display.borrow().size);
+        self.paint_labels(&apart.sheet(), frame, &curves, &lines, plot, obstacles)?;
+        let labels = apart.display.into_inner();
+        canvas.again(&labels);
+        if let Some(kept) = &self.labels {
             // Another frame may have been first.
-            let _ = labels.set((plot, sheet.since(before)));
+            let _ = kept.set((plot, labels));
         }
         Ok(())
     }
@@ -283,7 +264,6 @@ impl Panel {
         plot: Rect,
         obstacles: &mut Obstacles,
     ) -> Result<()> {
-        let mut ends: Vec<(usize, f64)> = Vec::new();
         let at_points = curves.iter().filter_map(|curve| match &curve.label {
             Some((text, LabelPlace::At(at, side))) => Some((*at, text, curve.ink, *side, GAP)),
             _ => None,
@@ -297,25 +277,26 @@ impl Panel {
                 placed.paint(sheet)?;
             }
         }
-        for (i, curve) in curves.iter().enumerate() {
-            if let (Some((_, LabelPlace::End)), Some(&last)) =
-                (&curve.label, lines[i].last().and_then(|part| part.last()))
-            {
-                ends.push((i, frame.px(last).1));
-            }
-        }
-        spread(&mut ends, LINE - 1.0, plot.top - 8.0, plot.bottom + 8.0);
-        for (i, at) in ends {
-            let (Some((text, _)), Some(&last)) = (
-                &curves[i].label,
-                lines[i].last().and_then(|part| part.last()),
-            ) else {
-                continue;
-            };
-            let words = Words::new(text, curves[i].ink, Side::Right, GAP + 2.0);
-            let at = (frame.px(last).0, at);
+        // Of each curve with a label at its end: the label and where the curve ends.
+        let at_ends = curves
+            .iter()
+            .zip(lines)
+            .filter_map(|(curve, parts)| match &curve.label {
+                Some((text, LabelPlace::End)) => {
+                    let end = frame.px(*parts.last()?.last()?);
+                    Some((Words::new(text, curve.ink, Side::Right, GAP + 2.0), end))
+                }
+                _ => None,
+            });
+        let at_ends: Vec<(Words, Point)> = at_ends.collect();
+        let mut heights: Vec<(usize, f64)> =
+            at_ends.iter().map(|(_, end)| end.1).enumerate().collect();
+        spread(&mut heights, LINE - 1.0, plot.top - 8.0, plot.bottom + 8.0);
+        for (i, height) in heights {
+            let (words, end) = &at_ends[i];
+            let at = (end.0, height);
             obstacles.take(words.rect(at));
-            sheet.draw(&[at], &Paint::Text(words))?;
+            sheet.draw(&[at], &Paint::Text(words.clone()))?;
         }
         let found = curves
             .iter()

@@ -45,7 +45,7 @@ pub struct Panel {
     pub(super) x: Axis,
     pub(super) y: Axis,
     pub(super) equal: bool,
-    pub(super) areas: Vec<(Vec<Point>, Ink, f64)>,
+    pub(super) areas: Vec<(Vec<Point>, Ink)>,
     pub(super) rules: Vec<(Rule, Ink, String)>,
     pub(super) curves: Vec<Curve>,
     pub(super) notes: Vec<Note>,
@@ -138,7 +138,7 @@ impl Panel {
     /// Adds a faint area with this outline.
     #[must_use]
     pub fn area(mut self, outline: impl IntoIterator<Item = (f64, f64)>, ink: Ink) -> Self {
-        self.areas.push((outline.into_iter().collect(), ink, 0.18));
+        self.areas.push((outline.into_iter().collect(), ink));
         self
     }
 
@@ -156,43 +156,34 @@ impl Panel {
         self
     }
 
-    /// Adds a dot with a label; the label may be empty.
-    #[must_use]
-    pub fn dot(mut self, x: f64, y: f64, ink: Ink, label: &str, side: Side) -> Self {
+    fn noted(mut self, at: Point, ink: Ink, text: &str, side: Side, dot: Option<bool>) -> Self {
+        let text = text.into();
         self.notes.push(Note {
-            at: (x, y),
-            text: label.into(),
+            at,
+            text,
             ink,
             side,
-            dot: Some(false),
+            dot,
         });
         self
+    }
+
+    /// Adds a dot with a label; the label may be empty.
+    #[must_use]
+    pub fn dot(self, x: f64, y: f64, ink: Ink, label: &str, side: Side) -> Self {
+        self.noted((x, y), ink, label, side, Some(false))
     }
 
     /// Adds a ring with a label: a point that is not reached, or the start.
     #[must_use]
-    pub fn ring(mut self, x: f64, y: f64, ink: Ink, label: &str, side: Side) -> Self {
-        self.notes.push(Note {
-            at: (x, y),
-            text: label.into(),
-            ink,
-            side,
-            dot: Some(true),
-        });
-        self
+    pub fn ring(self, x: f64, y: f64, ink: Ink, label: &str, side: Side) -> Self {
+        self.noted((x, y), ink, label, side, Some(true))
     }
 
     /// Adds a text beside the point `(x, y)`.
     #[must_use]
-    pub fn note(mut self, x: f64, y: f64, ink: Ink, text: &str, side: Side) -> Self {
-        self.notes.push(Note {
-            at: (x, y),
-            text: text.into(),
-            ink,
-            side,
-            dot: None,
-        });
-        self
+    pub fn note(self, x: f64, y: f64, ink: Ink, text: &str, side: Side) -> Self {
+        self.noted((x, y), ink, text, side, None)
     }
 
     /// Marks the present: curves are faint beyond `x`, with a dot where they pass it.

@@ -219,7 +219,7 @@ impl Obstacles {
 }
 
 /// The square of the distance of a point from a segment.
-fn distance_squared([a, b]: [Point; 2], p: Point) -> f64 {
+pub(super) fn distance_squared([a, b]: [Point; 2], p: Point) -> f64 {
     let (dx, dy, px, py) = (b.0 - a.0, b.1 - a.1, p.0 - a.0, p.1 - a.1);
     let square = dx * dx + dy * dy;
     let s = if square > 0.0 {

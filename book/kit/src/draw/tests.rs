@@ -3,7 +3,6 @@
 use super::canvas::Paint;
 use super::display::{Dash, Shape, Stroke};
 use super::label::{Label, SIZE};
-use super::ticks::angle_ticks;
 use super::{Axis, Curve, Ink, Panel, Sketch};
 use crate::Result;
 use core::f64::consts::PI;
@@ -41,7 +40,8 @@ fn a_plane_rises_to_its_top() -> Result<()> {
 #[test]
 fn many_turns_have_their_labels() {
     let labels = |high: f64| -> Vec<String> {
-        let ticks = angle_ticks(0.0, high, 5);
+        let ticks = Axis::angle("x").marks((0.0, high), 5);
+        let ticks = ticks.expect("the ticks are the axis's own");
         assert!(ticks.iter().all(|(place, _)| *place <= high));
         ticks.into_iter().map(|(_, label)| label).collect()
     };

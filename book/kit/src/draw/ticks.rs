@@ -1,147 +1,123 @@
 //! Where the ticks of an axis stand, and what they say.
 
+use super::canvas::Point;
 use core::f64::consts::PI;
-use rotation_dynamics::math::log10;
+use rotation_dynamics::math::{log10, pow};
 use rotation_dynamics::{Error, Result};
 
 /// The distance of ticks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Step {
     Of(f64),
-    /// Pi over this.
-    Pi(u32),
+    /// A part of pi: numerator and denominator.
+    Pi(i64, i64),
+    /// So many powers of ten.
+    Decades(i64),
 }
 
-/// The multiples of `step` in the range, by their integer factors.
-fn multiples(low: f64, high: f64, step: f64) -> core::ops::RangeInclusive<i64> {
-    // Data that all but reach a round value get its tick: it stands at most a pixel outside.
-    let slack = 0.004 * (high - low) / step;
-    libm::ceil(low / step - slack) as i64..=libm::floor(high / step + slack) as i64
-}
+impl Step {
+    /// The finest decimal step with at most so many ticks. One tick says nothing about the scale:
+    /// then rather a few more.
+    pub(super) fn decimal(range: Point, most: usize) -> Self {
+        let start = libm::floor(log10(range.1 - range.0)) as i32 - 2;
+        let step = |e: i32| [1.0, 2.0, 5.0].map(|n| Self::Of(n * pow(10.0, f64::from(e))));
+        let steps = (start..start + 4).flat_map(step);
+        let steps = steps.take_while(|step| step.count(range) >= 2);
+        let chosen = steps.clone().find(|step| step.count(range) <= most);
+        let finest = Self::Of(pow(10.0, f64::from(start)));
+        chosen.or_else(|| steps.last()).unwrap_or(finest)
+    }
 
-fn count(low: f64, high: f64, step: f64) -> usize {
-    multiples(low, high, step).count()
-}
+    /// The finest simple part of pi with at most so many ticks; a decimal step where these are
+    /// not three.
+    pub(super) fn angle(range: Point, most: usize) -> Self {
+        let parts = [24, 12, 8, 6, 4, 2, 1].map(|d| Self::Pi(1, d));
+        let turns = [2, 5, 10, 20, 50].map(|n| Self::Pi(n, 1));
+        let mut steps = parts.into_iter().chain(turns);
+        let step = steps.find(|step| step.count(range) <= most);
+        step.filter(|step| step.count(range) >= 3)
+            .unwrap_or_else(|| Self::decimal(range, most))
+    }
 
-pub(super) fn decimal_ticks(low: f64, high: f64, most: usize) -> Vec<(f64, String)> {
-    let start = libm::floor(log10(high - low)) as i32 - 2;
-    let steps = (start..start + 4).flat_map(|e| [1.0, 2.0, 5.0].map(|factor| (factor, e)));
-    let value = |(factor, e): (f64, i32)| factor * rotation_dynamics::math::pow(10.0, f64::from(e));
-    let mut chosen = (1.0, start);
-    for step in steps {
-        let count = count(low, high, value(step));
-        // One tick says nothing about the scale: then rather a few more.
-        if count >= 2 {
-            chosen = step;
+    /// The fewest decades with at most so many ticks.
+    pub(super) fn decades(range: Point, most: usize) -> Self {
+        let mut steps = [1, 2, 3, 4, 5, 10, 20, 50, 100]
+            .map(Self::Decades)
+            .into_iter();
+        let step = steps.find(|step| step.count(range) <= most);
+        step.unwrap_or(Self::Decades(100))
+    }
+
+    fn length(self) -> f64 {
+        match self {
+            Self::Of(length) => length,
+            Self::Pi(n, d) => PI * n as f64 / d as f64,
+            Self::Decades(n) => n as f64,
         }
-        if count <= most {
-            break;
+    }
+
+    /// Its multiples in the range, by their factors.
+    fn multiples(self, (low, high): Point) -> core::ops::RangeInclusive<i64> {
+        let step = self.length();
+        // Data that all but reach a round value get its tick: it stands at most a pixel outside.
+        let slack = 0.004 * (high - low) / step;
+        libm::ceil(low / step - slack) as i64..=libm::floor(high / step + slack) as i64
+    }
+
+    fn count(self, range: Point) -> usize {
+        self.multiples(range).count()
+    }
+
+    /// Places and labels of the ticks within the range.
+    pub(super) fn ticks(self, range: Point) -> Result<Vec<(f64, String)>> {
+        let length = self.length();
+        // Also what is not a number is not within the bounds.
+        if !(length > 0.0 && (range.1 - range.0) / length <= 100.0) {
+            return Err(Error::out_of_range(
+                "the step of the ticks of an axis",
+                length,
+                "it must be greater than 0, and at least a hundredth of the axis",
+            ));
+        }
+        let ticks = self.multiples(range).map(|i| i as f64 * length);
+        Ok(ticks.map(|place| (place, self.label(place))).collect())
+    }
+
+    fn label(self, place: f64) -> String {
+        let length = self.length();
+        let whole = |d: &i32| {
+            let scaled = length * pow(10.0, f64::from(*d));
+            (scaled - libm::round(scaled)).abs() < 1e-6 * scaled
+        };
+        match self {
+            Self::Of(_) => {
+                let decimals = (0..12).find(whole).unwrap_or(12) as usize;
+                format!("${place:.decimals$}$")
+            }
+            Self::Pi(n, d) => part_of_pi(n * libm::round(place / length) as i64, d),
+            Self::Decades(_) => match place as i64 {
+                0 => "$1$".into(),
+                1 => "$10$".into(),
+                e => format!("$10^{{{e}}}$"),
+            },
         }
     }
-    let (step, decimals) = (value(chosen), (-chosen.1).max(0) as usize);
-    multiples(low, high, step)
-        .map(|i| {
-            let at = i as f64 * step;
-            (at, format!("${at:.decimals$}$"))
-        })
-        .collect()
-}
-
-pub(super) fn stepped_ticks(low: f64, high: f64, step: Step) -> Result<Vec<(f64, String)>> {
-    let length = match step {
-        Step::Of(length) => length,
-        Step::Pi(denominator) => PI / f64::from(denominator),
-    };
-    // Also what is not a number is not within the bounds.
-    if !(length > 0.0 && (high - low) / length <= 100.0) {
-        return Err(Error::out_of_range(
-            "the step of the ticks of an axis",
-            length,
-            "it must be greater than 0, and at least a hundredth of the axis",
-        ));
-    }
-    let digits = |d: &i32| {
-        let scaled = length * rotation_dynamics::math::pow(10.0, f64::from(*d));
-        (scaled - libm::round(scaled)).abs() < 1e-6 * scaled
-    };
-    let decimals = (0..12).find(digits).unwrap_or(12) as usize;
-    let label = |i: i64| match step {
-        Step::Of(_) => format!("${:.decimals$}$", i as f64 * length),
-        Step::Pi(denominator) => part_of_pi(i, i64::from(denominator)),
-    };
-    Ok(multiples(low, high, length)
-        .map(|i| (i as f64 * length, label(i)))
-        .collect())
-}
-
-/// Parts of pi that make a good step: numerator and denominator.
-const PARTS: [(i64, i64); 12] = [
-    (1, 24),
-    (1, 12),
-    (1, 8),
-    (1, 6),
-    (1, 4),
-    (1, 2),
-    (1, 1),
-    (2, 1),
-    (5, 1),
-    (10, 1),
-    (20, 1),
-    (50, 1),
-];
-
-pub(super) fn angle_ticks(low: f64, high: f64, most: usize) -> Vec<(f64, String)> {
-    let step = |(n, d): (i64, i64)| PI * n as f64 / d as f64;
-    let Some(part) = PARTS
-        .into_iter()
-        .find(|&p| count(low, high, step(p)) <= most)
-    else {
-        return decimal_ticks(low, high, most);
-    };
-    if count(low, high, step(part)) < 3 {
-        return decimal_ticks(low, high, most);
-    }
-    multiples(low, high, step(part))
-        .map(|i| (i as f64 * step(part), part_of_pi(i * part.0, part.1)))
-        .collect()
 }
 
 /// `n pi / d` as a label, in lowest terms.
 fn part_of_pi(n: i64, d: i64) -> String {
-    if n == 0 {
-        return "$0$".into();
-    }
     let (mut a, mut b) = (n.abs(), d);
     while b != 0 {
         (a, b) = (b, a % b);
     }
-    let (n, d) = (n / a, d / a);
-    let top = match n {
+    let top = match n / a {
+        0 => return "$0$".into(),
         1 => String::new(),
         -1 => "-".into(),
         n => n.to_string(),
     };
-    if d == 1 {
-        format!("${top}\\pi$")
-    } else {
-        format!("${top}\\pi/{d}$")
+    match d / a {
+        1 => format!("${top}\\pi$"),
+        d => format!("${top}\\pi/{d}$"),
     }
-}
-
-pub(super) fn decade_ticks(low: f64, high: f64, most: usize) -> Vec<(f64, String)> {
-    let step = [1.0, 2.0, 3.0, 4.0, 5.0, 10.0, 20.0, 50.0, 100.0]
-        .into_iter()
-        .find(|&s| count(low, high, s) <= most)
-        .unwrap_or(100.0);
-    multiples(low, high, step)
-        .map(|i| {
-            let place = i as f64 * step;
-            let label = match place as i64 {
-                0 => "$1$".into(),
-                1 => "$10$".into(),
-                e => format!("$10^{{{e}}}$"),
-            };
-            (place, label)
-        })
-        .collect()
 }
