@@ -15,7 +15,7 @@ const CARDS: &str = "effects";
 const CARD_LEGEND: &str = "In: twice the error is more than that part of what it is an error of, \
      or of a radian, or more than the tolerance told.";
 
-/// The most characters of a cell that is not broken: "height_ratio_release".
+/// The most characters of a cell that is not broken.
 const LONGEST_SHORT: usize = 20;
 
 /// The text of all cells, for the search index.
