@@ -18,12 +18,7 @@ const LEANS: f64 = 1.4;
 /// friction says which.
 pub fn overhang(mu: f64, naive: &'static str) -> Result<Answered> {
     let (moment, lever) = (LENGTH * LENGTH / 3.0, 0.5 * LENGTH);
-    let rod = Suspension {
-        moment,
-        mass: 1.0,
-        gravity: G,
-        lever,
-    };
+    let rod = Suspension { moment, mass: 1.0, gravity: G, lever };
     // Counted from the hanging position.
     let falls = Pendulum::new(rod, PI - LEANS, 0.0)?;
     let (mut before, mut lands) = (0.0, 1.0);
@@ -36,11 +31,7 @@ pub fn overhang(mu: f64, naive: &'static str) -> Result<Answered> {
     }
     // By the energy: L theta'^2 = 3 g cos(theta_0).
     let rate = (3.0 * G * cos(LEANS) / LENGTH).sqrt();
-    let ladder = Ladder {
-        gravity: G,
-        overhang: OVERHANG,
-        mu,
-    };
+    let ladder = Ladder { gravity: G, overhang: OVERHANG, mu };
     // The time goes as the root of what is left to fall, which is cos(theta_0).
     let moved = LEANS * tan(LEANS);
     asked(

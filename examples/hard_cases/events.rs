@@ -193,11 +193,7 @@ fn corner(later: f64, longest: f64) -> Result<Answered> {
 fn ladder() -> Result<Answered> {
     let angle = 1e-8;
     let exact = Exact::new(LENGTH, G, angle)?;
-    let smooth = Ladder {
-        gravity: G,
-        overhang: 0.0,
-        mu: 0.0,
-    };
+    let smooth = Ladder { gravity: G, overhang: 0.0, mu: 0.0 };
     let (release, end) = (exact.release_time(), exact.release_time() + 0.2);
     let truth = exact.at(end)?.theta;
     // By the energy, from where it stands: the root of nothing is nothing.

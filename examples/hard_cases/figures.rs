@@ -117,9 +117,11 @@ fn condition_by_difference(panel: Panel) -> Result<Panel> {
     let end = |off: f64| findings::off_the_middle(off)?.in_closed_form();
     let still = end(0.0)?;
     let moved = |off: f64| Ok(end(off)?.angle_to(&still) / off);
-    Ok(panel
-        .upright(1e-12, Ink::Wrong, "once felt here")
-        .curve(Curve::sampled(decades(-26, -2, 3), moved, Ink::Ink)?))
+    Ok(panel.upright(1e-12, Ink::Wrong, "once felt here").curve(Curve::sampled(
+        decades(-26, -2, 3),
+        moved,
+        Ink::Ink,
+    )?))
 }
 
 /// What a step of length z over the rate multiplies a spin by, that is braked: RK4 and exact.

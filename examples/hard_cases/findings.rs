@@ -11,15 +11,10 @@ use rotation_dynamics::effects::{Properties, check};
 type Simple = (&'static str, fn(&Motion) -> Option<Attitude>);
 
 /// Nobody asks whether it can be right.
-const BELIEVED: Simple = ("one run of DOP853 at 1e-15, believed", |motion| {
-    motion.reached(DOP853, QUATERNION, 0.0).ok()
-});
-const ON_ANGLES: Simple = ("RK4 on Euler angles, 2000 steps", |m| {
-    on_euler_angles(m, 2000)
-});
-const COARSE: Simple = ("RK4 on quaternion and rates, 100 steps", |m| {
-    on_quaternion(m, 100)
-});
+const BELIEVED: Simple =
+    ("one run of DOP853 at 1e-15, believed", |motion| motion.reached(DOP853, QUATERNION, 0.0).ok());
+const ON_ANGLES: Simple = ("RK4 on Euler angles, 2000 steps", |m| on_euler_angles(m, 2000));
+const COARSE: Simple = ("RK4 on quaternion and rates, 100 steps", |m| on_quaternion(m, 100));
 
 /// A motion with a closed form, of which this error is asked.
 fn asked(motion: Motion, by: By, tolerance: f64, (method, naive): Simple) -> Result<Answered> {
@@ -51,10 +46,7 @@ impl Task {
     /// What `solve` makes of it in this scene.
     fn of<E: Effect>(self, scene: &Scene<E>, truth: End, naive: Naive) -> Result<Answered> {
         let Self(attitude, rates, end, tolerance, budget) = self;
-        let limits = Limits {
-            budget,
-            ..Limits::default()
-        };
+        let limits = Limits { budget, ..Limits::default() };
         let mut condition = f64::NAN;
         let answers = in_each_form(attitude, truth, tolerance, |from| {
             let start = scene.body().state(from, rates)?;
@@ -184,11 +176,8 @@ struct Pushes<'a> {
 const PUSH: f64 = 0.5;
 
 impl Effect for Pushes<'_> {
-    const PROPERTIES: Properties = Properties {
-        on_time: false,
-        smooth: true,
-        ..Properties::ANYTHING
-    };
+    const PROPERTIES: Properties =
+        Properties { on_time: false, smooth: true, ..Properties::ANYTHING };
     fn name(&self) -> &'static str {
         "push"
     }

@@ -12,13 +12,8 @@ const YAW: Form = |a| Attitude::from_yaw_pitch_roll(a.yaw_pitch_roll());
 const VECTOR: Form = |a| Attitude::from_rotation_vector(a.rotation_vector());
 /// All of them, and their names.
 pub const FORMS: [Form; 5] = [QUATERNION, MATRIX, EULER, YAW, VECTOR];
-pub const NAMES: [&str; 5] = [
-    "quaternion",
-    "matrix",
-    "Euler angles",
-    "yaw, pitch, roll",
-    "rotation vector",
-];
+pub const NAMES: [&str; 5] =
+    ["quaternion", "matrix", "Euler angles", "yaw, pitch, roll", "rotation vector"];
 
 /// The attitude with these Euler angles (rad).
 pub fn turned(phi: f64, theta: f64, zeta: f64) -> Solved<Attitude> {
@@ -174,22 +169,13 @@ const MANY: f64 = 50.0;
 impl Motion {
     pub const fn free(moments: [f64; 3], attitude: Attitude, rates: [f64; 3], end: f64) -> Self {
         let gravity = None;
-        Self {
-            moments,
-            gravity,
-            attitude,
-            rates,
-            end,
-        }
+        Self { moments, gravity, attitude, rates, end }
     }
 
     /// Of moments across and along, with this torque of gravity on its lying axis (N m).
     pub fn top(moments: [f64; 2], pull: f64, from: Attitude, rates: [f64; 3], end: f64) -> Self {
         let ([i1, i3], gravity) = (moments, Some([pull.abs(), 1_f64.copysign(pull)]));
-        Self {
-            gravity,
-            ..Self::free([i1, i1, i3], from, rates, end)
-        }
+        Self { gravity, ..Self::free([i1, i1, i3], from, rates, end) }
     }
 
     /// The same to another end.
@@ -347,9 +333,9 @@ impl Motion {
     /// Steps in which the fastest rotation turns by the method's angle.
     fn steps(&self, by: By) -> u64 {
         let largest = |most: f64, rates: [f64; 3]| rates.iter().fold(most, |m, w| m.max(w.abs()));
-        let pulled = self.gravity.map_or(0.0, |[weight, lever]| {
-            2.0 * (weight * lever.abs() / self.moments[0]).sqrt()
-        });
+        let pulled = self
+            .gravity
+            .map_or(0.0, |[weight, lever]| 2.0 * (weight * lever.abs() / self.moments[0]).sqrt());
         let mut fastest = largest(pulled, self.rates);
         if let Ok(exact) = self.closed_from(self.attitude) {
             for k in 1..=SEEN {

@@ -86,8 +86,7 @@ fn brick(edges: [f64; 3], axis: BodyVector, truth: Attitude, naive: Option<Attit
     let corners = [(l, l), (r, l), (r, r), (l, r), (l, l)];
     let outline = corners.map(|(x, y)| naive.to_space(BodyVector::new(x * a, y * b, 0.55 * c)));
     let said = naive.to_space(axis);
-    view.dashed(outline, Ink::Wrong)
-        .arrow(ZERO, said, Ink::Wrong, "wrong", Side::Left)
+    view.dashed(outline, Ink::Wrong).arrow(ZERO, said, Ink::Wrong, "wrong", Side::Left)
 }
 
 const BOOK: [f64; 3] = [0.9, 1.2, 0.16];
@@ -178,9 +177,7 @@ pub fn tip() -> Result<MovingPicture> {
         .curve(Curve::new(wrong, Ink::Wrong).dots());
     MovingPicture::above(graph, 0.0..=span, [1.6, 3.4], move |t| {
         let (phi, theta, wrong) = both(t)?;
-        let path = sampled_to(t.max(0.01))?
-            .into_iter()
-            .map(|(_, (phi, theta, _))| at(phi, theta));
+        let path = sampled_to(t.max(0.01))?.into_iter().map(|(_, (phi, theta, _))| at(phi, theta));
         let mut scene = Sketch::within((-3.75, 3.75), (-3.0, 3.0));
         for n in 1..=4 {
             let level = (2.0 * f64::from(n) * EPS).sqrt();
@@ -208,9 +205,8 @@ pub fn separatrix_passed() -> Result<MovingPicture> {
         let l = SpaceVector::new(x, y, z);
         l / l.norm()
     };
-    let path: Vec<_> = times(0.0, motion.end, 160)
-        .map(|t| along(exact.angular_velocity(t).to_array()))
-        .collect();
+    let path: Vec<_> =
+        times(0.0, motion.end, 160).map(|t| along(exact.angular_velocity(t).to_array())).collect();
     picture(
         axes(TIME, MIDDLE_RATE, [-1.1, 1.1, 1.0]),
         (motion.end, 200),
@@ -327,10 +323,7 @@ pub fn let_go() -> Result<MovingPicture> {
 pub fn half_turn() -> Result<MovingPicture> {
     let axis = SpaceVector::new(1.0, -2.0, 3.0);
     picture(
-        [
-            Axis::linear("$n$: half a turn less $10^{-n}$ rad"),
-            Axis::log("scalar part"),
-        ],
+        [Axis::linear("$n$: half a turn less $10^{-n}$ rad"), Axis::log("scalar part")],
         (9.0, 360),
         [7.6, 8.5],
         move |n| Ok((n, Attitude::about_space_axis(axis, PI - pow(10.0, -n))?)),
@@ -391,9 +384,8 @@ pub fn trillions() -> Result<MovingPicture> {
     })?;
     let curve = |i: usize, ink| Curve::new(heights.iter().map(|both| both[i]), ink);
     let [x, y] = axes("$t/T-10^{14}$", "height of an edge", [-1.05, 1.05, 1.0]);
-    let graph = Panel::over_axes(x, y)
-        .curve(curve(0, Ink::Ink))
-        .curve(curve(1, Ink::Wrong).dashed());
+    let graph =
+        Panel::over_axes(x, y).curve(curve(0, Ink::Ink)).curve(curve(1, Ink::Wrong).dashed());
     MovingPicture::above(graph, 0.0..=1.5, [0.25, 1.0], move |t| {
         let (_, [truth, naive]) = ends(t)?;
         let alt = format!(

@@ -75,10 +75,7 @@ fn broken(report: &mut Report) -> Result<()> {
 fn counts(report: &mut Report, computed: &[Arc<Computed>]) -> Result<()> {
     let total =
         |of: fn(&Computed) -> usize| computed.iter().map(|one| of(one)).sum::<usize>() as f64;
-    let (cells, holds) = (
-        total(|one| one.count().cells),
-        total(|one| one.count().holds),
-    );
+    let (cells, holds) = (total(|one| one.count().cells), total(|one| one.count().holds));
     let refused = total(|one| one.count().refusals);
     claims! { report,
         /// cases

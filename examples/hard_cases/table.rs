@@ -19,11 +19,7 @@ pub struct Family {
 }
 
 /// A case, what goes wrong there, and what these methods make of it.
-pub struct Case(
-    pub &'static str,
-    pub &'static str,
-    pub fn(&[By]) -> Result<Answered>,
-);
+pub struct Case(pub &'static str, pub &'static str, pub fn(&[By]) -> Result<Answered>);
 
 /// A family as a table in the source, two lines a case: its name, what goes wrong, and what is
 /// asked, of which `by` the family's methods answers come.
@@ -86,12 +82,7 @@ impl Cell {
                 oracle_value: 0.0,
                 bound,
             }),
-            _ => Ok(Self {
-                method,
-                form,
-                verdict,
-                bound,
-            }),
+            _ => Ok(Self { method, form, verdict, bound }),
         }
     }
 
@@ -136,13 +127,7 @@ impl Row {
         for ((method, form), (answer, bound)) in names.zip(answers) {
             cells.push(Cell::of((case, method, form), answer, bound)?);
         }
-        Ok(Self {
-            case,
-            wrong,
-            condition,
-            naive,
-            cells,
-        })
+        Ok(Self { case, wrong, condition, naive, cells })
     }
 
     /// The smallest bound of the row: what a careful method is held to, or what was asked for
@@ -150,11 +135,7 @@ impl Row {
     fn least_bound(&self) -> f64 {
         let bounds = self.cells.iter().filter_map(|cell| match cell.verdict {
             Ok(_) => Some(cell.bound),
-            Err(Error::NotDelivered {
-                requested,
-                condition,
-                ..
-            }) => condition.and(Some(requested)),
+            Err(Error::NotDelivered { requested, condition, .. }) => condition.and(Some(requested)),
             Err(_) => None,
         });
         let due = self.cells.iter().map(|cell| cell.bound);

@@ -36,13 +36,7 @@ impl<E: Effect> Turned<E> {
     /// By this effect, started anew at these times, in steps of 0.2 s.
     fn by(effect: E, pieces: &[f64], [angle, size]: [f64; 2]) -> Solved<Self> {
         let (scene, pieces) = (Scene::new(body()?).with(effect), pieces.to_vec());
-        Ok(Self {
-            scene,
-            pieces,
-            step: 0.2,
-            angle,
-            size,
-        })
+        Ok(Self { scene, pieces, step: 0.2, angle, size })
     }
 
     fn end(&self) -> f64 {

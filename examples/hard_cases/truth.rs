@@ -42,11 +42,7 @@ impl Truth {
         let per_second = power_of_two(rates.iter().fold(pulled, |m, w| m.max(w.abs())));
         let pull = Dd::product(weight, lever).scaled(1.0 / per_second);
         let pull = pull.scaled(1.0 / per_second);
-        Self {
-            moments,
-            pull,
-            per_second,
-        }
+        Self { moments, pull, per_second }
     }
 
     /// A start.

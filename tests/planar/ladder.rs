@@ -1,6 +1,7 @@
 //! The ladder of exercise 16.6 with the contact solver, against the closed form and against
 //! forces eliminated by hand.
 
+#[rustfmt::skip] // it is formatted with the examples
 #[path = "../../examples/hard_cases/ladder.rs"]
 pub mod mechanism;
 
