@@ -7,10 +7,7 @@ mod error_control;
 #[path = "accuracy/figures.rs"]
 mod figures;
 #[path = "accuracy/honesty.rs"]
-#[allow(
-    dead_code,
-    reason = "the tests of the error control ask more of each case than this page"
-)]
+#[allow(dead_code, reason = "the tests of the error control ask more of each case than this page")]
 mod honesty;
 #[path = "accuracy/limits.rs"]
 mod limits;
@@ -90,9 +87,7 @@ fn rk4(problem: &Problem<()>) -> Result<WorkPrecision> {
 /// The end of a motion, off by `tolerance` (rad) or less. By stepping, though there may be
 /// a closed form: so the closed form can judge.
 fn solved<E: Effect>(problem: &Problem<E>, tolerance: f64) -> Result<Solved> {
-    let Problem {
-        scene, start, end, ..
-    } = problem;
+    let Problem { scene, start, end, .. } = problem;
     scene.solve_by_stepping(start, *end, tolerance)
 }
 // ANCHOR_END: error_control

@@ -103,12 +103,7 @@ impl Screw {
         let across = shift - axis * advance;
         let half_cot = 0.5 * cos(0.5 * angle) / sin(0.5 * angle);
         let point = across * 0.5 + axis.cross(&across) * half_cot;
-        Ok(Self {
-            axis,
-            angle,
-            advance,
-            point,
-        })
+        Ok(Self { axis, angle, advance, point })
     }
 
     /// Where this part of the screw motion, 0 to 1, takes a point.
@@ -176,11 +171,7 @@ pub fn apart(a: f64) -> f64 {
 pub fn book(a: f64, level_first: bool) -> Result<Attitude> {
     let level = Attitude::about_space_axis(SpaceVector::new(0.0, 1.0, 0.0), a)?;
     let upright = Attitude::about_space_axis(SpaceVector::new(0.0, 0.0, 1.0), a)?;
-    Ok(if level_first {
-        level.then(&upright)
-    } else {
-        upright.then(&level)
-    })
+    Ok(if level_first { level.then(&upright) } else { upright.then(&level) })
 }
 
 /// The same attitude without a matrix: the three turns as quaternions.
@@ -329,25 +320,14 @@ fn conventions(p: &Parameters, report: &mut Report) -> Result<()> {
         /// roll
         roll: atan2(r[2][1], r[2][2]), "rad", "from the quaternion" => roll, within bound, in "Other conventions";
     }?;
-    let columns = [
-        "sequence",
-        "first",
-        "second",
-        "third",
-        "locks at",
-        "turned back",
-    ];
+    let columns = ["sequence", "first", "second", "third", "locks at", "turned back"];
     let mut table = Table::new("conventions", columns)?;
     for sequence in Sequence::ALL {
         let [i, j, k] = sequence.axes().map(|axis| ["x", "y", "z"][axis]);
         let angles = attitude.angles(sequence);
         let again = Attitude::from_sequence(sequence, angles)?;
         let [a, b, c] = angles.map(|angle| format!("{angle:.9}"));
-        let lock = if sequence.is_proper() {
-            "0, pi"
-        } else {
-            "-pi/2, pi/2"
-        };
+        let lock = if sequence.is_proper() { "0, pi" } else { "-pi/2, pi/2" };
         let error = below(again.angle_to(&attitude), 1e-17);
         table.push([format!("{i} {j}' {k}''"), a, b, c, lock.into(), error])?;
     }
@@ -362,11 +342,7 @@ fn limits(report: &mut Report) -> Result<()> {
     let flat = Screw::of([0.3, PI - 2e-4, -0.4], shift)?;
     let small = Screw::of([3e-4, 4e-4, 0.0], shift)?;
     let library = |theta| {
-        let attitude = Attitude::from_euler(EulerAngles {
-            phi: 0.3,
-            theta,
-            zeta: 0.4,
-        })?;
+        let attitude = Attitude::from_euler(EulerAngles { phi: 0.3, theta, zeta: 0.4 })?;
         Ok::<_, rotation_dynamics::Error>(attitude.euler_angles())
     };
     let (locked, near) = (library(0.0)?, library(1e-300)?);

@@ -123,15 +123,8 @@ impl Gyroscope {
 
     /// What turns x, y, z themselves: all but the spin.
     pub fn of_triad(&self) -> SpaceVector {
-        let still = EulerRates {
-            zeta: 0.0,
-            ..self.rates
-        };
-        Self {
-            rates: still,
-            ..*self
-        }
-        .angular_velocity()
+        let still = EulerRates { zeta: 0.0, ..self.rates };
+        Self { rates: still, ..*self }.angular_velocity()
     }
 }
 
@@ -153,30 +146,20 @@ impl Gyroscope {
 
     /// As the parameters have it, with so many times the spin.
     pub fn of(p: &Parameters, spin: f64) -> Self {
-        Self::new(
-            [p.phi, p.theta, p.zeta],
-            [p.precession, p.nutation, p.spin * spin],
-        )
+        Self::new([p.phi, p.theta, p.zeta], [p.precession, p.nutation, p.spin * spin])
     }
 
     /// The same a little later, if the rates stay.
     pub fn after(&self, t: f64) -> Self {
         let (a, r) = (self.angles, self.rates);
-        let angles = [
-            a.phi + r.phi * t,
-            a.theta + r.theta * t,
-            a.zeta + r.zeta * t,
-        ];
+        let angles = [a.phi + r.phi * t, a.theta + r.theta * t, a.zeta + r.zeta * t];
         Self::new(angles, [r.phi, r.theta, r.zeta])
     }
 
     /// The attitude matrix with its exact derivative; without the spin that of x, y, z.
     fn matrix(&self, with_spin: bool) -> matrices::Matrix {
         let (angles, rates) = (self.angles, self.rates);
-        let triad = product(
-            &about_z(angles.phi, rates.phi),
-            &about_x(angles.theta, rates.theta),
-        );
+        let triad = product(&about_z(angles.phi, rates.phi), &about_x(angles.theta, rates.theta));
         if !with_spin {
             return triad;
         }
@@ -280,10 +263,7 @@ fn of_points(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     let other = angle_between(other(p.line_before)?, other(p.line_after)?);
     let ([omega, r], disc) = (body(p), UP * p.disc);
-    let [v, size] = [
-        velocity(omega, r),
-        SpaceVector::new(omega.norm() * r.norm(), 0.0, 0.0),
-    ];
+    let [v, size] = [velocity(omega, r), SpaceVector::new(omega.norm() * r.norm(), 0.0, 0.0)];
     let step = 2e-3 / omega.norm().max(1e-3);
     let [x, y, z] = derivative(step, |t| turned(omega, r, t))?.to_array();
     // A as seen from O': where O' goes, and how fast the line from O' to A turns.
@@ -377,11 +357,7 @@ fn of_gyroscope(p: &Parameters, report: &mut Report) -> Result<()> {
 fn by_volumes([a, b, c]: [f64; 3], theta: f64) -> [f64; 3] {
     let [x, y, z] = Gyroscope::new([0.0, theta, 0.0], [0.0; 3]).triad();
     let (omega, volume) = (x * a + y * b + z * c, UP.dot(&x.cross(&z)));
-    let ratios = [
-        omega.dot(&x.cross(&z)),
-        UP.dot(&omega.cross(&z)),
-        UP.dot(&x.cross(&omega)),
-    ];
+    let ratios = [omega.dot(&x.cross(&z)), UP.dot(&omega.cross(&z)), UP.dot(&x.cross(&omega))];
     ratios.map(|part| part / volume)
 }
 

@@ -75,11 +75,7 @@ impl Sun {
         let y = half * half;
         let reduction = atan2(y * s, 1.0 + y * c);
         let declination = asin(sin(p.obliquity) * sin(longitude));
-        Self {
-            centre,
-            reduction,
-            declination,
-        }
+        Self { centre, reduction, declination }
     }
 
     /// Sundial less clock, as an angle of the turning Earth (rad).
@@ -142,11 +138,7 @@ pub fn noons(p: &Parameters) -> Vec<f64> {
 
 /// The same orbit and axis, without one of the two causes.
 pub fn with(p: &Parameters, eccentricity: f64, obliquity: f64) -> Parameters {
-    Parameters {
-        eccentricity,
-        obliquity,
-        ..p.clone()
-    }
+    Parameters { eccentricity, obliquity, ..p.clone() }
 }
 
 /// Every number of the page.
@@ -168,9 +160,7 @@ fn report(p: &Parameters) -> Result<Report> {
     let error = move |(longitude, _): &(f64, Work)| Ok(sin(longitude - wanted).abs());
     report.stepped(asked, run, |run| run.1, error)?;
     let closed = p.clone();
-    report.set_closed_form(ClosedForm::new(move |part| {
-        Ok(sun(&closed, part * closed.year))
-    }));
+    report.set_closed_form(ClosedForm::new(move |part| Ok(sun(&closed, part * closed.year))));
     Ok(report)
 }
 
@@ -267,15 +257,9 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         let second = 4.0 * e * y * sin(m) * cos(2.0 * l) - 0.5 * y * y * sin(4.0 * l);
         first + second - 1.25 * e * e * sin(2.0 * m)
     };
-    let off = largest(
-        year.clone()
-            .map(|t| (series(t) - sun(p, t).equation_of_time()).abs()),
-    );
+    let off = largest(year.clone().map(|t| (series(t) - sun(p, t).equation_of_time()).abs()));
     let third = (e + y) * (e + y) * (e + y) / (cos(half) * cos(half));
-    let mean = year
-        .clone()
-        .map(|t| sun(&with(p, e, 0.0), t).centre)
-        .sum::<f64>();
+    let mean = year.clone().map(|t| sun(&with(p, e, 0.0), t).centre).sum::<f64>();
     kit::limits! { report,
         /// the sundial keeps the time of the clock
         "round orbit, upright axis: E": most(&round) => 0.0, within 1e-14;
@@ -324,22 +308,14 @@ fn elsewhere() -> Result<Table> {
     let mut table = Table::new("elsewhere", columns)?;
     for (body, stars, year) in OTHERS {
         let day = solar_day(stars, year).abs();
-        table.push([
-            body.into(),
-            format!("{stars}"),
-            format!("{year}"),
-            short(day, 5),
-        ])?;
+        table.push([body.into(), format!("{stars}"), format!("{year}"), short(day, 5)])?;
     }
     Ok(table)
 }
 
 /// What the page asks its reader to try, one flag changed at a time.
 fn variations(p: &Parameters) -> Result<Table> {
-    let opposite = Parameters {
-        perigee: 1.7966,
-        ..p.clone()
-    };
+    let opposite = Parameters { perigee: 1.7966, ..p.clone() };
     let mut table = Table::new("variations", ["flag", "key", "value / s", "on"])?;
     let (flat, round) = (with(p, p.eccentricity, 0.0), with(p, 0.0, p.obliquity));
     let of = |p: &Parameters| (extremes(p).longest_on, extremes(p).earliest);
@@ -351,12 +327,7 @@ fn variations(p: &Parameters) -> Result<Table> {
     ] {
         table.push([flag, key, &short(value, 4), &date(p, k)])?;
     }
-    table.push([
-        "--year 20",
-        "sidereal",
-        &short(sidereal(20.0) * p.day, 6),
-        "-",
-    ])?;
+    table.push(["--year 20", "sidereal", &short(sidereal(20.0) * p.day, 6), "-"])?;
     Ok(table)
 }
 

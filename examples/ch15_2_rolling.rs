@@ -134,10 +134,7 @@ pub fn tipping(sides: u32) -> (Vec<SpaceVector>, f64) {
 fn polygons() -> [f64; 2] {
     let run = |sides| {
         let (places, distances) = tipping(sides);
-        [
-            places[sides as usize].x(),
-            distances * TAU / f64::from(sides),
-        ]
+        [places[sides as usize].x(), distances * TAU / f64::from(sides)]
     };
     let [a, b, c] = [run(64), run(128), run(256)];
     [0, 1].map(|i| {
@@ -178,11 +175,7 @@ pub fn carried(angular_velocity: impl Fn(f64) -> SpaceVector) -> impl Ode<4> {
 /// The cycle wheel at the start: its axis z points along the shaft towards the rod.
 pub fn upright() -> rotation_dynamics::Result<Attitude> {
     let (phi, theta) = (-FRAC_PI_2, FRAC_PI_2);
-    Attitude::from_euler(EulerAngles {
-        phi,
-        theta,
-        zeta: 0.0,
-    })
+    Attitude::from_euler(EulerAngles { phi, theta, zeta: 0.0 })
 }
 
 /// The direction of the shaft after `t`.
@@ -241,11 +234,7 @@ pub fn spin_without_slip(p: &Parameters) -> Result<f64> {
 /// The cylinder after `t`: it goes round Z and does not turn about its own axis.
 pub fn cylinder(p: &Parameters, t: f64) -> rotation_dynamics::Result<Attitude> {
     let (phi, theta) = (p.cylinder_rate * t, p.tilt);
-    Attitude::from_euler(EulerAngles {
-        phi,
-        theta,
-        zeta: 0.0,
-    })
+    Attitude::from_euler(EulerAngles { phi, theta, zeta: 0.0 })
 }
 
 /// The angle that `direction` sweeps out about Z in `t`, counted on through all turns, rad.
@@ -281,16 +270,9 @@ fn report(p: &Parameters) -> Result<Report> {
     let exact = cycle_turned(p, spin, circuit)?;
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
     let run = move |step| cycle_carried(&wheel, circuit, step);
-    report.stepped(
-        asked,
-        run,
-        |run| run.1,
-        move |run| Ok(run.0.angle_to(&exact)),
-    )?;
+    report.stepped(asked, run, |run| run.1, move |run| Ok(run.0.angle_to(&exact)))?;
     let wheel = p.clone();
-    report.set_closed_form(ClosedForm::new(move |part| {
-        cycle_turned(&wheel, spin, part * circuit)
-    }));
+    report.set_closed_form(ClosedForm::new(move |part| cycle_turned(&wheel, spin, part * circuit)));
     Ok(report)
 }
 
@@ -324,10 +306,8 @@ fn road(p: &Parameters, report: &mut Report) -> Result<()> {
 
 fn coins(p: &Parameters, report: &mut Report) -> Result<()> {
     let (theta, sense, bound) = (p.orbit, p.orbit.signum(), 100.0 * p.tolerance);
-    let ([part, _], [whole, path]) = (
-        coin_rolled(1.0, theta.abs(), p.tolerance)?,
-        coin_rolled(1.0, TAU, p.tolerance)?,
-    );
+    let ([part, _], [whole, path]) =
+        (coin_rolled(1.0, theta.abs(), p.tolerance)?, coin_rolled(1.0, TAU, p.tolerance)?);
     claims! { report,
         /// coin: turned, when the line of centres has turned by --orbit
         coin_part: 2.0 * theta, "rad", "rolled about the contact" => sense * part, within bound * theta,
@@ -421,20 +401,13 @@ fn orbiting(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The cycle wheel with this shaft and the radius and rate 1.
 fn unit(shaft: f64) -> Parameters {
-    Parameters {
-        radius: 1.0,
-        shaft,
-        rate: 1.0,
-        ..Parameters::default()
-    }
+    Parameters { radius: 1.0, shaft, rate: 1.0, ..Parameters::default() }
 }
 
 /// The cylinder's component along its axis at this tilt, measured, over its rate.
 fn along_axis(tilt: f64) -> Result<f64> {
     let p = Parameters::default().but(|p| (p.tilt, p.cylinder_rate) = (tilt, 1.0));
-    Ok(cylinder(&p, 0.0)?
-        .to_body(measured(|t| cylinder(&p, t), 1.0)?)
-        .z())
+    Ok(cylinder(&p, 0.0)?.to_body(measured(|t| cylinder(&p, t), 1.0)?).z())
 }
 
 /// Short shafts and long ones, upright and lying cylinders, few corners and many.
@@ -482,10 +455,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (slower, slowing) = hoop::lost(1.0, [p.wheel_radius, speed], resistance, 9.80665, turn)?;
     // Milled edges, half a hundredth of a millimetre more or less on the radius.
     let edge = 5e-6 / p.coin_radius;
-    let [like, other] = [
-        coin_run(1.0, TAU, 1e-13)?,
-        coin_run(1.0 + edge, TAU, 1e-13)?,
-    ];
+    let [like, other] = [coin_run(1.0, TAU, 1e-13)?, coin_run(1.0 + edge, TAU, 1e-13)?];
     // A tyre that touches over 2 cm.
     let (width, spin) = (0.02 / (2.0 * p.shaft), -p.rate * p.shaft / p.radius);
     let counted = |work: Work| format!("{} derivatives", work.derivatives);

@@ -390,11 +390,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let plain = moment(uniform::plate(m, a, b))?;
     let thick = moment(uniform::cuboid(m, a, b, thickness))? / plain - 1.0;
     let warm = moment(uniform::plate(m, a * (1.0 + grown), b * (1.0 + grown)))? / plain - 1.0;
-    let yields = if stretch < 0.1 {
-        Some(yielded(stretch)?)
-    } else {
-        None
-    };
+    let yields = if stretch < 0.1 { Some(yielded(stretch)?) } else { None };
     let cost = yields.map_or(0, |(_, work)| work.derivatives);
     kit::effect_card! { report,
         "air that turns with the plate, at most": "3 pi rho b^2 a/(32 M)" = air, costs air, "of I_xx";
@@ -424,11 +420,7 @@ fn references(_: &Parameters) -> Result<Table> {
 
 /// A number to the digits that matter; what is below `size` is zero.
 fn rounded(x: f64, size: f64) -> String {
-    if x.abs() < size {
-        "0".into()
-    } else {
-        short(x, 4)
-    }
+    if x.abs() < size { "0".into() } else { short(x, 4) }
 }
 
 /// The square about its centre with a fly on one corner: where its first axis lies.
@@ -438,11 +430,7 @@ fn fly(p: &Parameters) -> Result<Table> {
     for fly in [0.0, 1e-6, 1e-3, 0.1] {
         let [angle, apart] = with_fly(p, fly)?;
         let cells = [rounded(angle, 1e-12), rounded(apart, 1e-15)];
-        let mass = if fly == 0.0 {
-            "none".into()
-        } else {
-            short(fly, 3)
-        };
+        let mass = if fly == 0.0 { "none".into() } else { short(fly, 3) };
         table.push([mass].into_iter().chain(cells))?;
     }
     Ok(table)
@@ -473,9 +461,7 @@ pub fn with_fly(p: &Parameters, fly: f64) -> Result<[f64; 2]> {
     if fly > 0.0 {
         parts.push(MassProperties::of_points(&[(fly, place)])?);
     }
-    let axes = MassProperties::of_parts(&parts)?
-        .about_centre_of_mass()
-        .principal_axes();
+    let axes = MassProperties::of_parts(&parts)?.about_centre_of_mass().principal_axes();
     let ([first, ..], moments) = (axes.axes(), axes.moments());
     let angle = atan2(first.y() * first.x().signum(), first.x().abs());
     Ok([angle, moments[1] - moments[0]])

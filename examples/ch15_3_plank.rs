@@ -85,10 +85,7 @@ impl Mechanism<3, 1> for Plank {
     fn scale(&self, plank: &MechanismState<3>) -> MechanismState<3> {
         let rate = (6.0 * self.gravity / self.length).sqrt();
         let q = [self.length, self.length, plank.q[2].abs().max(1e-300)];
-        MechanismState {
-            q,
-            v: q.map(|size| rate * size),
-        }
+        MechanismState { q, v: q.map(|size| rate * size) }
     }
 }
 
@@ -98,22 +95,13 @@ pub type Fall = ContactMotion<Plank, 3, 1>;
 impl Plank {
     /// The smooth plank in no air, until it lies on the floor.
     pub fn smooth(p: &Parameters) -> Self {
-        Self {
-            length: p.length,
-            gravity: p.gravity,
-            mu: 0.0,
-            drag: 0.0,
-            until: FRAC_PI_2,
-        }
+        Self { length: p.length, gravity: p.gravity, mu: 0.0, drag: 0.0, until: FRAC_PI_2 }
     }
 
     /// At this angle, turning at this rate, its foot on the floor, its middle above the origin.
     pub fn state(&self, angle: f64, rate: f64) -> MechanismState<3> {
         let (half, (s, c)) = (0.5 * self.length, sincos(angle));
-        MechanismState {
-            q: [0.0, half * c, angle],
-            v: [0.0, -half * s * rate, rate],
-        }
+        MechanismState { q: [0.0, half * c, angle], v: [0.0, -half * s * rate, rate] }
     }
 
     /// The fall from there, within this error.
@@ -202,9 +190,7 @@ pub fn hinged(p: &Parameters) -> impl Ode<2> {
 /// When and how the hinged rod comes to the floor, from rest.
 pub fn hinged_fall(p: &Parameters, start: f64) -> Result<LocatedEvent<2>> {
     let (method, longest) = (Dop853::new(1e-15)?, 1e4 * (p.length / p.gravity).sqrt());
-    Ok(method
-        .zero(&hinged(p), [start, 0.0], 1, longest, |y| y[0] - FRAC_PI_2)?
-        .0)
+    Ok(method.zero(&hinged(p), [start, 0.0], 1, longest, |y| y[0] - FRAC_PI_2)?.0)
 }
 
 /// The angle at which the floor pushes least, on the way from upright, and with how much of the
@@ -213,10 +199,7 @@ pub fn hinged_fall(p: &Parameters, start: f64) -> Result<LocatedEvent<2>> {
 pub fn least_force() -> [f64; 2] {
     let c = 1.0 - 2.0 / 3.0_f64.sqrt() * sinh(asinh(3.0_f64.sqrt()) / 3.0);
     let below = 4.0 - 3.0 * c * c;
-    [
-        acos(c),
-        (1.0 + 3.0 * (1.0 - c) * (1.0 - c)) / (below * below),
-    ]
+    [acos(c), (1.0 + 3.0 * (1.0 - c) * (1.0 - c)) / (below * below)]
 }
 
 /// The released plank, exact and simulated.
@@ -262,15 +245,10 @@ fn upright(p: &Parameters, report: &mut Report) -> Result<()> {
     let (looked, floor, pushed) = (to(p.look)?, to(FRAC_PI_2)?, to(lowest)?);
     let [looked, floor, pushed] = [&looked, &floor, &pushed].map(|run| run.event("arrives"));
     let passing = smooth.fall(p.tolerance, p.from, start)?;
-    let early = Plank {
-        until: 2.0 * HAIR,
-        ..smooth
-    }
-    .fall(p.tolerance, HAIR, 0.0)?;
+    let early = Plank { until: 2.0 * HAIR, ..smooth }.fall(p.tolerance, HAIR, 0.0)?;
     let doubled = early.event("arrives")?.t;
-    let slow = Dop853::new(1e-15)?.zero(&hinged(p), [HAIR, 0.0], 1, 1e9 / lambda, |y| {
-        y[0] - 2.0 * HAIR
-    })?;
+    let slow = Dop853::new(1e-15)?
+        .zero(&hinged(p), [HAIR, 0.0], 1, 1e9 / lambda, |y| y[0] - 2.0 * HAIR)?;
     let rate = rate_from_upright(p, p.look);
     let (bound, energy) = (4.0 * p.tolerance, 0.5 * p.mass * g * l);
     let time = Exact::new(l, g, p.from, start)?.landing_time();
@@ -374,9 +352,7 @@ fn strip(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
             Ok(largest([lands.t / judge.landing_time() - 1.0, rate]))
         },
     )?;
-    report.set_closed_form(ClosedForm::new(move |part| {
-        exact.at(part * exact.landing_time())
-    }));
+    report.set_closed_form(ClosedForm::new(move |part| exact.at(part * exact.landing_time())));
     Ok(())
 }
 

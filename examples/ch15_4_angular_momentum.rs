@@ -113,11 +113,7 @@ pub fn turning(
         let turned = Attitude::from_rotation_vector(omega * t).unwrap_or(Attitude::IDENTITY);
         velocity * t + turned.to_space(grain)
     };
-    Swarm {
-        grains,
-        place,
-        step: step(omega.norm()),
-    }
+    Swarm { grains, place, step: step(omega.norm()) }
 }
 
 /// The attitude with these angles, z-x'-z''; those of the page are finite.
@@ -208,12 +204,8 @@ fn report(p: &Parameters) -> Result<Report> {
 fn bodies(report: &mut Report) -> Result<()> {
     let (origin, away) = (DesignVector::zero(), SpaceVector::new(1.0, 0.0, 0.0));
     let tensor = tensor_of_four(origin)?;
-    let [x, y, z] = tensor
-        .angular_momentum(DesignVector::from_array(TURNING))
-        .to_array();
-    let [u, v, w] = tensor
-        .angular_momentum(DesignVector::new(0.0, 0.0, 2.0))
-        .to_array();
+    let [x, y, z] = tensor.angular_momentum(DesignVector::from_array(TURNING)).to_array();
+    let [u, v, w] = tensor.angular_momentum(DesignVector::new(0.0, 0.0, 2.0)).to_array();
     let sum = four(TURNING, [0.0; 3]).angular_momentum(SpaceVector::zero());
     let about_z = four([0.0, 0.0, 2.0], [0.0; 3]).angular_momentum(SpaceVector::zero());
     // With the origin moving: about it, and about a point one metre to the side.
@@ -223,11 +215,7 @@ fn bodies(report: &mut Report) -> Result<()> {
     let shifted = here - away.cross(&moving.linear_momentum());
     let momentum = SpaceVector::new(0.02, 0.06, 0.12);
     let omega = SpaceVector::new(1.0, 2.0, 3.0);
-    let pairs = turning(
-        worked::on_axes([0.02, 0.03, 0.04]),
-        omega,
-        SpaceVector::zero(),
-    );
+    let pairs = turning(worked::on_axes([0.02, 0.03, 0.04]), omega, SpaceVector::zero());
     kit::claims! { report,
         /// four masses: I Omega, along x
         four_x: x, "kg m^2/s", "sum of r x m v" => sum.x(), within 1e-12;
@@ -263,27 +251,9 @@ fn tries(p: &Parameters, report: &mut Report) -> Result<()> {
     let mut table = Table::new("tries", columns)?;
     let all: [(&str, Parameters); 4] = [
         ("none", p.clone()),
-        (
-            "--rate 20",
-            Parameters {
-                rate: 20.0,
-                ..p.clone()
-            },
-        ),
-        (
-            "--height 0.02",
-            Parameters {
-                height: 0.02,
-                ..p.clone()
-            },
-        ),
-        (
-            "--height 0.0866",
-            Parameters {
-                height: 0.0866,
-                ..p.clone()
-            },
-        ),
+        ("--rate 20", Parameters { rate: 20.0, ..p.clone() }),
+        ("--height 0.02", Parameters { height: 0.02, ..p.clone() }),
+        ("--height 0.0866", Parameters { height: 0.0866, ..p.clone() }),
     ];
     for (flag, changed) in all {
         let shaft = Shaft::of(&changed)?;
@@ -296,22 +266,12 @@ fn tries(p: &Parameters, report: &mut Report) -> Result<()> {
 /// A cylinder with these proportions at this tilt, of mass and angular velocity 1.
 pub fn shape(height_over_radius: f64, tilt: f64) -> Shaft {
     let (i3, i1) = (0.5, 0.25 + height_over_radius * height_over_radius / 12.0);
-    Shaft {
-        i1,
-        i3,
-        tilt,
-        rate: 1.0,
-    }
+    Shaft { i1, i3, tilt, rate: 1.0 }
 }
 
 /// Where the answer is known without the tensor.
 fn limits(report: &mut Report) -> Result<()> {
-    let runner = worked::Runner {
-        mass: 1.0,
-        radius: 1e-9,
-        shaft: 2.0,
-        rate: 3.0,
-    };
+    let runner = worked::Runner { mass: 1.0, radius: 1e-9, shaft: 2.0, rate: 3.0 };
     kit::limits! { report,
         /// along a principal axis L follows Omega
         "cylinder, theta = 0: angle from Omega to L": shape(6.0, 0.0).angle() => 0.0, within 1e-15;

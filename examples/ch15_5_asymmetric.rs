@@ -112,11 +112,7 @@ impl Tumble {
 /// Euler's equations of a free body.
 pub fn euler([i1, i2, i3]: [f64; 3]) -> impl Ode<3> {
     ode(move |_, &[p, q, r]: &[f64; 3]| {
-        [
-            (i2 - i3) / i1 * q * r,
-            (i3 - i1) / i2 * r * p,
-            (i1 - i2) / i3 * p * q,
-        ]
+        [(i2 - i3) / i1 * q * r, (i3 - i1) / i2 * r * p, (i1 - i2) / i3 * p * q]
     })
     .scaled(|rates| [length(*rates).max(f64::MIN_POSITIVE); 3])
 }
@@ -155,11 +151,7 @@ impl Tumble {
     pub fn new(moments: [f64; 3], rate: f64, aside: f64, about: usize) -> Self {
         let mut start = [0.0, rate * cos(aside), 0.0];
         start[about] = moments[1] * rate * sin(aside) / moments[about];
-        Self {
-            moments,
-            about,
-            start,
-        }
+        Self { moments, about, start }
     }
     /// L on the body's axes for these rates.
     pub fn carried(&self, rates: [f64; 3]) -> [f64; 3] {
@@ -179,22 +171,14 @@ impl Tumble {
     pub fn across(&self, rates: [f64; 3]) -> f64 {
         let (l, size) = (self.carried(rates), self.momentum());
         let [p, q, r] = rates;
-        length([
-            q * l[2] - r * l[1],
-            r * l[0] - p * l[2],
-            p * l[1] - q * l[0],
-        ]) / size
+        length([q * l[2] - r * l[1], r * l[0] - p * l[2], p * l[1] - q * l[0]]) / size
     }
     /// The attitude at the start: L is vertical.
     pub fn upright(&self) -> rotation_dynamics::Result<Attitude> {
         let [sideways, along, up] = self.carried(self.start);
         let (lying, zeta) = (atan2(hypot(sideways, along), up), atan2(sideways, along));
         // The cover towards the reader.
-        Attitude::from_euler(EulerAngles {
-            phi: 2.5,
-            theta: lying,
-            zeta,
-        })
+        Attitude::from_euler(EulerAngles { phi: 2.5, theta: lying, zeta })
     }
     fn body(&self) -> rotation_dynamics::Result<RigidBody> {
         let [i1, i2, i3] = self.moments;
@@ -208,9 +192,7 @@ impl Tumble {
     /// Flip number `count`, by Euler's equations in steps: the rate about the middle axis is 0.
     pub fn flip(&self, count: u32) -> Result<LocatedEvent<3>> {
         let (law, until) = (euler(self.moments), 1e4 / self.pace());
-        Ok(Dop853::new(1e-15)?
-            .zero(&law, self.start, count, until, |y| y[1])?
-            .0)
+        Ok(Dop853::new(1e-15)?.zero(&law, self.start, count, until, |y| y[1])?.0)
     }
     /// Turns about L between two flips.
     pub fn turns(&self) -> Result<f64> {
@@ -219,9 +201,7 @@ impl Tumble {
     /// The same, counted on the stepped motion in small pieces.
     pub fn turns_counted(&self) -> Result<f64> {
         let scene = Scene::new(self.body()?);
-        let mut state = self
-            .body()?
-            .state(self.upright()?, BodyVector::from_array(self.start))?;
+        let mut state = self.body()?.state(self.upright()?, BodyVector::from_array(self.start))?;
         let (method, end) = (Dop853::new(1e-14)?, 2.0 * self.between_flips()?);
         let axis = |attitude: Attitude| {
             let [x, y, _] = attitude.to_space(unit(self.about)).to_array();
@@ -285,10 +265,7 @@ fn tumble(p: &Parameters) -> Result<Tumble> {
     squared.check("I2", moments[1])?;
     squared.check("rate", p.rate)?;
     let gaps = [moments[0] / moments[1], moments[1] / moments[2]];
-    if gaps
-        .iter()
-        .any(|ratio| !(1e-3..=1.0 - 1e-3).contains(ratio))
-    {
+    if gaps.iter().any(|ratio| !(1e-3..=1.0 - 1e-3).contains(ratio)) {
         return Err(Error::out_of_range(
             "I1/I2 or I2/I3, the larger of the two,",
             gaps[0].max(gaps[1]),
@@ -459,32 +436,17 @@ fn bodies() -> Result<Table> {
     ];
     let mut table = Table::new("bodies", columns)?;
     let boxes = [
-        (
-            "book, 21 by 14 by 2.5 cm",
-            box_moments(0.5, [0.21, 0.14, 0.025]),
-        ),
-        (
-            "telephone, 147 by 72 by 8 mm",
-            box_moments(0.17, [0.147, 0.072, 0.008]),
-        ),
-        (
-            "brick, 24 by 11.5 by 7.1 cm",
-            box_moments(3.0, [0.24, 0.115, 0.071]),
-        ),
-        (
-            "box of matches, 53 by 36 by 15 mm",
-            box_moments(0.02, [0.053, 0.036, 0.015]),
-        ),
+        ("book, 21 by 14 by 2.5 cm", box_moments(0.5, [0.21, 0.14, 0.025])),
+        ("telephone, 147 by 72 by 8 mm", box_moments(0.17, [0.147, 0.072, 0.008])),
+        ("brick, 24 by 11.5 by 7.1 cm", box_moments(3.0, [0.24, 0.115, 0.071])),
+        ("box of matches, 53 by 36 by 15 mm", box_moments(0.02, [0.053, 0.036, 0.015])),
     ];
     for (name, moments) in boxes {
         let [i1, i2, i3] = moments;
         let turns = |aside| -> Result<String> {
             let tumble = Tumble::new(moments, 1.0, aside, 0);
             let (turned, counted) = (tumble.turns()?, tumble.turns_counted()?);
-            Ok(supported_digits(
-                turned,
-                1e-3_f64.max((turned - counted).abs()),
-            ))
+            Ok(supported_digits(turned, 1e-3_f64.max((turned - counted).abs())))
         };
         let digits = |x: f64| supported_digits(x, 1e-3);
         table.push([
@@ -502,13 +464,7 @@ fn bodies() -> Result<Table> {
 fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let tumble = tumble(p)?;
     let (motion, end) = (tumble.free_body()?, 4.0 * tumble.between_flips()?);
-    let columns = [
-        "t [s]",
-        "Omega_1 [rad/s]",
-        "Omega_2 [rad/s]",
-        "Omega_3 [rad/s]",
-        "e2_Z [-]",
-    ];
+    let columns = ["t [s]", "Omega_1 [rad/s]", "Omega_2 [rad/s]", "Omega_3 [rad/s]", "e2_Z [-]"];
     Trajectory::sampled(columns, times(0.0, end, 600), |t| {
         let at = motion.kinematics(t);
         let [p, q, r] = at.angular_velocity.to_array();

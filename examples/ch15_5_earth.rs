@@ -67,11 +67,7 @@ pub fn motion(p: &Parameters) -> rotation_dynamics::Result<FreeBody> {
     // The figure axis is off the angular momentum by theta.
     let theta = atan2(p.a * sideways, p.c);
     let y = SpaceVector::new(0.0, 1.0, 0.0);
-    FreeBody::new(
-        moments,
-        Attitude::about_space_axis(y, -theta)?,
-        angular_velocity,
-    )
+    FreeBody::new(moments, Attitude::about_space_axis(y, -theta)?, angular_velocity)
 }
 
 /// Euler's equations of a body with two equal moments; time in 1/Omega_z, rates in Omega_z.
@@ -177,18 +173,9 @@ fn wobble(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
-    let thin = motion(&Parameters {
-        a: 0.2,
-        c: 0.4,
-        wander: 1e3,
-        ..*p
-    })?;
+    let thin = motion(&Parameters { a: 0.2, c: 0.4, wander: 1e3, ..*p })?;
     let end = 100.0 * p.day;
-    let round = flattening(&Parameters {
-        a: 0.4 / 1.001,
-        c: 0.4,
-        ..*p
-    })?;
+    let round = flattening(&Parameters { a: 0.4 / 1.001, c: 0.4, ..*p })?;
     let love = |k: f64| yielding::period(&Parameters { love: k, ..*p });
     let k_s = yielding::fluid_love_number(p);
     kit::limits! { report,
@@ -284,11 +271,7 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (motion, end) = (motion(p)?, p.day / flattening(p)?);
     let row = |t: f64| {
         let w = motion.angular_velocity(t);
-        Ok([
-            t / 86_400.0,
-            p.radius * w.x() / w.z(),
-            p.radius * w.y() / w.z(),
-        ])
+        Ok([t / 86_400.0, p.radius * w.x() / w.z(), p.radius * w.y() / w.z()])
     };
     let columns = ["t [d]", "x [m]", "y [m]"];
     Trajectory::sampled(columns, times(0.0, end, 400), row)

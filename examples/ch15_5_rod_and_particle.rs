@@ -53,13 +53,7 @@ impl Answer {
         // After it the rod's middle rests, and the particle has Omega l/2.
         let hinge = m * (angular_velocity * arm - v);
         let energies = [0.5 * m * v * v, 0.5 * momentum * angular_velocity];
-        Self {
-            inertia,
-            momentum,
-            angular_velocity,
-            hinge,
-            energies,
-        }
+        Self { inertia, momentum, angular_velocity, hinge, energies }
     }
 }
 // ANCHOR_END: answer
@@ -67,15 +61,7 @@ impl Answer {
 /// The scene of these parameters.
 pub fn scene(p: &Parameters, hinged: bool) -> Strike {
     let (rod, particle, length, speed) = (p.mass, p.particle, p.length, p.speed);
-    Strike {
-        rod,
-        particle,
-        length,
-        speed,
-        hinged,
-        arm: 0.5 * length,
-        rub: 0.0,
-    }
+    Strike { rod, particle, length, speed, hinged, arm: 0.5 * length, rub: 0.0 }
 }
 
 /// The units of time, l/v, for which the simulation goes on after the impact.
@@ -103,26 +89,19 @@ fn report(p: &Parameters) -> Result<Report> {
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, m, v, l) = (Answer::new(p), p.particle, p.speed, p.length);
-    let (scene, blow) = (
-        scene(p, true),
-        Blow::new(scene(p, true), p.tolerance, 0.5, END)?,
-    );
+    let (scene, blow) = (scene(p, true), Blow::new(scene(p, true), p.tolerance, 0.5, END)?);
     let (before, after) = (blow.before, blow.after);
     // The tensor of rod and particle; the rod lies along the third axis.
     let particle = MassProperties::of_points(&[(m, DesignVector::new(0.0, 0.0, -0.5 * l))])?;
     let both = MassProperties::of_parts(&[solids::rod(p.mass, l)?, particle])?;
-    let moment = both
-        .about(DesignVector::zero())?
-        .moment_about(DesignVector::new(1.0, 0.0, 0.0))?;
+    let moment =
+        both.about(DesignVector::zero())?.moment_about(DesignVector::new(1.0, 0.0, 0.0))?;
     let kept = scene.angular_momentum(&after, [0.0, 0.0]);
     let [push, _] = scene.momentum(&after);
     let lost = scene.energy(&before) - scene.energy(&after);
     // The force of the hinge from two values of the momentum, a little later.
     let (t, h) = (0.5 * scene.unit(), 1e-4 * scene.unit());
-    let [early, late] = [
-        scene.momentum(&blow.at(t - h)?),
-        scene.momentum(&blow.at(t + h)?),
-    ];
+    let [early, late] = [scene.momentum(&blow.at(t - h)?), scene.momentum(&blow.at(t + h)?)];
     let pull = rotation_dynamics::math::hypot(late[0] - early[0], late[1] - early[1]) / (2.0 * h);
     let w = a.angular_velocity;
     let force = m * a.angular_velocity * a.angular_velocity * 0.5 * l;
@@ -171,13 +150,7 @@ fn on_table(p: &Parameters, report: &mut Report) -> Result<()> {
     let (time, angle) = (w.abs() / braking, 0.5 * w * w / braking);
     let turns = from_to(1e-3, 1e3).because("it stops at once, or after too many turns");
     turns.check("angle until the table stops it", angle)?;
-    let (strike, half) = (
-        Strike {
-            rub,
-            ..scene(p, true)
-        },
-        0.5 * time,
-    );
+    let (strike, half) = (Strike { rub, ..scene(p, true) }, 0.5 * time);
     let end = Blow::new(strike, 1e-6, 0.5, half / strike.unit())?.end()?;
     kit::claims! { report,
         /// with friction of the table: time from the impact until the rod stops

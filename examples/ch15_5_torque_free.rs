@@ -234,18 +234,8 @@ pub fn seen(top: Top, t: f64) -> Result<[f64; 5]> {
     let momentum = attitude.to_space(BodyVector::new(top.i1 * p, top.i1 * q, top.i3 * r));
     let (axis, omega) = (attitude.axis(), attitude.to_space(rates));
     let angle = |a: &SpaceVector, b: &SpaceVector| atan2(a.cross(b).norm(), a.dot(b));
-    let angles = [
-        angle(&axis, &momentum),
-        angle(&axis, &omega),
-        angle(&momentum, &omega),
-    ];
-    Ok([
-        omega.norm(),
-        momentum.norm(),
-        angles[0],
-        angles[1],
-        angles[2],
-    ])
+    let angles = [angle(&axis, &momentum), angle(&axis, &omega), angle(&momentum, &omega)];
+    Ok([omega.norm(), momentum.norm(), angles[0], angles[1], angles[2]])
 }
 
 /// The height at which a cylinder of this radius is neither thin nor flat, by bisection on
@@ -265,11 +255,7 @@ fn library_moments(mass: f64, radius: f64, height: f64) -> Result<[f64; 2]> {
         true => solids::cylinder(mass, radius, height)?,
         false => solids::disc(mass, radius)?,
     };
-    let about = |axis| {
-        solid
-            .about_centre_of_mass()
-            .moment_about(DesignVector::from_array(axis))
-    };
+    let about = |axis| solid.about_centre_of_mass().moment_about(DesignVector::from_array(axis));
     Ok([about([1.0, 0.0, 0.0])?, about([0.0, 0.0, 1.0])?])
 }
 
@@ -408,16 +394,8 @@ fn disc_claims(disc: Top, report: &mut Report) -> Result<()> {
 
 /// Small and large tilts, needles and round bodies; the cones and the stepped motion.
 fn limits(report: &mut Report) -> Result<()> {
-    let cylinder = Top {
-        i1: 2.0,
-        i3: 1.0,
-        omega_y: 1.0,
-        omega_z: 20.0,
-    };
-    let shaped = |ratio: f64| Top {
-        i3: 2.0 * ratio,
-        ..cylinder
-    };
+    let cylinder = Top { i1: 2.0, i3: 1.0, omega_y: 1.0, omega_z: 20.0 };
+    let shaped = |ratio: f64| Top { i3: 2.0 * ratio, ..cylinder };
     let (disc, needle, round) = (shaped(2.0), shaped(1e-6), shaped(1.0 - 1e-6));
     let level = |top: Top| top.tilted(0.5 * PI - 1e-6);
     kit::limits! { report,
@@ -443,33 +421,12 @@ fn tries(p: &Parameters) -> Result<Table> {
     let ours = Parameters::default();
     let runs = [
         ("as it is", ours.clone()),
-        (
-            "shorter",
-            Parameters {
-                height: 0.08,
-                ..ours.clone()
-            },
-        ),
-        (
-            "tumbling",
-            Parameters {
-                omega_y: 40.0,
-                ..ours.clone()
-            },
-        ),
-        (
-            "faster along",
-            Parameters {
-                omega_z: 40.0,
-                ..ours
-            },
-        ),
+        ("shorter", Parameters { height: 0.08, ..ours.clone() }),
+        ("tumbling", Parameters { omega_y: 40.0, ..ours.clone() }),
+        ("faster along", Parameters { omega_z: 40.0, ..ours }),
     ];
     for (name, run) in runs {
-        let top = top(&Parameters {
-            tolerance: p.tolerance,
-            ..run
-        })?;
+        let top = top(&Parameters { tolerance: p.tolerance, ..run })?;
         let turns = top.line_turns();
         // The bound under the printed digits: the count of the stepped motion.
         let within = 1e-10_f64.max((Stepped::new(top)?.line_turns()? - turns).abs());
@@ -481,12 +438,8 @@ fn tries(p: &Parameters) -> Result<Table> {
 }
 
 fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let (top, columns) = (
-        top(p)?,
-        [
-            "t [s]", "z_X [-]", "z_Y [-]", "z_Z [-]", "OP_X [-]", "OP_Y [-]", "OP_Z [-]",
-        ],
-    );
+    let (top, columns) =
+        (top(p)?, ["t [s]", "z_X [-]", "z_Y [-]", "z_Z [-]", "OP_X [-]", "OP_Y [-]", "OP_Z [-]"]);
     Trajectory::sampled(columns, times(0.0, 2.0 * top.round(), 400), |t| {
         let (axis, line) = (top.axis(t)?, top.attitude(t)?.to_space(LINE));
         Ok([[t].as_slice(), &axis.to_array(), &line.to_array()].concat())

@@ -191,9 +191,7 @@ pub fn upright(momentum: SpaceVector) -> rotation_dynamics::Result<Attitude> {
 /// By how much the attitude is off, degrees, on each of these days.
 pub fn misses(days: &[Observed], found: &[Attitude]) -> Vec<f64> {
     let pairs = days.iter().zip(found);
-    pairs
-        .map(|(day, found)| day.attitude.angle_to(found).to_degrees())
-        .collect()
+    pairs.map(|(day, found)| day.attitude.angle_to(found).to_degrees()).collect()
 }
 
 /// The root of the mean of the squares.
@@ -212,9 +210,7 @@ pub fn fitted(days: &[Observed], from: &Start, guess: Unknowns, model: Model) ->
     least_squares(guess, |at| {
         let computed = model(&fit::start(at, &reference)?, &times)?;
         let pairs = computed.iter().zip(days);
-        Ok(pairs
-            .flat_map(|(found, day)| turn_between(found, &day.attitude).to_array())
-            .collect())
+        Ok(pairs.flat_map(|(found, day)| turn_between(found, &day.attitude).to_array()).collect())
     })
 }
 // ANCHOR_END: fit
@@ -238,33 +234,22 @@ impl Study {
         let (start, printed) = (published(p)?, published(&Parameters::default())?);
         let mut december = observed()?;
         elliptic_period(&start)?;
-        let last = december.pop().ok_or(kit::Error::Text {
-            text: "toutatis.csv".into(),
-            allowed: "a row a day",
-        })?;
+        let last = december
+            .pop()
+            .ok_or(kit::Error::Text { text: "toutatis.csv".into(), allowed: "a row a day" })?;
         let times: Vec<f64> = december.iter().map(|day| day.t).collect();
         let found = misses(&december, &in_closed_form(&start, &times)?);
         let fit = fitted(&december, &printed, unknowns(&printed)?, in_closed_form)?;
         let best = fit::start(&fit.at, &printed.motion()?.attitude(MIDDLE))?;
         let shifted: Vec<f64> = times.iter().map(|t| t - MIDDLE).collect();
         let fitted_misses = misses(&december, &in_closed_form(&best, &shifted)?);
-        Ok(Self {
-            start,
-            printed,
-            december,
-            last,
-            misses: found,
-            fit,
-            fitted: best,
-            fitted_misses,
-        })
+        Ok(Self { start, printed, december, last, misses: found, fit, fitted: best, fitted_misses })
     }
 
     /// The standard deviation of a period of the fit, s.
     pub fn deviation_of_period(&self, which: usize) -> Result<f64> {
         let reference = self.printed.motion()?.attitude(MIDDLE);
-        self.fit
-            .deviation_of(|at| Ok(fit::start(at, &reference)?.periods()?[which]))
+        self.fit.deviation_of(|at| Ok(fit::start(at, &reference)?.periods()?[which]))
     }
 
     /// How many turns the error of a period adds up to by 2008.
@@ -329,13 +314,10 @@ fn fits(study: &Study, report: &mut Report) -> Result<()> {
     guess.iter_mut().for_each(|at| *at = 1.02 * *at + 0.02);
     let other = fitted(&study.december, &study.printed, guess, by_simulation)?;
     let [spin, precession] = study.fitted.periods()?.map(|t| t / DAY);
-    let [other_spin, other_precession] = fit::start(&other.at, &reference)?
-        .periods()?
-        .map(|t| t / DAY);
-    let [sd_spin, sd_precession] = [
-        study.deviation_of_period(0)? / DAY,
-        study.deviation_of_period(1)? / DAY,
-    ];
+    let [other_spin, other_precession] =
+        fit::start(&other.at, &reference)?.periods()?.map(|t| t / DAY);
+    let [sd_spin, sd_precession] =
+        [study.deviation_of_period(0)? / DAY, study.deviation_of_period(1)? / DAY];
     let elsewhere =
         |which| other.deviation_of(|at| Ok(fit::start(at, &reference)?.periods()?[which] / DAY));
     let root = root_mean_square(&study.fitted_misses);
@@ -373,9 +355,8 @@ pub fn at_random() -> f64 {
 fn later(study: &Study, report: &mut Report) -> Result<()> {
     let (last, motion) = (study.last, study.start.motion()?);
     let (there, momentum) = (motion.attitude(last.t), motion.angular_momentum());
-    let solved = Scene::new(study.start.body()?)
-        .solve_by_stepping(&motion.state(0.0), last.t, 1e-7)?
-        .state;
+    let solved =
+        Scene::new(study.start.body()?).solve_by_stepping(&motion.state(0.0), last.t, 1e-7)?.state;
     let z = BodyVector::new(0.0, 0.0, 1.0);
     let axis = |attitude: &Attitude| attitude.to_space(z);
     let of = |found: &Attitude| {
@@ -383,11 +364,7 @@ fn later(study: &Study, report: &mut Report) -> Result<()> {
         [last.attitude.angle_to(found).to_degrees(), off]
     };
     let ([miss, off], [again, off_again]) = (of(&there), of(&solved.attitude));
-    let seen = study
-        .start
-        .body()?
-        .state(last.attitude, last.angular_velocity)?
-        .angular_momentum;
+    let seen = study.start.body()?.state(last.attitude, last.angular_velocity)?.angular_momentum;
     let moved = angle_between(seen, momentum);
     let dot = (seen.dot(&momentum) / (seen.norm() * momentum.norm())).clamp(-1.0, 1.0);
     let [azimuth, spin] = off_about(&there, &last.attitude, momentum)?;
@@ -442,10 +419,7 @@ pub fn off_about(found: &Attitude, seen: &Attitude, momentum: SpaceVector) -> Re
     let up = upright(momentum)?;
     let [found, seen] = [(up * *found).euler_angles(), (up * *seen).euler_angles()];
     let degrees = |angle: f64| (angle - TAU * (angle / TAU).round()).to_degrees();
-    Ok([
-        degrees(seen.phi - found.phi),
-        degrees(seen.zeta - found.zeta),
-    ])
+    Ok([degrees(seen.phi - found.phi), degrees(seen.zeta - found.zeta)])
 }
 
 /// The same by an integral: the angle is spread as (1 - cos a)/pi.
@@ -465,12 +439,7 @@ pub fn first_flyby(p: &Parameters) -> Path {
 }
 
 fn passage(p: &Parameters, closest: f64, date: &str) -> Path {
-    Path::flyby(
-        closest,
-        p.speed,
-        p.longitude,
-        seconds(date) - seconds(EPOCH),
-    )
+    Path::flyby(closest, p.speed, p.longitude, seconds(date) - seconds(EPOCH))
 }
 
 // ANCHOR: tide
@@ -569,19 +538,13 @@ fn tides(p: &Parameters, study: &Study, moved: &Moved, report: &mut Report) -> R
 /// A body without differences, one almost without, the Earth far away.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let start = published(p)?;
-    let thin = Start {
-        moments: [3.2, 3.2 + 1e-9, 1.0],
-        ..start
-    };
+    let thin = Start { moments: [3.2, 3.2 + 1e-9, 1.0], ..start };
     let [_, _, w] = start.angular_velocity.to_array();
     let symmetric = TAU / ((1.0 - 1.0 / 3.2) * w.abs());
     let momentum = thin.motion()?.angular_momentum().norm();
     let path = Path::flyby(p.closest, p.speed, p.longitude, 0.0);
     let far = |closest: f64| number(&start, &Path { closest, ..path });
-    let round = Path {
-        eccentricity: 1e-12,
-        ..Path::orbit()
-    };
+    let round = Path { eccentricity: 1e-12, ..Path::orbit() };
     let third = TAU * (round.closest * round.closest * round.closest / round.attracts).sqrt() / 3.0;
     let moved = angle_between(round.place(round.when)?, round.place(round.when + third)?);
     let straight = Path::flyby(1e9, 1e7, 0.0, 0.0).place(1000.0)?;

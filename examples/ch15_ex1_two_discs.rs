@@ -3,13 +3,13 @@
 
 #[path = "ch15_ex1_two_discs/figures.rs"]
 mod figures;
+#[path = "ch15_ex1_two_discs/physics.rs"]
+pub mod physics;
 
 use kit::prelude::*;
+use physics::*;
 use rotation_dynamics::Error;
-use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Solution, ode, size_or};
-use rotation_dynamics::planar::contact::{
-    Contact, ContactMotion, Mechanism, MechanismState, motion_within,
-};
+use rotation_dynamics::integrators::{Dop853, Event, Integrator, ode, size_or};
 
 parameters! {
     /// The discs of the exercise; the notes leave all numbers open.
@@ -34,132 +34,6 @@ parameters! {
     }
 }
 
-// ANCHOR: answer
-/// What the kept angular momentum gives, and the time from a constant torque.
-#[derive(Debug, Clone, Copy)]
-pub struct Answer {
-    /// The rate at which both turn in the end.
-    pub common: f64,
-    /// How fast the upper disc turns on the lower one at the start.
-    pub relative: f64,
-    /// I1 I2/(I1 + I2).
-    pub reduced: f64,
-    /// Kinetic energy that is lost.
-    pub lost: f64,
-    /// How long friction acts with its constant torque.
-    pub time: f64,
-}
-
-impl Answer {
-    pub fn new(p: &Parameters) -> Self {
-        let (whole, relative) = (p.upper + p.lower, p.upper_rate - p.lower_rate);
-        let (share, reduced) = (p.upper / whole, p.upper * (p.lower / whole));
-        Self {
-            common: p.lower_rate + share * relative,
-            relative,
-            reduced,
-            lost: 0.5 * reduced * relative * relative,
-            time: reduced * relative.abs() / p.friction,
-        }
-    }
-}
-
-/// Kinetic energy of the turning at these rates.
-pub fn kinetic_energy(p: &Parameters, [upper, lower]: [f64; 2]) -> f64 {
-    0.5 * p.upper * upper * upper + 0.5 * p.lower * lower * lower
-}
-// ANCHOR_END: answer
-
-// ANCHOR: scene
-/// The two discs: how high the upper one is above the lower, and how far both have turned.
-#[derive(Debug, Clone)]
-pub struct Discs {
-    pub p: Parameters,
-    /// The part of its speed with which the upper disc jumps back.
-    pub bounce: f64,
-}
-
-impl Mechanism<3, 1> for Discs {
-    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
-        let Parameters { upper, lower, .. } = self.p;
-        [[1.0, 0.0, 0.0], [0.0, upper, 0.0], [0.0, 0.0, lower]]
-    }
-
-    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
-        [-self.p.gravity, 0.0, 0.0]
-    }
-
-    fn contacts(&self, discs: &MechanismState<3>) -> [Contact<3>; 1] {
-        // The lever at which the weight gives the torque of the friction.
-        let lever = self.p.friction / self.p.gravity;
-        let faces = Contact::new("discs", discs.q[0], [1.0, 0.0, 0.0], 0.0);
-        let faces = faces.tangent([0.0, 1.0, -1.0], 0.0);
-        [faces.friction(lever).restitution(self.bounce)]
-    }
-    // ANCHOR_END: scene
-
-    fn scale(&self, _: &MechanismState<3>) -> MechanismState<3> {
-        let (a, largest) = (Answer::new(&self.p), rate(&self.p));
-        let v = [self.p.gravity * a.time, largest, largest];
-        let q = v.map(|rate| rate * a.time);
-        MechanismState { q, v }
-    }
-}
-
-/// The larger of the two rates: against it errors count.
-fn rate(p: &Parameters) -> f64 {
-    p.upper_rate.abs().max(p.lower_rate.abs())
-}
-
-/// A fall of the upper disc, and the slip.
-pub type Fall = ContactMotion<Discs, 3, 1>;
-
-/// The motion from the release until `ends`, in units of the time of the slip.
-pub fn fallen(p: &Parameters, bounce: f64, ends: f64, tolerance: f64) -> Result<Fall> {
-    let (q, v) = ([p.drop, 0.0, 0.0], [0.0, p.upper_rate, p.lower_rate]);
-    let (start, end) = (MechanismState { q, v }, ends * Answer::new(p).time);
-    let p = p.clone();
-    Ok(motion_within(Discs { p, bounce }, tolerance, start, end)?)
-}
-
-// ANCHOR: laws
-/// Rates of the two discs and the heat, when the torque is this function of the slip.
-pub fn rubbing(p: &Parameters, torque: impl Fn(f64) -> f64) -> impl Ode<3> {
-    let (upper, lower) = (p.upper, p.lower);
-    ode(move |_, &[fast, slow, _]: &[f64; 3]| {
-        let (slip, torque) = (fast - slow, torque(fast - slow));
-        [-torque / upper, torque / lower, torque * slip]
-    })
-    .scaled(size_or([1.0; 3]))
-}
-
-/// That motion until the slip is over, or has come down to this part of it.
-pub fn rubbed(p: &Parameters, left: f64, torque: impl Fn(f64) -> f64) -> Result<Solution<3>> {
-    let a = Answer::new(p);
-    let over = move |_: f64, y: &[f64; 3]| (y[0] - y[1]) / a.relative - left;
-    let start = [p.upper_rate, p.lower_rate, 0.0];
-    let over = Event::falling("over", over).terminal();
-    let method = Dop853::new(p.tolerance.min(1e-9))?;
-    Ok(method.solve(&rubbing(p, torque), 0.0, &start, 1e3 * a.time, &[over])?)
-}
-// ANCHOR_END: laws
-
-/// The rate at which both turn in the end if something brakes the two discs from outside (N m,
-/// of their rates).
-fn braked(p: &Parameters, brake: &dyn Fn(f64, f64) -> [f64; 2]) -> Result<f64> {
-    let a = Answer::new(p);
-    let rubs = p.friction * a.relative.signum();
-    let law = ode(|_, &[fast, slow]: &[f64; 2]| {
-        let [upper, lower] = brake(fast, slow);
-        [-(rubs + upper) / p.upper, (rubs - lower) / p.lower]
-    })
-    .scaled(size_or([1.0; 2]));
-    let over = Event::falling("over", |_, y: &[f64; 2]| (y[0] - y[1]) / a.relative).terminal();
-    let start = [p.upper_rate, p.lower_rate];
-    let run = Dop853::new(1e-11)?.solve(&law, 0.0, &start, 1e3 * a.time, &[over])?;
-    Ok(run.end_state()[0])
-}
-
 /// The laws of the page over their parameters: dry friction, friction that weakens with the
 /// slip, a film of oil; each has the torque of the page at the first slip.
 pub fn torque(p: &Parameters, law: &str, slip: f64) -> f64 {
@@ -172,30 +46,6 @@ pub fn torque(p: &Parameters, law: &str, slip: f64) -> f64 {
     }
 }
 
-// ANCHOR: signed
-/// Friction with the sign of the slip: the solver that many would write.
-fn sign(p: &Parameters) -> impl Ode<3> {
-    let friction = p.friction;
-    rubbing(p, move |slip: f64| match slip {
-        0.0 => 0.0,
-        _ => friction * slip.signum(),
-    })
-}
-
-/// It, by equal steps of Euler's method: the slip at each of them.
-pub fn chattering(p: &Parameters, steps: u32, end: f64) -> Vec<(f64, f64)> {
-    let (law, h) = (sign(p), end / f64::from(steps));
-    let mut state = [p.upper_rate, p.lower_rate, 0.0];
-    let mut slips = vec![(0.0, state[0] - state[1])];
-    for k in 1..=steps {
-        let rates = law.derivative(0.0, &state);
-        state = core::array::from_fn(|i| state[i] + h * rates[i]);
-        slips.push((h * f64::from(k), state[0] - state[1]));
-    }
-    slips
-}
-// ANCHOR_END: signed
-
 /// The largest slip in the last quarter of a run.
 pub fn left_over(slips: &[(f64, f64)]) -> f64 {
     let last = &slips[slips.len() * 3 / 4..];
@@ -206,8 +56,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, size) = (Answer::new(p), rate(p));
     allowed! {
         "the larger of the two rates": size, above(0.0), "one of them must turn";
-        "|O1 - O2| over the larger rate,": a.relative.abs() / size,
-            from_to(1e-3, 2.0), "discs of equal rates do not slip";
+        "|O1 - O2| over the larger rate,": a.relative.abs() / size, from_to(1e-3, 2.0), "discs of equal rates do not slip";
         "drop, with time left to slip,": p.drop, from_to(0.0, 0.45 * p.gravity * a.time * a.time),
             "the disc must land before twice the time of the slip is over";
     }?;
@@ -233,8 +82,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         in "The energy":
             0.5 * whole * a.relative * a.relative => "not both turn at that rate: which inertia belongs to the slip?",
             0.5 * a.reduced * both * both => "the slip is the difference of the rates, signs included",
-            before => "they still turn in the end",
-            before - a.lost => "that is what is left";
+            before => "they still turn in the end", before - a.lost => "that is what is left";
         /// part of it
         share: a.lost / before, "-", "heat of an oil film" => oil.end_state()[2] / before, within square / before + 1e-9;
         /// angular momentum of both, before and after
@@ -280,29 +128,39 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
+/// The rate at which both turn in the end if something brakes the two discs from outside (N m,
+/// of their rates).
+fn braked(p: &Parameters, brake: &dyn Fn(f64, f64) -> [f64; 2]) -> Result<f64> {
+    let a = Answer::new(p);
+    let rubs = p.friction * a.relative.signum();
+    let law = ode(|_, &[fast, slow]: &[f64; 2]| {
+        let [upper, lower] = brake(fast, slow);
+        [-(rubs + upper) / p.upper, (rubs - lower) / p.lower]
+    })
+    .scaled(size_or([1.0; 2]));
+    let over = Event::falling("over", |_, y: &[f64; 2]| (y[0] - y[1]) / a.relative).terminal();
+    let start = [p.upper_rate, p.lower_rate];
+    let run = Dop853::new(1e-11)?.solve(&law, 0.0, &start, 1e3 * a.time, &[over])?;
+    Ok(run.end_state()[0])
+}
+
 /// What `--with bearing` adds: the rate at which they turn alike, and when. The lower disc may turn
 /// one way and then the other, and what brakes it turns round with it.
 fn rough(p: &Parameters, report: &mut Report) -> Result<()> {
-    let Some(bearing) = p.bearing else {
-        return Ok(());
-    };
+    let Some(bearing) = p.bearing else { return Ok(()) };
     allowed! {
-        "bearing over the friction of the discs": bearing / p.friction,
-            between(0.0, 0.99), "or the bearing holds the lower disc";
+        "bearing over the friction of the discs": bearing / p.friction, between(0.0, 0.99), "or the bearing holds the lower disc";
     }?;
-    let rubs = p.friction * Answer::new(p).relative.signum();
-    let (fast, slow) = (-rubs / p.upper, |brake: f64| (rubs - brake) / p.lower);
+    let (a, rubs) = (Answer::new(p), p.friction * Answer::new(p).relative.signum());
+    let (fast, slow) = (-rubs / p.upper, |brake: f64| (rubs - brake * rubs.signum()) / p.lower);
     // Until the lower disc stops, if it turns against the friction; then it is driven on.
-    let against = p.lower_rate * rubs < 0.0;
-    let held = slow(-bearing * rubs.signum());
-    let stops = -p.lower_rate / held;
-    let (wait, rates) = match against && stops < Answer::new(p).relative / (held - fast) {
-        true => (stops, [p.upper_rate + fast * stops, 0.0]),
-        false => (0.0, [p.upper_rate, p.lower_rate]),
-    };
-    let way = if against && wait == 0.0 { -1.0 } else { 1.0 };
-    let time = (rates[0] - rates[1]) / (slow(way * bearing * rubs.signum()) - fast);
-    let common = rates[0] + fast * time;
+    let (against, held) = (p.lower_rate * rubs < 0.0, slow(-bearing));
+    let wait = -p.lower_rate / held;
+    let turned = against && wait < a.relative / (held - fast);
+    let (wait, lower) = if turned { (wait, 0.0) } else { (0.0, p.lower_rate) };
+    let (upper, way) = (p.upper_rate + fast * wait, if against && !turned { -1.0 } else { 1.0 });
+    let time = (upper - lower) / (slow(way * bearing) - fast);
+    let common = upper + fast * time;
     let brake = |_: f64, lower: f64| [0.0, bearing * lower.signum()];
     claims! { report,
         /// with a bearing that rubs: common angular velocity

@@ -2,12 +2,15 @@
 
 #[path = "ch15_ex2_gears/figures.rs"]
 mod figures;
+#[path = "ch15_ex2_gears/physics.rs"]
+pub mod physics;
 
-use core::f64::consts::FRAC_PI_2;
 use kit::prelude::*;
+use physics::*;
 use rotation_dynamics::integrators::Work;
-use rotation_dynamics::planar::contact::{Contact, ContactMotion, Load, Mechanism, MechanismState};
-use rotation_dynamics::planar::contact::{With, motion_within};
+use rotation_dynamics::planar::contact::{
+    ContactMotion, Load, Mechanism, MechanismState, With, motion_within,
+};
 
 parameters! {
     /// The gears of the exercise; the notes leave all numbers open.
@@ -35,134 +38,12 @@ parameters! {
     }
 }
 
-// ANCHOR: forms
-/// R1/R2.
-pub fn ratio(p: &Parameters) -> f64 {
-    p.radius_a / p.radius_b
-}
-
-/// Rate of B, whose axis is carried round at the rate `arm` (0 if it is at rest).
-pub fn rate_b(p: &Parameters, arm: f64) -> f64 {
-    arm - (p.rate - arm) * ratio(p)
-}
-
-/// Angular momentum of both about the axis of A.
-pub fn momentum(p: &Parameters, arm: f64) -> f64 {
-    let distance = p.radius_a + p.radius_b;
-    let carried = p.mass_b * distance * distance * arm;
-    p.inertia_a * p.rate + carried + p.inertia_b * rate_b(p, arm)
-}
-
-/// What the rims have pushed on each other until B is up to speed, force times time.
-pub fn push(p: &Parameters) -> f64 {
-    p.inertia_b * rate_b(p, 0.0).abs() / p.radius_b
-}
-
-/// How long friction takes for this.
-pub fn time(p: &Parameters) -> f64 {
-    push(p) / p.friction
-}
-
-/// The rate of A in the end if nothing drives it.
-pub fn undriven(p: &Parameters) -> f64 {
-    let r = ratio(p);
-    p.rate / (1.0 + p.inertia_b / p.inertia_a * r * r)
-}
-// ANCHOR_END: forms
-
-/// Kinetic energy of the two at these rates, axes at rest.
-fn kinetic_energy(p: &Parameters, [a, b]: [f64; 2]) -> f64 {
-    0.5 * p.inertia_a * a * a + 0.5 * p.inertia_b * b * b
-}
-
-// ANCHOR: scene
-/// Two wheels on axes at rest, their rims pressed together; the angles by which they have turned.
-#[derive(Debug, Clone)]
-pub struct Wheels {
-    pub p: Parameters,
-    /// Whether a motor keeps the rate of A.
-    pub driven: bool,
-}
-
-impl Mechanism<2, 2> for Wheels {
-    fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
-        [[self.p.inertia_a, 0.0], [0.0, self.p.inertia_b]]
-    }
-
-    fn force(&self, _: &MechanismState<2>) -> [f64; 2] {
-        [0.0; 2]
-    }
-
-    fn contacts(&self, _: &MechanismState<2>) -> [Contact<2>; 2] {
-        let p = &self.p;
-        // Where they touch the rim of A moves up at R1 Omega1, that of B at -R2 Omega2.
-        let slip = [p.radius_a, p.radius_b];
-        let rims = Contact::pressed("rims", p.friction).tangent(slip, 0.0);
-        let on = if self.driven { 1.0 } else { 0.0 };
-        let motor = Contact::joint("motor", 0.0, [on, 0.0], 0.0).rising(on * p.rate, 0.0);
-        [rims.friction(1.0), motor]
-    }
-    // ANCHOR_END: scene
-
-    fn scale(&self, _: &MechanismState<2>) -> MechanismState<2> {
-        let v = [self.p.rate.abs(), rate_b(&self.p, 0.0).abs()];
-        let q = v.map(|rate| rate * time(&self.p));
-        MechanismState { q, v }
-    }
-}
-
-/// A motion of the wheels.
-pub type Run = ContactMotion<Wheels, 2, 2>;
-
-/// B at rest at first; until 1.5 times the time that it needs.
-pub fn spun_up(p: &Parameters, driven: bool, tolerance: f64) -> Result<Run> {
-    let (q, v, end) = ([0.0; 2], [p.rate, 0.0], 1.5 * time(p));
-    let (p, start) = (p.clone(), MechanismState { q, v });
-    Ok(motion_within(Wheels { p, driven }, tolerance, start, end)?)
-}
-
 /// What the motor has given until B is up to speed, torque times time, by Simpson's rule.
 pub fn motor(run: &Run) -> Result<f64> {
     let sticks = run.event("rims sticks")?.t;
     let torque = |part: f64| Ok::<_, kit::Error>(run.forces(part * sticks)?[1].normal);
     Ok(sticks / 6.0 * (torque(0.0)? + 4.0 * torque(0.5)? + torque(1.0)?))
 }
-
-// ANCHOR: particles
-/// Where the axis of B and a point of it are, at this distance and angle from its axis, by turns alone.
-fn place(p: &Parameters, [arm, rate]: [f64; 2], t: f64, [distance, angle]: [f64; 2]) -> [f64; 2] {
-    let ((s, c), (u, v)) = (sincos(arm * t), sincos(rate * t + angle));
-    let apart = p.radius_a + p.radius_b;
-    [apart * c + distance * v, apart * s + distance * u]
-}
-
-/// Its velocity at t = 0, from four places.
-fn velocity(p: &Parameters, rates: [f64; 2], point: [f64; 2]) -> [f64; 2] {
-    let h = 1e-3 / rates[0].abs().max(rates[1].abs()).max(p.rate.abs());
-    let at = |k: f64| place(p, rates, k * h, point);
-    let (near, far) = ([at(-1.0), at(1.0)], [at(-2.0), at(2.0)]);
-    [0, 1].map(|i| (8.0 * (near[1][i] - near[0][i]) - (far[1][i] - far[0][i])) / (12.0 * h))
-}
-
-/// The rate at which the point of B that touches A moves as the rim of A: tried at two rates.
-pub fn without_slip(p: &Parameters, arm: f64) -> f64 {
-    let inward = [p.radius_b, 2.0 * FRAC_PI_2];
-    let slip = |rate: f64| velocity(p, [arm, rate], inward)[1] - p.radius_a * p.rate;
-    let tried = arm.abs().max(p.rate.abs());
-    tried * slip(0.0) / (slip(0.0) - slip(tried))
-}
-
-/// Angular momentum about a point of B as four particles with its mass and moment of inertia.
-pub fn particles(p: &Parameters, rates: [f64; 2], about: [f64; 2]) -> f64 {
-    let distance = (p.inertia_b / p.mass_b).sqrt();
-    let one = |k: i32| {
-        let point = [distance, FRAC_PI_2 * (f64::from(k) + 0.3)];
-        let ([x, y], [u, v]) = (place(p, rates, 0.0, point), velocity(p, rates, point));
-        0.25 * p.mass_b * ((x - about[0]) * v - (y - about[1]) * u)
-    };
-    (0..4).map(one).sum()
-}
-// ANCHOR_END: particles
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (r, b, arm, bound) = (ratio(p), rate_b(p, 0.0), p.arm_rate, 100.0 * p.tolerance);
@@ -193,8 +74,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// angular momentum about the axis of A
         momentum: la + lb, "kg m^2/s", "four particles for B" => la + particles(p, [0.0, b], origin), within near,
         in "The gears":
-            la - lb => "B turns the other way",
-            la => "B turns as well",
+            la - lb => "B turns the other way", la => "B turns as well",
             la + lb + p.mass_b * apart * apart * p.rate => "the centre of B is at rest";
         /// kinetic energy
         energy: energy, "J", "wheels simulated" => kinetic_energy(p, end), within bound * energy,
@@ -232,8 +112,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// Gears like these with other ratios of radii and of moments of inertia.
 fn like(p: &Parameters, ratio: f64, inertia: f64) -> Parameters {
-    let like = p.but(|p| (p.inertia_a, p.inertia_b) = (1.0, inertia));
-    like.but(|p| (p.radius_a, p.radius_b, p.rate) = (ratio, 1.0, 1.0))
+    let (inertia_a, radius_b, rate) = (1.0, 1.0, 1.0);
+    Parameters { inertia_a, inertia_b: inertia, radius_a: ratio, radius_b, rate, ..p.clone() }
 }
 
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -276,12 +156,7 @@ type Laden = ContactMotion<With<Wheels, Besides>, 2, 2>;
 fn besides(p: &Parameters, [motor, bearing]: [f64; 2], driven: bool, end: f64) -> Result<Laden> {
     let (p, rate) = (p.clone(), p.rate);
     let (q, v) = ([0.0; 2], [rate, 0.0]);
-    let load = Besides {
-        rate,
-        motor,
-        bearing,
-    };
-    let wheels = Wheels { p, driven }.with(load);
+    let wheels = Wheels { p, driven }.with(Besides { rate, motor, bearing });
     Ok(motion_within(wheels, 1e-10, MechanismState { q, v }, end)?)
 }
 
@@ -295,9 +170,7 @@ fn with(p: &Parameters, torques: [f64; 2], driven: bool) -> Result<(f64, [f64; 2
 
 /// What `--with bearing` adds: B takes longer, and then the motor has to go on.
 fn rough(p: &Parameters, report: &mut Report) -> Result<()> {
-    let Some(bearing) = p.bearing else {
-        return Ok(());
-    };
+    let Some(bearing) = p.bearing else { return Ok(()) };
     let (grip, b) = (p.friction * p.radius_b, rate_b(p, 0.0).abs());
     allowed! {
         "bearing over the torque of the rims": bearing / grip, between(0.0, 0.99), "or the bearing holds B";

@@ -2,11 +2,14 @@
 
 #[path = "ch15_ex4_rod_and_particle/figures.rs"]
 mod figures;
+#[path = "ch15_ex4_rod_and_particle/physics.rs"]
+pub mod physics;
 #[path = "ch15_5_rod_and_particle/strike.rs"]
 pub mod strike;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use kit::prelude::*;
+use physics::*;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
@@ -25,71 +28,6 @@ parameters! {
         speed: number(5.0, "m/s", from_to(-1e3, 1e3).but_zero("at rest nothing is hit; faster, the simulation loses digits").usually(1.0, 10.0)).drawn(2.0, 9.0, 0.5);
         /// error of the simulation: from 1e-12 to 1e-3
         tolerance: number(1e-11, "-", from_to(1e-12, 1e-3));
-    }
-}
-
-// ANCHOR: answer
-/// What the conservation of momentum and of angular momentum gives. Lengths along the rod
-/// are counted from its middle, away from the particle.
-#[derive(Debug, Clone, Copy)]
-pub struct Answer {
-    pub length: f64,
-    /// Where the centre of mass is.
-    pub centre: f64,
-    /// Its velocity, before and after.
-    pub velocity: f64,
-    /// Angular momentum about it, before and after.
-    pub momentum: f64,
-    pub angular_velocity: f64,
-    /// Kinetic energy before and after.
-    pub energies: [f64; 2],
-}
-
-impl Answer {
-    pub fn new(p: &Parameters) -> Self {
-        let (length, whole, arm) = (p.length, p.mass + p.particle, 0.5 * p.length);
-        let (centre, velocity) = (-arm * p.particle / whole, p.speed * p.particle / whole);
-        // Two masses at the distance l/2 turn about their centre like this one at that distance.
-        let reduced = p.mass * p.particle / whole;
-        let momentum = reduced * p.speed * arm;
-        let inertia = p.mass * length * length / 12.0 + reduced * arm * arm;
-        let angular_velocity = momentum / inertia;
-        let moving = 0.5 * whole * velocity * velocity;
-        let before = 0.5 * p.particle * p.speed * p.speed;
-        let energies = [before, moving + 0.5 * momentum * angular_velocity];
-        Self {
-            length,
-            centre,
-            velocity,
-            momentum,
-            angular_velocity,
-            energies,
-        }
-    }
-
-    /// Velocity of the point at this place on the rod just after the impact, along the particle's.
-    pub fn after(&self, place: f64) -> f64 {
-        self.velocity - self.angular_velocity * (place - self.centre)
-    }
-
-    /// Where a point of the rod is at the time `t` (s) after the impact.
-    pub fn at(&self, t: f64, place: f64) -> (f64, f64) {
-        let ((s, c), far) = (sincos(self.angular_velocity * t), place - self.centre);
-        (self.velocity * t - far * s, self.centre + far * c)
-    }
-}
-// ANCHOR_END: answer
-
-/// The scene of these parameters.
-pub fn scene(p: &Parameters) -> Strike {
-    Strike {
-        rod: p.mass,
-        particle: p.particle,
-        length: p.length,
-        speed: p.speed,
-        hinged: false,
-        arm: 0.5 * p.length,
-        rub: 0.0,
     }
 }
 
@@ -117,8 +55,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         velocity: a.velocity, "m/s", "contacts simulated, after" => push / whole, within bound * v,
         in "(a) The centre of mass":
             0.5 * l * hinged => "that is the particle, with a hinge",
-            -a.centre * hinged => "that is with the hinge",
-            v => "the rod has to be carried along";
+            -a.centre * hinged => "that is with the hinge", v => "the rod has to be carried along";
         /// angular momentum about the centre of mass, before and after
         about_centre: a.momentum, "kg m^2/s", "contacts simulated, after" => scene.angular_momentum(&after, scene.centre(&after)),
         within bound * half, in "(b) The angular momentum":
@@ -160,13 +97,6 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         lost: lost, "-", "contacts simulated" => lost_there, within bound, in "(d) The motion":
             p.mass / whole => "the rod also turns";
     }
-}
-
-/// The answer for the ratio particle over rod, in units of the rod, its length and the speed.
-pub fn ratio(particle: f64) -> Answer {
-    let unit =
-        |p: &mut Parameters| (p.mass, p.particle, p.length, p.speed) = (1.0, particle, 1.0, 1.0);
-    Answer::new(&Parameters::default().but(unit))
 }
 
 fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
@@ -217,9 +147,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (yielding, slack) = (scene.pressed(0.0)?, 1e-13 * w);
     // The rod is hit on this side of its middle, and the table does not stop it.
     let run = |sound, strike, end: f64| when(sound, || Blow::new(strike, 1e-8, 0.5, end));
-    let aside = scene.but(|strike| strike.arm -= 1e-3);
-    let off = run(miss < 0.5, aside, 0.1)?;
-    let rough = scene.but(|strike| strike.rub = 0.1);
+    let off = run(miss < 0.5, Strike { arm: scene.arm - 1e-3, ..scene }, 0.1)?;
+    let rough = Strike { rub: 0.1, ..scene };
     let table = run(rub < 0.5, rough, 1.0 / (w.abs() * scene.unit()))?;
     let end = table.as_ref().map(Blow::end).transpose()?;
     let push = end.map(|end| scene.momentum(&end)[0]);

@@ -4,10 +4,13 @@
 pub mod bat;
 #[path = "ch15_ex5_centre_of_percussion/figures.rs"]
 mod figures;
+#[path = "ch15_ex5_centre_of_percussion/physics.rs"]
+pub mod physics;
 
-use bat::{Blow, Strike};
+use bat::Blow;
 use core::f64::consts::PI;
 use kit::prelude::*;
+use physics::*;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::MassProperties;
 use rotation_dynamics::integrators::{Dop853, Event, after, ode, size_or};
@@ -35,46 +38,6 @@ parameters! {
         tolerance: number(1e-11, "-", from_to(1e-12, 1e-4));
     }
 }
-
-// ANCHOR: forms
-/// From the middle of the bat to the hands, and from the hands to the blow.
-pub fn arms(p: &Parameters) -> [f64; 2] {
-    [0.5 * p.length - p.hands, p.hit - p.hands]
-}
-
-/// Moment of inertia over the mass, about the middle (`arm` = 0) or a point so far from it.
-pub fn inertia(p: &Parameters, arm: f64) -> f64 {
-    p.length * p.length / 12.0 + arm * arm
-}
-
-/// Where a blow is not felt, from the hands.
-pub fn centre(p: &Parameters) -> f64 {
-    let [arm, _] = arms(p);
-    inertia(p, arm) / arm
-}
-
-/// Impulse of the hands over that of the ball, both on the bat.
-pub fn reaction(p: &Parameters) -> f64 {
-    let [_, hit] = arms(p);
-    hit / centre(p) - 1.0
-}
-
-/// Impulse of the ball on the bat: held by the hands, or free.
-pub fn impulse(p: &Parameters, held: bool) -> f64 {
-    let [arm, hit] = arms(p);
-    let yielding = match held {
-        true => hit * hit / inertia(p, arm),
-        false => 1.0 + (hit - arm) * (hit - arm) / inertia(p, 0.0),
-    };
-    (1.0 + p.restitution) * p.speed / (1.0 / p.ball + yielding / p.mass)
-}
-
-/// Velocity that the place of the hands gets by an impulse on a free bat, over J/m.
-pub fn free_hands(p: &Parameters) -> f64 {
-    let [arm, hit] = arms(p);
-    1.0 - (hit - arm) * arm / inertia(p, 0.0)
-}
-// ANCHOR_END: forms
 
 /// The first bending mode of a free rod: beta with cosh(beta) cos(beta) = 1.
 pub const BETA: f64 = 4.730_040_744_862_704;
@@ -124,10 +87,8 @@ fn check(p: &Parameters) -> Result<()> {
         "hands/length": p.hands / p.length, from_to(0.0, 0.45), "held at its middle a bat has no such place";
         "hit/length": p.hit / p.length, from_to(p.hands / p.length, 1.0), "between the hands and the tip";
         "ball/mass": p.ball / p.mass, from_to(1e-3, 1e3), "what one gets is lost beside the other";
-        "|speed| contact/length": p.speed.abs() * p.contact / p.length,
-            above(1e-10), "a slower ball is lost in rounding beside the bat";
-        "Omega t_c, the angle in the time of contact,": turn(p).abs() * p.contact,
-            from_to(0.0, 1.0), "or it is no blow";
+        "|speed| contact/length": p.speed.abs() * p.contact / p.length, above(1e-10), "a slower ball is lost in rounding beside the bat";
+        "Omega t_c, the angle in the time of contact,": turn(p).abs() * p.contact, from_to(0.0, 1.0), "or it is no blow";
     }
 }
 
@@ -163,8 +124,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// distance from the hands at which a blow is not felt
         centre: centre, "m", "two impacts simulated" => unfelt(p)?, within bound * l, in "The place":
             arm => "that is the centre of mass; the bat turns about the hands",
-            centre - arm => "that is from the centre of mass",
-            l - p.hands => "that is the tip",
+            centre - arm => "that is from the centre of mass", l - p.hands => "that is the tip",
             0.75 * l => "compare the velocity of the centre of mass with the angular velocity";
         /// impulse of the hands over that of the ball
         reaction: reaction, "-", "impact simulated" => held.reaction(), within bound, in "The hands":
@@ -188,9 +148,14 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// A blow at each end and in the middle, and hands that hold elsewhere.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
-    let unit = |hands: f64, hit: f64| {
-        let p = p.but(|p| (p.length, p.hands, p.hit) = (1.0, hands, hit));
-        p.but(|p| (p.mass, p.speed, p.restitution) = (1.0, 1.0, 1.0))
+    let unit = |hands: f64, hit: f64| Parameters {
+        length: 1.0,
+        hands,
+        hit,
+        mass: 1.0,
+        speed: 1.0,
+        restitution: 1.0,
+        ..p.clone()
     };
     let tip = |ball| impulse(&unit(0.0, 1.0).but(|p| p.ball = ball), true);
     let [light, heavy] = [1e-9, 1e9].map(tip);
@@ -221,10 +186,7 @@ fn soft(p: &Parameters, report: &mut Report) -> Result<()> {
     let contacts = [0.0001, 0.001, 0.01].into_iter().filter(brief);
     let table = Table::of("soft", columns, contacts, |contact| {
         let blow = Blow::new(Strike::soft(&p.but(|p| p.contact = contact)), SOFT)?;
-        let forces = blow
-            .largest_forces()?
-            .map(|force| format!("{:.2}", 1e-3 * force));
-        let [ball, hands] = forces;
+        let [ball, hands] = blow.largest_forces()?.map(|force| format!("{:.2}", 1e-3 * force));
         let (reaction, turned) = (blow.reaction(), blow.turned()?);
         let [reaction, turned] = [reaction, turned].map(|number| format!("{number:.4}"));
         Ok([contact.to_string(), reaction, ball, hands, turned])
@@ -276,10 +238,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let frequency = BETA * BETA / (2.0 * PI * l * l) * stiffness.sqrt();
     // The velocity at the handle by a push that lasts half a sine, over J/m.
     let x = 2.0 * frequency * contact;
-    let response = match (x - 1.0).abs() < 1e-6 {
-        true => PI / 4.0,
-        false => cos(0.5 * PI * x) / (1.0 - x * x),
-    };
+    let resonant = (x - 1.0).abs() < 1e-6;
+    let response = if resonant { PI / 4.0 } else { cos(0.5 * PI * x) / (1.0 - x * x) };
     let bends = (shape(p.hands / l) * shape(p.hit / l)).abs();
     // Samples of the force do not tell what goes to and fro many times meanwhile.
     let swings = when(x < 20.0, || soft.left_swinging(2.0 * PI * frequency))?;

@@ -4,13 +4,16 @@
 pub mod cone;
 #[path = "ch15_ex6_cone/figures.rs"]
 mod figures;
+#[path = "ch15_ex6_cone/physics.rs"]
+pub mod physics;
 
-use cone::{Sums, blown, left_to_itself, level, placed, spin_at_rest};
+use cone::{blown, left_to_itself, level, spin_at_rest};
 use core::f64::consts::TAU;
 use kit::interval::above_to;
 use kit::prelude::*;
+use physics::*;
 use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Work, ode, size_or};
+use rotation_dynamics::integrators::{Dop853, Event, Integrator, Work, ode, size_or};
 
 parameters! {
     /// The cone of the exercise; the notes leave all numbers open.
@@ -35,65 +38,6 @@ parameters! {
     }
 }
 
-// ANCHOR: forms
-/// omega along the line of contact, outward, over Omega.
-pub fn angular_velocity(a: f64) -> f64 {
-    -1.0 / tan(a)
-}
-
-/// L over M h^2 Omega, outward along the line of contact and upward.
-pub fn angular_momentum(a: f64) -> [f64; 2] {
-    let square = cos(a) * cos(a);
-    let rho = -0.15 * tan(a) * (1.0 + 5.0 * square);
-    [rho, 0.15 * (5.0 * square - 1.0)]
-}
-
-/// T over M h^2 Omega^2.
-pub fn kinetic_energy(a: f64) -> f64 {
-    0.075 * (1.0 + 5.0 * cos(a) * cos(a))
-}
-
-/// Where the table bears the cone, over h, from the vertex, with w = h Omega^2/g.
-pub fn centre_of_pressure(a: f64, w: f64) -> f64 {
-    0.75 * cos(a) - angular_momentum(a)[0] * w
-}
-
-/// The w at which it tips over the rim.
-pub fn tips(a: f64) -> f64 {
-    (1.0 - 0.75 * cos(a) * cos(a)) / (-cos(a) * angular_momentum(a)[0])
-}
-
-/// The friction that the motion needs, over the weight.
-pub fn needed(a: f64, w: f64) -> f64 {
-    0.75 * w * cos(a)
-}
-// ANCHOR_END: forms
-
-// ANCHOR: sums
-/// The cone after the line of contact has turned by `turn`, by turns alone: about its own axis,
-/// and with it about the vertical.
-pub fn rolled(a: f64, turn: f64) -> rotation_dynamics::Result<Attitude> {
-    placed(a, turn, -turn / sin(a))
-}
-
-/// The sums over the particles at this rate, when the line of contact has the azimuth 0.
-pub fn summed(p: &Parameters, rate: f64) -> rotation_dynamics::Result<Sums> {
-    let h = 0.02 * sin(p.half_angle) / rate;
-    p.sums(|t| rolled(p.half_angle, rate * t), h)
-}
-
-/// Where the table must bear the cone, m from the vertex, by the particles: what they need beyond
-/// their weight comes from the table, whose upward part has this moment about the vertex.
-pub fn borne_at(p: &Parameters, rate: f64) -> Result<f64> {
-    let (sums, weight) = (summed(p, rate)?, p.mass * p.gravity);
-    let at = rolled(p.half_angle, 0.0)?;
-    let parts = p.particles();
-    let centre: SpaceVector = parts.iter().map(|(m, r)| at.to_space(*r) * *m).sum();
-    // About phi = Z x rho, which is Y here: N d = (moment of the weight) - (moment needed).
-    Ok((p.gravity * centre.x() - sums.moment.y()) / (weight + sums.force.z()))
-}
-// ANCHOR_END: sums
-
 /// The rate at which the force has come to the rim, when the cone is made to roll ever faster.
 pub fn tipping(p: &Parameters) -> Result<f64> {
     let (a, unit) = (p.half_angle, (p.gravity / p.height).sqrt());
@@ -105,19 +49,14 @@ pub fn tipping(p: &Parameters) -> Result<f64> {
     Ok(unit * run.end_state()[0])
 }
 
-/// The attitude that follows from an angular velocity on the fixed axes: q' = omega q/2.
-fn carried(angular_velocity: impl Fn(f64) -> SpaceVector) -> impl Ode<4> {
-    ode(move |t, &[w, x, y, z]: &[f64; 4]| {
-        let [a, b, c] = (angular_velocity(t) * 0.5).to_array();
+/// The attitude after one circuit by steps, from the angular velocity alone: q' = omega q/2.
+fn circuit(a: f64, step: f64) -> rotation_dynamics::Result<(Attitude, Work)> {
+    let law = ode(|turn, &[w, x, y, z]: &[f64; 4]| {
+        let [a, b, c] = (level(turn) * angular_velocity(a) * 0.5).to_array();
         let (scalar, along) = (-a * x - b * y - c * z, a * w + b * z - c * y);
         [scalar, along, b * w + c * x - a * z, c * w + a * y - b * x]
     })
-    .scaled(size_or([1.0; 4]))
-}
-
-/// The attitude after one circuit by steps, from the angular velocity alone.
-fn circuit(a: f64, step: f64) -> rotation_dynamics::Result<(Attitude, Work)> {
-    let law = carried(|turn| level(turn) * angular_velocity(a));
+    .scaled(size_or([1.0; 4]));
     let (q, work) = Dop853::new(step)?.advance(&law, 0.0, &rolled(a, 0.0)?.quaternion(), TAU)?;
     Ok((Attitude::from_quaternion(q)?, work))
 }
@@ -221,8 +160,7 @@ fn left(p: &Parameters, report: &mut Report) -> Result<()> {
         let bears = p.mass * p.gravity * lever * -angular_velocity(a);
         let lost = 2.0 * TAU * bears / (inertia * rate * rate);
         allowed! {
-            "part of the energy that rolling resistance takes in a circuit": lost,
-                between(0.0, 0.9), "it would stop within a circuit";
+            "part of the energy that rolling resistance takes in a circuit": lost, between(0.0, 0.9), "it would stop within a circuit";
         }?;
         let (ran, _) = left_to_itself(lost, [inertia, rate], |_| bears)?;
         claims! { report,
@@ -251,8 +189,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     effect_card! { report,
         "friction, as far as it is needed":
             "3 w cos(alpha)/(4 mu)" = needed(a, w) / p.friction, costs 1.0, "of omega: it would slide", included;
-        "rolling resistance":
-            "b/h" = lever / h, costs rolling.min(1.0), "of the energy in a circuit",
+        "rolling resistance": "b/h" = lever / h, costs rolling.min(1.0), "of the energy in a circuit",
             measured rolled, within 1e-10, at_work its_work;
         "drag of the air":
             "rho h S/M" = 1.204 * h * side / p.mass, costs air.min(1.0), "of the energy in a circuit, to first order",

@@ -4,16 +4,16 @@
 pub mod cone;
 #[path = "ch15_ex7_raised_cone/figures.rs"]
 mod figures;
+#[path = "ch15_ex7_raised_cone/physics.rs"]
+pub mod physics;
 
-use cone::{Sums, UP, blown, left_to_itself, level, placed, spin_at_rest};
+use cone::{UP, blown, left_to_itself, level, spin_at_rest};
 use core::f64::consts::TAU;
 use kit::prelude::*;
+use physics::*;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::body::{RigidBody, State};
-use rotation_dynamics::effects::{Effect, Torque};
-use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::scene::Scene;
+use rotation_dynamics::body::State;
 
 parameters! {
     /// The cone of the exercise; the notes leave all numbers open.
@@ -33,73 +33,6 @@ parameters! {
         tolerance: number(1e-9, "rad", from_to(1e-11, 1e-3));
     }
 }
-
-// ANCHOR: forms
-/// omega over Omega, outward along the axis and upward.
-pub fn angular_velocity(a: f64) -> [f64; 2] {
-    [-1.0 / tan(a), 1.0]
-}
-
-/// L over M h^2 Omega, outward along the axis and upward.
-pub fn angular_momentum(a: f64) -> [f64; 2] {
-    [-0.3 * tan(a), 0.6 * (1.0 + 0.25 * tan(a) * tan(a))]
-}
-
-/// T over M h^2 Omega^2.
-pub fn kinetic_energy(a: f64) -> f64 {
-    0.075 * (5.0 + 1.0 / (cos(a) * cos(a)))
-}
-
-/// The force of the table over the weight, with w = h Omega^2/g, if it only presses upward.
-pub fn pressure(a: f64, w: f64) -> f64 {
-    0.75 - w * angular_momentum(a)[0]
-}
-// ANCHOR_END: forms
-
-/// The cone after its axis has turned by `turn`, by turns alone: about its own axis, and with it
-/// about the vertical.
-pub fn rolled(a: f64, turn: f64) -> rotation_dynamics::Result<Attitude> {
-    placed(0.0, turn, -turn / tan(a))
-}
-
-/// The sums over the particles at this rate, when the axis points along X.
-pub fn summed(p: &Parameters, rate: f64) -> rotation_dynamics::Result<Sums> {
-    let step = 0.02 * sin(p.half_angle) / rate;
-    p.sums(|t| rolled(p.half_angle, rate * t), step)
-}
-
-/// The force of the table, N, by the particles: what their motion needs beyond the moment of
-/// their weight about the vertex, the table must supply at the distance h.
-pub fn pressed(p: &Parameters, rate: f64) -> Result<f64> {
-    let particles = p.particles();
-    let moment: f64 = particles.iter().map(|(m, r)| m * p.gravity * r.z()).sum();
-    Ok((moment - summed(p, rate)?.moment.y()) / p.height)
-}
-
-// ANCHOR: scene
-/// The cone on its joint, with a constant force `n` in place of the table.
-pub fn without_table(
-    p: &Parameters,
-    n: f64,
-) -> Result<(Scene<impl Effect + Clone + Send + Sync + 'static>, State)> {
-    let (a, h, i) = (p.half_angle, p.height, p.mass * p.height * p.height);
-    let own = 0.3 * i * tan(a) * tan(a);
-    let across = 0.6 * i * (1.0 + 0.25 * tan(a) * tan(a));
-    let moments = PrincipalMoments::symmetric(across, own)?;
-    // N at the rim, at the distance h, and the weight at 3 h/4; taken together, since they all
-    // but cancel if the cone is slender.
-    let lever = h * (n - 0.75 * p.mass * p.gravity);
-    let forces = Torque::on_space("table and weight", move |_, _, state: &State| {
-        state.attitude.axis().cross(&(UP * lever))
-    });
-    let scene = Scene::new(RigidBody::new(moments)).with(forces.smooth());
-    let start = rolled(a, 0.0)?;
-    let [along, up] = angular_velocity(a).map(|part| part * p.rate);
-    let rates: BodyVector = start.to_body(level(0.0) * along + UP * up);
-    let state = scene.body().state(start, rates)?;
-    Ok((scene, state))
-}
-// ANCHOR_END: scene
 
 /// For how long that is followed, s: for a circuit, unless it is so slow that the weight would
 /// have brought the cone down many times before.
@@ -150,8 +83,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// its size
         omega: rate.abs() * hypot(along, up), "rad/s", "the lowest point at rest" => hypot(spin, rate), within near * rate / s,
         in "The motion":
-            -rate * along => "that is the spin alone",
-            rate => "that is the part about the vertical alone";
+            -rate * along => "that is the spin alone", rate => "that is the part about the vertical alone";
         /// angular momentum about the vertex, along rho
         l_rho: unit * rho, "kg m^2/s", "24 particles" => sums.angular_momentum.x(), within near * size,
         in "The motion":
@@ -163,16 +95,14 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             unit * (0.0375 + 0.15 * tan(a) * tan(a)) => "that is about the centre of mass";
         /// kinetic energy
         energy: energy, "J", "24 particles" => sums.kinetic_energy, within near * energy, in "The motion":
-            2.0 * energy => "half of that",
-            energy * c * c => "that is the cone that lies on the table",
+            2.0 * energy => "half of that", energy * c * c => "that is the cone that lies on the table",
             0.5 * unit * rate * vertical => "the cone spins as well";
         /// turns about its axis in a circuit, seen from the axis
         turns: 1.0 / tan(a), "-", "the lowest point at rest" => -spin / rate, within near / s, in "The motion":
             1.0 / s => "that is the cone that lies on the table";
         /// force of the table
         pressure: n, "N", "24 particles" => pressed(p, rate)?, within near * n, in "The forces":
-            weight => "the joint bears a part of the weight",
-            0.75 * weight => "so it is at rest";
+            weight => "the joint bears a part of the weight", 0.75 * weight => "so it is at rest";
         /// how high the axis points after a circuit, with that force in place of the table
         level: 0.0, "rad", "solved" => rises(p, n)?, within 10.0 * asked(p);
         /// rate beyond which the joint must pull the vertex down

@@ -2,12 +2,15 @@
 
 #[path = "ch15_ex8_string/figures.rs"]
 mod figures;
+#[path = "ch15_ex8_string/physics.rs"]
+pub mod physics;
 #[path = "ch15_ex8_string/pull.rs"]
 pub mod pull;
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 use kit::prelude::*;
-use pull::{Pulled, across, direction, energy, outward, radius};
+use physics::*;
+use pull::Pulled;
 use rotation_dynamics::integrators::{Ode, after, newton, ode, place_and_velocity, size_or};
 
 parameters! {
@@ -29,37 +32,6 @@ parameters! {
     }
 }
 
-// ANCHOR: answer
-/// The motion while the string is pulled; lengths in r0, speeds in u, forces in m u^2/r0.
-#[derive(Debug, Clone, Copy)]
-pub struct Answer {
-    /// Speed of the hand.
-    pub pull: f64,
-}
-
-impl Answer {
-    pub fn radius(&self, t: f64) -> f64 {
-        1.0 - self.pull * t
-    }
-    pub fn across(&self, t: f64) -> f64 {
-        1.0 / self.radius(t)
-    }
-    pub fn angular_velocity(&self, t: f64) -> f64 {
-        1.0 / (self.radius(t) * self.radius(t))
-    }
-    pub fn angle(&self, t: f64) -> f64 {
-        t / self.radius(t)
-    }
-    pub fn force(&self, t: f64) -> f64 {
-        self.angular_velocity(t) / self.radius(t)
-    }
-    /// Work of the hand up to `t`, without the jerk: 1/r^2 - 1 without its cancellation.
-    pub fn work(&self, t: f64) -> f64 {
-        0.5 * self.pull * t * (1.0 + self.radius(t)) * self.angular_velocity(t)
-    }
-}
-// ANCHOR_END: answer
-
 /// The answer, when the pull ends and the radius of the hole, in units of r0 and r0/u.
 pub fn scene(p: &Parameters) -> Result<(Answer, f64, f64)> {
     let (pull, hole) = (p.pull / p.speed.abs(), p.hole / p.radius);
@@ -68,8 +40,7 @@ pub fn scene(p: &Parameters) -> Result<(Answer, f64, f64)> {
         "hole/radius": hole, from_to(0.005, 0.95), "at the edge of a smaller hole the turns are too many";
         "pull/|speed|": pull, from_to(1e-3, 1e2), "slower, the turns to the hole are too many; faster, too few";
         "pull time/radius, what is pulled in,": pull * end, above(1e-6), "less is lost in rounding";
-        "radius - pull time, what is left of the string,": p.radius - p.pull * p.time,
-            above(p.hole), "the radius of the hole";
+        "radius - pull time, what is left of the string,": p.radius - p.pull * p.time, above(p.hole), "the radius of the hole";
     }?;
     Ok((Answer { pull }, end, hole))
 }
@@ -124,8 +95,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// force of the string at the end of the pull
         force: force * a.force(end), "N", "string simulated" => force * run.tension(end)?, within 10.0 * bound * force * a.force(end),
         in "The force":
-            force / r => "does the speed stay?",
-            force => "that is at the beginning",
+            force / r => "does the speed stay?", force => "that is at the beginning",
             force / (r * r) => "the speed has grown, and enters as its square";
         /// the same at the beginning
         force_first: force, "N", "string simulated" => force * run.tension(0.0)?, within bound * force,

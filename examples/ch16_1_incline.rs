@@ -99,10 +99,7 @@ impl Mechanism<3, 1> for Roller {
     fn scale(&self, _: &MechanismState<3>) -> MechanismState<3> {
         let (v, r) = (self.speed, self.radius);
         let length = v * v / (self.gravity * sin(self.slope));
-        MechanismState {
-            q: [length, r, length / r],
-            v: [v, v, v / r],
-        }
+        MechanismState { q: [length, r, length / r], v: [v, v, v / r] }
     }
 }
 
@@ -158,10 +155,7 @@ impl Roller {
 
     /// Rolling up the slope at this speed.
     pub fn rolling(&self, speed: f64) -> MechanismState<3> {
-        MechanismState {
-            q: [0.0, self.radius, 0.0],
-            v: [speed, 0.0, -speed / self.radius],
-        }
+        MechanismState { q: [0.0, self.radius, 0.0], v: [speed, 0.0, -speed / self.radius] }
     }
 
     /// The motion from there, at most until `end`.
@@ -215,15 +209,9 @@ impl Roller {
     /// The same, simulated.
     pub fn run_back(self, tolerance: f64) -> Result<[f64; 2]> {
         let end = -2.0 * self.speed / self.acceleration();
-        let [vx, _, rate] = self
-            .run(Goal::Never, self.speed, end, tolerance)?
-            .at(end)?
-            .v;
+        let [vx, _, rate] = self.run(Goal::Never, self.speed, end, tolerance)?.at(end)?.v;
         let (speed, spin) = (vx / self.speed, -rate * self.radius / self.speed);
-        Ok([
-            spin,
-            (speed * speed + self.shape * spin * spin) / (1.0 + self.shape),
-        ])
+        Ok([spin, (speed * speed + self.shape * spin * spin) / (1.0 + self.shape)])
     }
 
     /// Time down a length of the slope, from rest; closed form and located.
@@ -251,16 +239,8 @@ pub fn holds_from(body: Roller) -> Result<f64> {
 
 /// A body with this `k` that does not slip; with 0, a block without friction.
 pub fn gripping(p: &Parameters, shape: f64) -> Roller {
-    let (shape, mu) = if shape == 0.0 {
-        (1.0, 0.0)
-    } else {
-        (shape, tan(p.angle))
-    };
-    Roller {
-        shape,
-        mu,
-        ..Roller::new(p)
-    }
+    let (shape, mu) = if shape == 0.0 { (1.0, 0.0) } else { (shape, tan(p.angle)) };
+    Roller { shape, mu, ..Roller::new(p) }
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -277,10 +257,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (rising, falling) = (force(0.3)?, force(1.7)?);
     let (rubbing, pressing, needed) = (m * g * c * body.grip(), m * g * c, body.needed());
     let ([spin, kept], [ran_spin, ran_kept]) = (body.back(), body.run_back(p.tolerance)?);
-    let worst = Roller {
-        mu: body.worst(),
-        ..body
-    };
+    let worst = Roller { mu: body.worst(), ..body };
     let [worst_spin, worst_kept] = worst.run_back(p.tolerance)?;
     let [[ball, ball_ran], [cylinder, cylinder_ran], [hoop, hoop_ran]] = {
         let race = |shape| gripping(p, shape).race(1.0, p.tolerance);
@@ -355,10 +332,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     // On a slope where contacts tell so small a part of the weight from none.
     let angle = p.angle.clamp(1e-2, 1.56);
     let sloping = gripping(&Parameters { angle, ..p.clone() }, p.shape);
-    let near = |part| Roller {
-        mu: part * sloping.needed(),
-        ..sloping
-    };
+    let near = |part| Roller { mu: part * sloping.needed(), ..sloping };
     let ice = Roller { mu: 0.0, ..plain };
     limits! { report,
         /// all mass on the axis: it slides like a block
@@ -384,10 +358,7 @@ pub fn way<const C: usize>(
     start: MechanismState<3>,
     end: f64,
 ) -> Result<f64> {
-    Ok(motion_within(body, 1e-10, start, end)?
-        .event("turns")?
-        .before
-        .q[0])
+    Ok(motion_within(body, 1e-10, start, end)?.event("turns")?.before.q[0])
 }
 
 /// Arm of the normal force, 0.2 mm, and drag over the mass, for a cylinder of wood (700 kg/m^3,
@@ -442,15 +413,9 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (body, [arm, drag]) = (Roller::new(p), resisting(p));
     let (v, sliding) = (p.speed, body.grip() < body.needed());
     // With the effect in and without: up to the highest place.
-    let (up, start, end) = (
-        body.but(|body| body.goal = Goal::Top),
-        body.rolling(v),
-        -4.0 * v / body.acceleration(),
-    );
-    let resisted = Resisted {
-        roller: up,
-        resistance: arm / p.radius,
-    };
+    let (up, start, end) =
+        (body.but(|body| body.goal = Goal::Top), body.rolling(v), -4.0 * v / body.acceleration());
+    let resisted = Resisted { roller: up, resistance: arm / p.radius };
     let (still, air) = (way(up, start, end)?, QuadraticDrag::new(drag)?);
     // What slides is not slowed down by what its turning meets.
     let all_but_held = arm > 10.0 * p.radius * tan(p.angle);
@@ -466,13 +431,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         true => None,
         false => Some((1.0 - way(up.with(air), start, end)? / still).max(0.0)),
     };
-    let thick = Roller {
-        mu: body.mu * 0.99,
-        ..body
-    }
-    .acceleration()
-        / body.acceleration()
-        - 1.0;
+    let thick = Roller { mu: body.mu * 0.99, ..body }.acceleration() / body.acceleration() - 1.0;
     let slips = effect("slipping");
     let slips = match p.friction > 0.0 {
         true => slips.number("mu_min/mu", body.needed() / p.friction),
@@ -482,10 +441,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         slips.costs(thick, "of x'' for 1 % less mu").included(),
         effect("rolling resistance, arm 0.2 mm")
             .number("b/(R tan theta)", arm)
-            .costs(
-                if sliding { 0.0 } else { arm / (1.0 + arm) },
-                "of the distance",
-            )
+            .costs(if sliding { 0.0 } else { arm / (1.0 + arm) }, "of the distance")
             .measured(rolled)
             .within(1e-8),
         effect("drag of the air, a cylinder of wood")

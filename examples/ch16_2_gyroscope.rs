@@ -61,12 +61,7 @@ impl Ode<4> for Equations {
 impl Equations {
     /// The equations of this top, without friction.
     pub fn of(top: &ReducedTop) -> Self {
-        Self {
-            a: top.a(),
-            b: top.b(),
-            c: top.c(),
-            friction: 0.0,
-        }
+        Self { a: top.a(), b: top.b(), c: top.c(), friction: 0.0 }
     }
 }
 

@@ -59,12 +59,7 @@ impl Cylinder {
         let square = p.radius * p.radius;
         let i1 = p.mass * (3.0 * square + p.height * p.height) / 12.0;
         let i3 = 0.5 * p.mass * square;
-        let body = Self {
-            i1,
-            i3,
-            tilt: p.tilt,
-            rate: p.rate,
-        };
+        let body = Self { i1, i3, tilt: p.tilt, rate: p.rate };
         let apart = ((i1 - i3) / i1).abs();
         allowed! { "|I1 - I3|/I1": apart, from_to(1e-3, 1.0), "like a ball it needs no torque"; }?;
         let most = 0.1 * body.slowness();
@@ -110,18 +105,8 @@ impl Cylinder {
             let whole = i3 * c * c + i1 * s * s;
             match what {
                 LetGo::Motor => [nod, turn, forked, 0.0],
-                LetGo::Clamp => [
-                    nod,
-                    turn,
-                    forked,
-                    -2.0 * (i1 - i3) * s * c * nod * turn / whole,
-                ],
-                LetGo::All => [
-                    nod,
-                    turn,
-                    free,
-                    nod * (spin / (i1 * s) - 2.0 * turn * c / s),
-                ],
+                LetGo::Clamp => [nod, turn, forked, -2.0 * (i1 - i3) * s * c * nod * turn / whole],
+                LetGo::All => [nod, turn, free, nod * (spin / (i1 * s) - 2.0 * turn * c / s)],
             }
         })
         .scaled(size_or([1.0; 4]))
@@ -157,11 +142,7 @@ impl Cylinder {
     /// The tilt at the far end of the swing, and the time of a whole one.
     pub fn swung(&self, what: LetGo) -> rotation_dynamics::Result<[f64; 2]> {
         let (s, c) = sincos(self.tilt);
-        let far = if self.long() {
-            PI - self.tilt
-        } else {
-            -self.tilt
-        };
+        let far = if self.long() { PI - self.tilt } else { -self.tilt };
         Ok(match what {
             LetGo::Motor => {
                 let modulus = Modulus::from_k(if self.long() { c } else { s })?;
@@ -170,10 +151,7 @@ impl Cylinder {
             LetGo::Clamp => [far, self.coasting()],
             LetGo::All => {
                 let momentum = hypot(self.i1 * s, self.i3 * c) * self.rate.abs();
-                [
-                    (2.0 * self.lean() - self.tilt).abs(),
-                    TAU * self.i1 / momentum,
-                ]
+                [(2.0 * self.lean() - self.tilt).abs(), TAU * self.i1 / momentum]
             }
         })
     }
@@ -209,22 +187,14 @@ impl Cylinder {
 
     /// Where it is while it is held: the fork has turned by `turn`.
     pub fn held(&self, turn: f64) -> rotation_dynamics::Result<Attitude> {
-        Attitude::from_euler(EulerAngles {
-            phi: turn,
-            theta: self.tilt,
-            zeta: 0.0,
-        })
+        Attitude::from_euler(EulerAngles { phi: turn, theta: self.tilt, zeta: 0.0 })
     }
 
     /// Its motion from there on if everything is let go, by the library.
     pub fn freed(&self, turn: f64) -> rotation_dynamics::Result<FreeBody> {
         let (s, c) = sincos(self.tilt);
         let omega = BodyVector::new(0.0, self.rate * s, self.rate * c);
-        FreeBody::new(
-            PrincipalMoments::symmetric(self.i1, self.i3)?,
-            self.held(turn)?,
-            omega,
-        )
+        FreeBody::new(PrincipalMoments::symmetric(self.i1, self.i3)?, self.held(turn)?, omega)
     }
 }
 
@@ -252,11 +222,7 @@ fn held(
     grains: impl Iterator<Item = BodyVector>,
     gravity: f64,
 ) -> Result<[f64; 2]> {
-    let held = Attitude::from_euler(EulerAngles {
-        phi: 0.0,
-        theta: p.tilt,
-        zeta: 0.0,
-    })?;
+    let held = Attitude::from_euler(EulerAngles { phi: 0.0, theta: p.tilt, zeta: 0.0 })?;
     let (omega, share) = (SpaceVector::new(0.0, 0.0, p.rate), p.mass / 48.0);
     let up = SpaceVector::new(0.0, 0.0, gravity);
     Ok(grains.fold([0.0; 2], |[momentum, torque], grain| {
@@ -264,10 +230,7 @@ fn held(
         let v = omega.cross(&r);
         let force = (omega.cross(&v) + up) * share;
         // At phi = 0 the direction x of the triad is X.
-        [
-            momentum + r.cross(&(v * share)).z(),
-            torque + r.cross(&force).x(),
-        ]
+        [momentum + r.cross(&(v * share)).z(), torque + r.cross(&force).x()]
     }))
 }
 // ANCHOR_END: grains
@@ -284,11 +247,7 @@ fn balanced(p: &Parameters) -> Result<f64> {
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (body, [momentum, torque]) = (Cylinder::new(p)?, by_grains(p)?);
-    let ((s, c), w, unit) = (
-        sincos(p.tilt),
-        p.rate,
-        p.rate * p.rate * body.i1.max(body.i3),
-    );
+    let ((s, c), w, unit) = (sincos(p.tilt), p.rate, p.rate * p.rate * body.i1.max(body.i3));
     let (lz, lambda) = (body.vertical_momentum(), body.torque());
     let [motor, clamp, all] = [LetGo::Motor, LetGo::Clamp, LetGo::All];
     let ran = |what, n| Ok::<_, Error>(body.turning(what, n, p.tolerance)?.0);
@@ -299,11 +258,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let free_bound = error / (body.lean() - p.tilt).abs();
     let free = body.freed(0.0)?;
     // L of one that is turned the other way points down.
-    let lean = if w > 0.0 {
-        body.lean()
-    } else {
-        PI - body.lean()
-    };
+    let lean = if w > 0.0 { body.lean() } else { PI - body.lean() };
     let balance = 3.0_f64.sqrt() * p.radius;
     claims! { report,
         /// moment of inertia across the axis
@@ -347,20 +302,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// Needles, discs, and tilts near rest.
 fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
-    let of = |i1: f64, i3: f64, tilt: f64| Cylinder {
-        i1,
-        i3,
-        tilt,
-        rate: 1.0,
-    };
+    let of = |i1: f64, i3: f64, tilt: f64| Cylinder { i1, i3, tilt, rate: 1.0 };
     let ran = |body: Cylinder, what| Ok::<_, Error>(body.turning(what, 2, 1e-14)?.0.t / TAU);
-    let disc = Parameters {
-        height: 0.0,
-        mass: 1.0,
-        radius: 1.0,
-        rate: 1.0,
-        ..Parameters::default()
-    };
+    let disc =
+        Parameters { height: 0.0, mass: 1.0, radius: 1.0, rate: 1.0, ..Parameters::default() };
     limits! { report,
         /// sin(2 theta) is greatest there, and the needle has only I1
         "needle at 45 degrees: lambda/(I1 phi'^2)": of(1.0, 0.0, 0.25 * PI).torque() => -0.5, within 1e-15;
@@ -403,25 +348,15 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let part = way * (c - s) * (c + s) / (s * c);
     let (gives, cost) = if (1e-12..0.1).contains(&yields) && part < 0.5 {
         let (over, work) = yielding(p.tilt, way)?;
-        (
-            Some((over - 1.0).abs()),
-            format!("closed form, {} derivatives", work.derivatives),
-        )
+        (Some((over - 1.0).abs()), format!("closed form, {} derivatives", work.derivatives))
     } else {
         (None, "-".into())
     };
-    let first = if gives.is_some() {
-        part / (1.0 - part)
-    } else {
-        part
-    };
+    let first = if gives.is_some() { part / (1.0 - part) } else { part };
     let [_, alone] = by_grains(p)?;
     let moved = grains(p).map(|grain| grain + BodyVector::new(0.0, 0.0, aside));
     let [_, hung] = held(p, moved, gravity)?;
-    let [_, faster] = by_grains(&Parameters {
-        rate: p.rate.abs() + turning,
-        ..p.clone()
-    })?;
+    let [_, faster] = by_grains(&Parameters { rate: p.rate.abs() + turning, ..p.clone() })?;
     // What stands off the hinge weighs, and is flung out.
     let stands = off + p.mass * aside * aside / (body.i1 - body.i3).abs();
     let rounding = 1e-13 * p.rate * p.rate * body.i1.max(body.i3) / torque;

@@ -99,11 +99,7 @@ impl Body {
 
     /// Where it starts.
     pub const fn tilted(&self) -> EulerAngles {
-        EulerAngles {
-            phi: 0.0,
-            theta: self.theta,
-            zeta: 0.0,
-        }
+        EulerAngles { phi: 0.0, theta: self.theta, zeta: 0.0 }
     }
 
     /// How it starts to turn: along the line of nodes, at right angles to it, along the axis.
@@ -183,10 +179,7 @@ impl Parameters {
 
     /// The bodies asked for, with their names.
     fn bodies(&self) -> Vec<(&'static str, Body)> {
-        let plain = Self {
-            tolerance: self.tolerance,
-            ..Self::default()
-        };
+        let plain = Self { tolerance: self.tolerance, ..Self::default() };
         match self.body {
             "wheel" => vec![("wheel", self.applied_to(WHEEL))],
             _ if *self == plain => vec![("top", TOP), ("wheel", WHEEL)],

@@ -57,13 +57,7 @@ impl Top {
     pub fn new(p: &Parameters) -> Self {
         let square = p.radius * p.radius;
         let i1 = p.mass * (3.0 * square + p.height * p.height) / 12.0;
-        Self {
-            i1,
-            i3: 0.5 * p.mass * square,
-            along: p.omega_z,
-            cone: p.cone,
-            lean: p.lean,
-        }
+        Self { i1, i3: 0.5 * p.mass * square, along: p.omega_z, cone: p.cone, lean: p.lean }
     }
 
     /// The small wobble, Z along L.
@@ -157,26 +151,16 @@ impl Top {
 
     /// Turning point number `n` of theta.
     pub fn turning(&self, n: u32, step: f64) -> rotation_dynamics::Result<(LocatedEvent<6>, Work)> {
-        Dop853::new(step)?.zero(&self.equations(), self.start(), n, 10.0 * self.nod(), |y| {
-            y[3]
-        })
+        Dop853::new(step)?.zero(&self.equations(), self.start(), n, 10.0 * self.nod(), |y| y[3])
     }
 
     /// The same motion by the library, which knows no Euler angles.
     pub fn free_body(&self) -> rotation_dynamics::Result<FreeBody> {
         let [theta, ..] = self.start();
-        let attitude = Attitude::from_euler(EulerAngles {
-            phi: 0.0,
-            theta,
-            zeta: 0.0,
-        })?;
+        let attitude = Attitude::from_euler(EulerAngles { phi: 0.0, theta, zeta: 0.0 })?;
         let across = self.momentum() * sin(self.cone) / self.i1;
         let omega = BodyVector::new(0.0, across, self.along);
-        FreeBody::new(
-            PrincipalMoments::symmetric(self.i1, self.i3)?,
-            attitude,
-            omega,
-        )
+        FreeBody::new(PrincipalMoments::symmetric(self.i1, self.i3)?, attitude, omega)
     }
 }
 
@@ -313,23 +297,18 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (axis, up) = (free.attitude(round).axis(), SpaceVector::new(0.0, -s, c));
     let leans = top.lean + top.cone - atan2(axis.cross(&up).norm(), axis.dot(&up));
     // What pulls at the lower end more than at the upper one: 3 g/R_E.
-    let pull = GravityGradient::fixed(
-        (9.80665_f64 / 6.371e6).sqrt(),
-        SpaceVector::new(0.0, 0.0, -1.0),
-    )?;
+    let pull =
+        GravityGradient::fixed((9.80665_f64 / 6.371e6).sqrt(), SpaceVector::new(0.0, 0.0, -1.0))?;
     let gradient = 1.5 * 9.80665 / 6.371e6 * (top.i1 - top.i3).abs() / top.momentum().abs() * round;
     let body = RigidBody::new(PrincipalMoments::symmetric(top.i1, top.i3)?);
     let (scene, start) = (Scene::new(body), free.state(0.0));
-    let weaker = scene
-        .neglected_effects(&start, round, 1e-3)?
-        .of_axis()
-        .line(
-            "gravity of the Earth weaker at the upper end",
-            "3 g (I1 - I3) T/(2 R_E L)",
-            gradient,
-            &pull,
-            "rad of the axis, a nod",
-        )?;
+    let weaker = scene.neglected_effects(&start, round, 1e-3)?.of_axis().line(
+        "gravity of the Earth weaker at the upper end",
+        "3 g (I1 - I3) T/(2 R_E L)",
+        gradient,
+        &pull,
+        "rad of the axis, a nod",
+    )?;
     effect_card! { report,
         "Z fixed to the turning Earth": "Omega_E T" = earth * round, costs earth * round, "rad of theta, a nod",
             measured leans, within 1e-12;
@@ -346,12 +325,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     report.set_closed_form(ClosedForm::new(move |part| {
         Ok::<_, rotation_dynamics::Error>(top.angles(part * top.nod())?.theta)
     }));
-    report.dial_of_return(
-        asked,
-        move |step| top.turning(2, step),
-        top.nod(),
-        top.lean + top.cone,
-    )
+    report.dial_of_return(asked, move |step| top.turning(2, step), top.nod(), top.lean + top.cone)
 }
 
 example! {

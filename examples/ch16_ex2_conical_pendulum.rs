@@ -2,13 +2,16 @@
 
 #[path = "ch16_ex2_conical_pendulum/figures.rs"]
 mod figures;
+#[path = "ch16_ex2_conical_pendulum/physics.rs"]
+pub mod physics;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use kit::prelude::*;
-use rotation_dynamics::exact::{Modulus, carlson, legendre};
-use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work};
-use rotation_dynamics::integrators::{after, newton, place_and_velocity};
-use rotation_dynamics::integrators::{second_order, size_or, small_frequency};
+use physics::*;
+use rotation_dynamics::exact::{Modulus, legendre};
+use rotation_dynamics::integrators::{
+    Dop853, LocatedEvent, Solution, Work, after, place_and_velocity, small_frequency,
+};
 
 parameters! {
     /// The pendulum of the exercise; the notes leave all numbers open.
@@ -52,87 +55,6 @@ fn opposite(q: f64, angle: f64) -> f64 {
     2.0 * q - cos(angle)
 }
 
-/// Time is in 1/w, below the threshold in sqrt(l/g): the squares of w and of sqrt(g/l) then.
-pub fn squares(q: f64) -> [f64; 2] {
-    [(1.0 / q).min(1.0), q.min(1.0)]
-}
-
-/// The angle whose cosine is q, or 0 if there is none: that of the cone, rad.
-pub fn cone(q: f64) -> f64 {
-    atan2(((1.0 - q) * (1.0 + q)).max(0.0).sqrt(), q)
-}
-
-/// Angular frequency of small oscillations, the plane kept turning.
-pub fn driven(q: f64) -> f64 {
-    match q < 1.0 {
-        true => ((1.0 - q) * (1.0 + q)).sqrt(),
-        false => (1.0 - 1.0 / q).sqrt(),
-    }
-}
-
-/// The same for the bob left to itself on a cone.
-pub fn free(q: f64) -> f64 {
-    (1.0 + 3.0 * q * q).sqrt()
-}
-
-/// Period of the swing from rest at `angle` in the turning plane.
-pub fn period(q: f64, angle: f64) -> Result<f64> {
-    // h = sin^2(theta/2) swings between h0 and h1 or, if that is negative, 0.
-    let (h0, rest) = (sin(0.5 * angle).powi(2), cos(0.5 * angle).powi(2));
-    let h1 = (1.0 - q) - h0;
-    if h1 < 0.0 {
-        let [turning, hanging] = squares(q);
-        let over = hanging - turning * rest; // -h1 in this unit of time
-        return Ok(4.0 * carlson::rf(0.0, rest * over, turning * h0 + over)?);
-    }
-    Ok(2.0 * carlson::rf(0.0, h0 * (q + h0), h1 * rest)?)
-}
-
-// ANCHOR: motions
-/// In a plane that turns at w, by the Lagrangian: `[theta, theta']`, time in 1/w (in sqrt(l/g)
-/// below the threshold).
-pub fn in_plane(q: f64, damping: f64) -> impl Ode<2> {
-    second_order(move |_, theta, rate| force(q, theta) - 2.0 * damping * rate)
-}
-
-/// (w^2 cos(theta) - g/l) sin(theta); near the threshold the difference would lose its digits.
-pub fn force(q: f64, theta: f64) -> f64 {
-    let ([turning, hanging], half) = (squares(q), sin(0.5 * theta));
-    let upright = if q < 1.0 { 1.0 - q } else { 1.0 / q - 1.0 };
-    let difference = match upright.abs() < 1e-2 {
-        true => upright - 2.0 * turning * half * half,
-        false => turning * cos(theta) - hanging,
-    };
-    difference * sin(theta)
-}
-
-/// In space, held by the string alone, by Newton's law: `[x, y, z, x', y', z']`,
-/// the support at the origin, lengths in l, time as above; with quadratic air drag.
-pub fn on_string(q: f64, drag: f64) -> impl Ode<6> {
-    let g = SpaceVector::new(0.0, 0.0, -squares(q)[1]);
-    newton(move |_, [r, v]| g - r * tension(q, [r, v]) - v * (drag * v.norm()))
-        .scaled(size_or([1.0; 6]))
-}
-
-/// Tension, over M l and the square of the unit of time: it keeps the bob at its distance.
-pub fn tension(q: f64, [r, v]: [SpaceVector; 2]) -> f64 {
-    (v.dot(&v) - squares(q)[1] * r.z()) / r.dot(&r)
-}
-// ANCHOR_END: motions
-
-/// The state in space, the plane turning at `w` and having turned by `turn`.
-pub fn in_space([theta, rate]: [f64; 2], w: f64, turn: f64) -> [f64; 6] {
-    let ((s, c), (y, x), out) = (sincos(theta), sincos(turn), rate * cos(theta));
-    let along = w * s;
-    let (vx, vy) = (out * x - along * y, out * y + along * x);
-    [s * x, s * y, -c, vx, vy, rate * s]
-}
-
-/// The motion from rest at `angle` in the turning plane.
-pub fn swung(q: f64, damping: f64, angle: f64, end: f64, step: f64) -> Result<Solution<2>> {
-    Ok(Dop853::new(step)?.solve(&in_plane(q, damping), 0.0, &[angle, 0.0], end, &[])?)
-}
-
 /// Turning point number `n` of the swing from rest at `angle`, undamped, and the work.
 fn turning(q: f64, angle: f64, n: u32, step: f64) -> Result<(LocatedEvent<2>, Work)> {
     let long = 1e4 / driven(q);
@@ -159,9 +81,7 @@ pub fn measured_driven(q: f64) -> Result<f64> {
 pub fn measured_free(q: f64) -> Result<f64> {
     let knocked = |size| in_space([cone(q), size * sin(cone(q))], 1.0, 0.0);
     let rest = knocked(0.0)[2];
-    Ok(small_frequency(&on_string(q, 0.0), knocked, 10.0, |y| {
-        y[2] - rest
-    })?)
+    Ok(small_frequency(&on_string(q, 0.0), knocked, 10.0, |y| y[2] - rest)?)
 }
 
 /// The greater of |w| and sqrt(g/l), rad/s: one over the unit of time.
@@ -185,10 +105,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let turns = |angle, n| Ok::<_, kit::Error>(turning(q, angle, n, p.tolerance)?.0);
     let wide = turns(p.release, 1)?;
     // If no angle has that cosine, the wide swing goes through the vertical.
-    let far = match last < 1.0 {
-        true => cone(last).copysign(p.release),
-        false => -p.release,
-    };
+    let far = if last < 1.0 { cone(last).copysign(p.release) } else { -p.release };
     // An error of a step is one of the energy: it counts the more, the weaker the pull is where a
     // swing begins and where it turns back.
     let creeps = |from: f64, to: f64| {
@@ -215,8 +132,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             g / l => "that is its square";
         /// reaction: tension of the string
         tension: newton, "N", "a turn in space" => pull, within bound * newton, in "The reaction":
-            m * g => "that is its vertical part only",
-            unit * s => "that is its horizontal part only",
+            m * g => "that is its vertical part only", unit * s => "that is its horizontal part only",
             m * g * c => "along the string the bob is accelerated";
         /// its part towards the axis
         horizontal: unit * s, "N", "a turn in space" => pull * out, within bound * newton, in "The reaction":
@@ -224,8 +140,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// the plane kept turning
         driven: small, "rad/s", "simulated" => w * measured_driven(q)?, within 1e-9 * small,
         in "Angular frequency of small oscillations":
-            w * c => "look at the second derivative again",
-            w0 => "that is for a plane at rest";
+            w * c => "look at the second derivative again", w0 => "that is for a plane at rest";
         /// where it turns back
         far: far, "rad", "located event" => wide.state[0], within bound + further, if told, in "The wide swing":
             (2.0 * theta).copysign(p.release) - p.release => "in the angle, the cone is not halfway between the two";
@@ -286,8 +201,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         "stretch of the string": "T/(E A_s)" = stretch, costs slope * stretch, "rad of theta";
         "mass of the string": "m/M" = string, costs slope * string / 6.0, "rad of theta";
         "size of the bob": "2 r^2/(5 l^2)" = size, costs 0.5 * size, "of Omega";
-        "turning of the Earth, at a pole":
-            "2 Omega_E/omega" = earth, costs slope * earth, "rad of theta";
+        "turning of the Earth, at a pole": "2 Omega_E/omega" = earth, costs slope * earth, "rad of theta";
     }
 }
 

@@ -2,14 +2,12 @@
 
 #[path = "ch16_ex3_corner/figures.rs"]
 mod figures;
+#[path = "ch16_ex3_corner/physics.rs"]
+pub mod physics;
 
 use core::f64::consts::{SQRT_2, TAU};
 use kit::prelude::*;
-use rotation_dynamics::integrators::Dop853;
-use rotation_dynamics::math::log1p;
-use rotation_dynamics::planar::contact::{
-    Contact, ContactMotion, Mechanism, MechanismState, Surface, motion,
-};
+use physics::*;
 
 parameters! {
     /// The cylinder of the exercise; the notes leave all numbers open.
@@ -19,7 +17,7 @@ parameters! {
         /// its mass
         mass: number(3.0, "kg", above(0.0).usually(0.1, 10.0)).drawn(1.0, 5.0, 0.5);
         /// coefficient of friction, on the floor and on the wall
-        friction: number(0.25, "-", at_least(0.0).usually(0.05, 3.0)).drawn(0.15, 0.40, 0.05);
+        friction: number(0.25, "-", from_to(1e-9, 1e6).because("less is none, and then it spins for ever; more jams it").usually(0.05, 3.0)).drawn(0.15, 0.40, 0.05);
         /// angular velocity at the start
         spin: number(60.0, "rad/s", any().usually(5.0, 100.0)).drawn(30.0, 80.0, 5.0);
         gravity: gravity(above(0.0).usually(1.0, 25.0));
@@ -33,188 +31,53 @@ parameters! {
     }
 }
 
-/// A cylinder between a floor and a wall on its left, per unit of its mass; lengths in units
-/// of its radius R, times in units of sqrt(R/g).
-#[derive(Debug, Clone, Copy)]
-pub struct Cylinder {
-    /// Coefficients of friction of floor and wall, at rest.
-    pub mu: [f64; 2],
-    /// They fall as 1/(1 + fading s) with the slip speed s.
-    pub fading: f64,
-    /// How far the wall leans back, rad.
-    pub lean: f64,
-}
-
-// ANCHOR: scene
-/// The coordinates are `[x, y, turned]`: how far the axis is to the right of where it is set
-/// down, how high it is, and the angle, counterclockwise.
-impl Mechanism<3, 2> for Cylinder {
-    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
-        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.5]]
-    }
-
-    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
-        [0.0, -1.0, 0.0]
-    }
-
-    fn contacts(&self, cylinder: &MechanismState<3>) -> [Contact<3>; 2] {
-        let ((s, c), [vx, vy, spin]) = (sincos(self.lean), cylinder.v);
-        let (normal, offset) = ([c, s], s - 1.0);
-        let mu = |i: usize, slip: f64| self.mu[i] / (1.0 + self.fading * slip.abs());
-        let touching = |name, surface| Contact::rim(name, cylinder, 1.0, surface);
-        [
-            touching("floor", Surface::FLOOR).friction(mu(0, vx + spin)),
-            touching("wall", Surface { normal, offset }).friction(mu(1, s * vx - c * vy + spin)),
-        ]
-    }
-}
-// ANCHOR_END: scene
-
-/// A motion of the cylinder.
-pub type Ride = ContactMotion<Cylinder, 3, 2>;
-
-// ANCHOR: forms
-impl Cylinder {
-    /// With friction that does not ask for the speed.
-    pub fn new(mu: [f64; 2], lean: f64) -> Self {
-        let fading = 0.0;
-        Self { mu, fading, lean }
-    }
-
-    /// Floor and wall alike, and the wall upright.
-    pub fn alike(mu: f64) -> Self {
-        Self::new([mu, mu], 0.0)
-    }
-
-    /// Forces of floor and wall over the weight, while both slip counterclockwise.
-    pub fn pressed(&self) -> [f64; 2] {
-        let ((s, c), [floor, wall]) = (sincos(self.lean), self.mu);
-        // What the wall pushes to the right, and upward, for each unit of its force.
-        let (across, up) = (c - wall * s, s + wall * c);
-        let carried = across / (across + floor * up);
-        [carried, floor * carried / across]
-    }
-
-    /// The angular deceleration then, in g/R.
-    pub fn braking(&self) -> f64 {
-        let [floor, wall] = self.pressed();
-        2.0 * (self.mu[0] * floor + self.mu[1] * wall)
-    }
-}
-
-/// The time to the stop from the spin `w` if friction fades, in sqrt(R/g): alike surfaces.
-pub fn faded(mu: f64, fading: f64, w: f64) -> f64 {
-    let more = match fading > 0.0 {
-        true => 2.0 * mu / fading * log1p(fading * w / (1.0 + mu)),
-        false => 2.0 * mu * w / (1.0 + mu),
-    };
-    0.5 * (w / mu * (1.0 + 0.5 * fading * w) + (more - w))
-}
-// ANCHOR_END: forms
-
-/// The motion from rest with this spin, set down in the corner, until then.
-pub fn set_down(cylinder: Cylinder, spin: f64, end: f64, step: f64) -> Result<Ride> {
-    let (q, v) = ([0.0, 1.0, 0.0], [0.0, 0.0, spin]);
-    let start = MechanismState { q, v };
-    Ok(motion(cylinder, &Dop853::new(step)?, start, end)?)
-}
-
-/// When a cylinder with this spin stops that should stop `about` then.
-fn stopped(cylinder: Cylinder, spin: f64, about: f64, step: f64) -> Result<f64> {
-    let ride = set_down(cylinder, spin, 2.0 * about, step)?;
-    Ok(ride.event("floor sticks")?.t)
-}
-
-// ANCHOR: wrong
-/// Wrong: velocity of the axis and spin after each of equal steps, as many programs have it:
-/// friction is mu N, against the sign of the slip, whatever the slip.
-pub fn by_sign(mu: f64, spin: f64, away: bool, end: f64, steps: u32) -> Vec<[f64; 2]> {
-    let (mut v, mut spin, h) = (0.0, spin, end / f64::from(steps));
-    let held = Cylinder::alike(mu).pressed();
-    let [floor, wall] = if away { [1.0, 0.0] } else { held };
-    let step = |_| {
-        let sign = f64::signum(v + spin);
-        spin -= 2.0 * mu * (floor + wall) * sign * h;
-        v += (wall - mu * floor * sign) * h * f64::from(u8::from(away));
-        [v, spin]
-    };
-    (0..steps).map(step).collect()
-}
-// ANCHOR_END: wrong
-
 /// What the page computes with: the size of the spin, whose sign says on which side the wall is
 /// to which it is pressed, in units of sqrt(g/R), and units of time, force, speed.
-struct Units {
-    spin: f64,
-    time: f64,
-    weight: f64,
-    speed: f64,
-}
-
-fn units(p: &Parameters) -> Result<Units> {
+fn units(p: &Parameters) -> Result<[f64; 4]> {
     let time = (p.radius / p.gravity).sqrt();
     let spin = p.spin.abs() * time;
     let still = "without spin the cylinder stays at rest where it is set down";
     require(spin != 0.0, "spin", p.spin, still)?;
     allowed! {
         "spin sqrt(R/g)": spin, from_to(1e-9, 1e9), "the turn in rad while a stone falls by R/2";
-        "fading*spin*radius": p.fading * p.spin.abs() * p.radius,
-            from_to(0.0, 1e4), "beyond it a ten-thousandth of friction is left";
+        "fading*spin*radius": p.fading * p.spin.abs() * p.radius, from_to(0.0, 1e4), "beyond it a ten-thousandth of friction is left";
     }?;
-    if p.friction > 0.0 {
-        allowed! { "friction": p.friction, from_to(1e-9, 1e6), "less is none, more jams it"; }?;
-    }
-    let (weight, speed) = (p.mass * p.gravity, p.radius / time);
-    Ok(Units {
-        spin,
-        time,
-        weight,
-        speed,
-    })
+    Ok([spin, time, p.mass * p.gravity, p.radius / time])
+}
+
+/// The cylinder of the page if its friction fades, and the time to its stop.
+fn fading(p: &Parameters) -> Result<(Cylinder, f64)> {
+    let [spin, _, _, speed] = units(p)?;
+    let cylinder = Cylinder { fading: p.fading * speed, ..Cylinder::alike(p.friction) };
+    Ok((cylinder, faded(p.friction, cylinder.fading, spin)))
 }
 
 /// Both senses, each to twice the time after which nothing changes any more.
 fn senses(p: &Parameters) -> Result<[Ride; 2]> {
-    let (cylinder, w) = (Cylinder::alike(p.friction), units(p)?.spin);
-    // Without friction it spins for ever: a while of it.
-    let (stop, roll) = match p.friction > 0.0 {
-        true => (w / cylinder.braking(), w / (3.0 * p.friction)),
-        false => (w, w),
-    };
-    Ok([
-        set_down(cylinder, w, 2.0 * stop, p.tolerance)?,
-        set_down(cylinder, -w, 2.0 * roll, p.tolerance)?,
-    ])
+    let (cylinder, [w, ..]) = (Cylinder::alike(p.friction), units(p)?);
+    let to = |spin: f64, until: f64| set_down(cylinder, spin, 2.0 * until, p.tolerance);
+    Ok([to(w, w / cylinder.braking())?, to(-w, w / (3.0 * p.friction))?])
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (u, mu) = (units(p)?, p.friction);
-    let (spin, time, weight, speed) = (u.spin, u.time, u.weight, u.speed);
-    let (unit, [pressed, away]) = (p.gravity / p.radius, senses(p)?);
-    let (whole, rubs) = (pressed.end_time(), mu > 0.0);
-    let to_stop = if rubs {
-        pressed.event("floor sticks")?.t
-    } else {
-        whole
-    };
-    let halfway = 0.5 * to_stop;
+    let ([spin, time, weight, speed], mu) = (units(p)?, p.friction);
+    let (unit, [pressed, away], exact) = (p.gravity / p.radius, senses(p)?, 1e-12);
     let [stops, rolls] = [&pressed, &away].map(|ride| move || ride.event("floor sticks"));
-    let ([floor, wall], end) = (pressed.forces(halfway)?, pressed.at(whole)?);
-    let turned_fast = p.spin.abs();
+    let halfway = 0.5 * stops()?.t;
+    let ([floor, wall], end) = (pressed.forces(halfway)?, pressed.at(pressed.end_time())?);
+    let rubbed = [floor, wall].map(|force| -force.tangential * end.q[2]);
     let (n_floor, n_wall) = (weight / (1.0 + mu * mu), mu * weight / (1.0 + mu * mu));
     let alpha = 2.0 * mu * (1.0 + mu) / (1.0 + mu * mu) * unit;
+    let turned_fast = p.spin.abs();
     let roll = turned_fast * p.radius / (3.0 * mu * p.gravity);
-    let (stop, exact) = (turned_fast / alpha, 1e-12);
+    let stop = turned_fast / alpha;
     let (turns, v_roll) = (0.5 * stop * turned_fast / TAU, turned_fast * p.radius / 3.0);
     let heat = 0.25 * p.mass * p.radius * p.radius * p.spin * p.spin;
     let kept = || -> Result<f64> {
         let v = rolls()?.after.v;
         Ok((2.0 * v[0] * v[0] + v[2] * v[2]) / (spin * spin))
     };
-    let rubbed = [floor, wall].map(|force| -force.tangential * end.q[2]);
-    let joule = weight * p.radius;
-    let slower = Cylinder::alike(mu).but(|cylinder| cylinder.fading = p.fading * speed);
-    let fade = faded(mu, slower.fading, spin);
+    let (slower, fade) = fading(p)?;
     let (faded, fades) = (fade * time, || stopped(slower, spin, fade, p.tolerance));
     claims! { report,
         /// force of the floor
@@ -231,51 +94,41 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// angular deceleration
         alpha: alpha, "rad/s^2", "simulated" => (spin - pressed.at(halfway)?.v[2]) / halfway * unit,
         within 10.0 * exact * alpha, in "Pressed to the wall":
-            0.5 * alpha => "that is for a thin tube",
-            2.0 * mu * unit => "two surfaces rub",
+            0.5 * alpha => "that is for a thin tube", 2.0 * mu * unit => "two surfaces rub",
             4.0 * mu * unit => "neither force is the weight",
             2.0 * mu * (1.0 + mu) * unit => "the floor does not carry the whole weight";
         /// time to the stop
-        t_stop: stop, "s", "located event" => stops()?.t * time, within exact * stop, if rubs,
-        in "Pressed to the wall":
-            2.0 * stop => "that is for a thin tube",
-            0.5 * turned_fast / (mu * unit) => "two surfaces rub";
+        t_stop: stop, "s", "located event" => stops()?.t * time, within exact * stop, in "Pressed to the wall":
+            2.0 * stop => "that is for a thin tube", 0.5 * turned_fast / (mu * unit) => "two surfaces rub";
         /// turns until then
-        turns: turns, "-", "simulated" => end.q[2] / TAU, within exact * turns, if rubs,
-        in "Pressed to the wall":
-            2.0 * turns => "it slows down on the way",
-            turns * TAU => "that is in radians";
+        turns: turns, "-", "simulated" => end.q[2] / TAU, within exact * turns, in "Pressed to the wall":
+            2.0 * turns => "it slows down on the way", turns * TAU => "that is in radians";
         /// heat
-        heat: heat, "J", "friction times slip" => (rubbed[0] + rubbed[1]) * joule, within exact * heat, if rubs,
+        heat: heat, "J", "friction times slip" => (rubbed[0] + rubbed[1]) * (weight * p.radius), within exact * heat,
         in "Pressed to the wall":
             2.0 * heat => "a uniform cylinder has half of that moment of inertia";
         /// part of it that the wall gets
         wall_share: mu / (1.0 + mu), "-", "friction times slip" => rubbed[1] / (rubbed[0] + rubbed[1]),
-        within exact, if rubs, in "Pressed to the wall":
-            mu => "that is the wall's part over the floor's",
-            1.0 / (1.0 + mu) => "that is the floor's part";
+        within exact, in "Pressed to the wall":
+            mu => "that is the wall's part over the floor's", 1.0 / (1.0 + mu) => "that is the floor's part";
         /// the other sense: when it rolls
-        t_roll: roll, "s", "located event" => rolls()?.t * time, within exact * roll, if rubs,
-        in "The other sense":
+        t_roll: roll, "s", "located event" => rolls()?.t * time, within exact * roll, in "The other sense":
             1.5 * roll => "it has only to roll, not to stop turning",
-            3.0 * roll => "while it gets faster it also turns slower",
-            stop => "nothing presses it to the wall";
+            3.0 * roll => "while it gets faster it also turns slower", stop => "nothing presses it to the wall";
         /// at this speed
-        v_roll: v_roll, "m/s", "simulated" => rolls()?.after.v[0] * speed, within exact * v_roll, if rubs,
+        v_roll: v_roll, "m/s", "simulated" => rolls()?.after.v[0] * speed, within exact * v_roll,
         in "The other sense":
             3.0 * v_roll => "while it gets faster it also turns slower",
             1.5 * v_roll => "a uniform cylinder has half of that moment of inertia";
         /// how far from the corner
-        way: 0.5 * v_roll * roll, "m", "simulated" => rolls()?.after.q[0] * p.radius, within exact * v_roll * roll, if rubs,
+        way: 0.5 * v_roll * roll, "m", "simulated" => rolls()?.after.q[0] * p.radius, within exact * v_roll * roll,
         in "The other sense":
             v_roll * roll => "it starts from rest";
         /// part of the energy that is left
-        kept: 1.0 / 3.0, "-", "simulated" => kept()?, within exact, if rubs, in "The other sense":
-            2.0 / 3.0 => "that is the part that is lost",
-            1.0 / 9.0 => "it also moves along";
+        kept: 1.0 / 3.0, "-", "simulated" => kept()?, within exact, in "The other sense":
+            2.0 / 3.0 => "that is the part that is lost", 1.0 / 9.0 => "it also moves along";
         /// pressed, friction that fades: time to the stop
-        t_fading: faded, "s", "located event" => fades()? * time,
-        within (exact + 100.0 * p.tolerance) * faded, if rubs;
+        t_fading: faded, "s", "located event" => fades()? * time, within (exact + 100.0 * p.tolerance) * faded;
     }
 }
 
@@ -284,10 +137,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let braking = |mu| Cylinder::alike(mu).braking();
     let (best, h) = (1.0 + SQRT_2, 1e-4);
     let slope = (1.0 / braking(best + h) - 1.0 / braking(best - h)) / (2.0 * h);
-    let steady = match p.friction > 0.0 {
-        true => faded(p.friction, 1e-6, 1.0) * braking(p.friction),
-        false => 1.0,
-    };
+    let steady = faded(p.friction, 1e-6, 1.0) * braking(p.friction);
     limits! { report,
         /// the wall presses as little as the floor rubs: the brake of a floor alone
         "mu = x: alpha R/(2 mu g)": braking(1e-9) / 2e-9 => 1.0, within 1e-8;
@@ -305,13 +155,13 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 /// What `--with lean` adds: the wall presses less.
 fn leaning(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(lean) = p.lean else { return Ok(()) };
-    let (u, cylinder) = (units(p)?, Cylinder::new([p.friction; 2], lean));
+    let ([spin, time, ..], cylinder) = (units(p)?, Cylinder::new([p.friction; 2], lean));
     let [floor, wall] = cylinder.pressed();
     let told = "at this wall no forces hold the axis at rest: the cylinder climbs out, is jammed, \
                 or nothing rubs";
     require(floor > 0.0 && wall > 0.0, "lean", lean, told)?;
-    let (time, stop) = (u.time, u.spin / cylinder.braking());
-    let found = stopped(cylinder, u.spin, stop, p.tolerance.min(1e-9))?;
+    let stop = spin / cylinder.braking();
+    let found = stopped(cylinder, spin, stop, p.tolerance.min(1e-9))?;
     claims! { report,
         /// at a wall that leans back: time to the stop
         t_leaning: stop * time, "s", "located event" => found * time, within 1e-7 * stop * time;
@@ -320,25 +170,20 @@ fn leaning(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The card of effects; the air rubs at a wooden cylinder (700 kg/m^3) with 0.01 of rho v^2/2.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (mu, u, cylinder) = (p.friction, units(p)?, Cylinder::alike(p.friction));
-    if mu == 0.0 {
-        return Ok(()); // it never stops
-    }
+    let (mu, [spin, ..], cylinder) = (p.friction, units(p)?, Cylinder::alike(p.friction));
     let (alpha, rim) = (cylinder.braking(), p.spin.abs() * p.radius);
-    let leaning = Cylinder::new([mu, mu], TAU / 360.0);
-    let drop = (2.0 * 1e-3 / p.radius).sqrt() * alpha / u.spin;
+    let drop = (2.0 * 1e-3 / p.radius).sqrt() * alpha / spin;
     // Torque over that of the friction: the length of the cylinder follows from its mass.
     let air = 1.204 * 0.01 * rim * rim * 2.0 / (700.0 * p.radius * p.gravity * alpha);
     let yields = 1e-4 / (mu * p.radius);
-    let slower = cylinder.but(|cylinder| cylinder.fading = p.fading * u.speed);
-    let fading = faded(mu, slower.fading, u.spin);
     // How much later it stops, simulated.
     let later = |cylinder: Cylinder, about: f64| -> Result<f64> {
-        let stop = stopped(cylinder, u.spin, about, p.tolerance.min(1e-9))?;
-        Ok(stop * alpha / u.spin - 1.0)
+        Ok(stopped(cylinder, spin, about, p.tolerance.min(1e-9))? * alpha / spin - 1.0)
     };
-    let leans = later(leaning, u.spin / leaning.braking())?;
-    let (fades, faded) = (fading * alpha / u.spin - 1.0, later(slower, fading)?);
+    let leaning = Cylinder::new([mu, mu], TAU / 360.0);
+    let leans = later(leaning, spin / leaning.braking())?;
+    let (slower, fading) = fading(p)?;
+    let (fades, faded) = (fading * alpha / spin - 1.0, later(slower, fading)?);
     effect_card! { report,
         "friction that falls with the slip": "fading Omega R" = p.fading * rim, costs fades, "of t_stop", measured faded, within 1e-7;
         "a wall that leans back by one degree": "beta" = leaning.lean, costs alpha / leaning.braking() - 1.0, "of t_stop", measured leans, within 1e-7;
@@ -350,15 +195,10 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The accuracy strip: the stop if friction fades, where forces change on the way.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (u, mu) = (units(p)?, p.friction);
-    let (spin, fading) = (u.spin, p.fading * u.speed);
-    if mu == 0.0 {
-        return Ok(()); // it never stops
-    }
-    let cylinder = Cylinder::alike(mu).but(|cylinder| cylinder.fading = fading);
-    let stop = faded(mu, fading, spin);
+    let ([spin, ..], mu) = (units(p)?, p.friction);
+    let (cylinder, stop) = fading(p)?;
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15];
-    report.in_closed_form(move |part| faded(mu, fading, part * spin));
+    report.in_closed_form(move |part| faded(mu, cylinder.fading, part * spin));
     let run = move |step| set_down(cylinder, spin, 2.0 * stop, step);
     let error = move |ride: &Ride| Ok((ride.event("floor sticks")?.t / stop - 1.0).abs());
     report.stepped(asked, run, Ride::work, error)
@@ -366,7 +206,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// Other surfaces: forces and time to the stop, and the same time simulated.
 fn surfaces(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (u, mu, lean) = (units(p)?, p.friction, 20.0 * TAU / 360.0);
+    let ([spin, time, ..], mu, lean) = (units(p)?, p.friction, 20.0 * TAU / 360.0);
     let columns = "surfaces, N_floor/Mg, N_wall/Mg, t_stop / s, simulated / s";
     let mut table = Table::new("surfaces", columns.split(", "))?;
     for (name, rough, lean) in [
@@ -379,27 +219,21 @@ fn surfaces(p: &Parameters, report: &mut Report) -> Result<()> {
     ] {
         let cylinder = Cylinder::new(rough, lean);
         let [floor, wall] = cylinder.pressed();
-        // Without a force of the floor it climbs out; without friction it never stops.
-        if floor <= 0.0 || mu == 0.0 {
+        // Without a force of the floor it climbs out.
+        if floor <= 0.0 {
             continue;
         }
-        let stop = u.spin / cylinder.braking();
-        let found = stopped(cylinder, u.spin, stop, p.tolerance)?;
-        let cells = [floor, wall, stop * u.time, found * u.time].map(|x| format!("{x:.7}"));
+        let stop = spin / cylinder.braking();
+        let found = stopped(cylinder, spin, stop, p.tolerance)?;
+        let cells = [floor, wall, stop * time, found * time].map(|x| format!("{x:.7}"));
         table.push([name.into()].into_iter().chain(cells))?;
-    }
-    if table.is_empty() {
-        return Ok(());
     }
     report.add(table)
 }
 
 /// What the law of signs makes of the stop.
 fn signs(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (w, cylinder) = (units(p)?.spin, Cylinder::alike(p.friction));
-    if p.friction == 0.0 {
-        return Ok(());
-    }
+    let ([w, ..], cylinder) = (units(p)?, Cylinder::alike(p.friction));
     let stop = w / cylinder.braking();
     let columns = "steps until t_stop, spin left / Omega, steps that change its sign";
     let table = Table::of("signs", columns.split(", "), [100, 1000, 10_000], |steps| {
@@ -407,9 +241,7 @@ fn signs(p: &Parameters, report: &mut Report) -> Result<()> {
         let end = 2.0 * stop * f64::from(steps) / (f64::from(steps) + 0.4);
         let all = by_sign(p.friction, w, false, end, 2 * steps);
         let after = &all[steps as usize + 1..];
-        let left = after
-            .iter()
-            .fold(0.0, |most: f64, [_, spin]| most.max(spin.abs()));
+        let left = after.iter().fold(0.0, |most: f64, [_, spin]| most.max(spin.abs()));
         let turns = |pair: &&[[f64; 2]]| pair[0][1] * pair[1][1] < 0.0;
         let changes = after.windows(2).filter(turns).count();
         let part = changes as f64 / (after.len() - 1) as f64;

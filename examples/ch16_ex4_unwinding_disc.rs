@@ -2,16 +2,19 @@
 
 #[path = "ch16_ex4_unwinding_disc/figures.rs"]
 mod figures;
-#[path = "ch16_ex4_unwinding_disc/string.rs"]
-pub mod string;
+#[path = "ch16_ex4_unwinding_disc/physics.rs"]
+pub mod physics;
+#[path = "ch16_ex4_unwinding_disc/routes.rs"]
+mod routes;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use kit::interval::above_to;
 use kit::prelude::*;
 use kit::{driven_in_air, taken_by_air};
+use physics::*;
 use rotation_dynamics::exact::{Modulus, legendre};
 use rotation_dynamics::planar::Run;
-use string::{Disc, Leaves, long_string};
+use routes::long_string;
 
 parameters! {
     /// The disc of the exercise; the notes leave all numbers open.
@@ -37,29 +40,12 @@ parameters! {
     }
 }
 
-// ANCHOR: answer
-/// The fall while the string unwinds: acceleration of the centre and tension of the string.
-pub fn fall(p: &Parameters) -> [f64; 2] {
-    let weight = p.mass * p.gravity;
-    [
-        p.gravity / (1.0 + p.shape),
-        weight * p.shape / (1.0 + p.shape),
-    ]
-}
-
-/// The time after which this much string has unwound.
-pub fn unwound(p: &Parameters, length: f64) -> f64 {
-    (2.0 * length / fall(p)[0]).sqrt()
-}
-// ANCHOR_END: answer
-
 /// The shortest string that is wound up, over the radius.
 const LEAST: f64 = 0.5;
 
 /// The disc in units of its radius, and of its mass and g.
 pub fn disc(p: &Parameters) -> Result<Disc> {
-    let (wound, free) = (p.wound / p.radius, p.free / p.radius);
-    let shape = p.shape;
+    let (wound, free, shape) = (p.wound / p.radius, p.free / p.radius, p.shape);
     allowed! {
         "wound/radius": wound, from_to(LEAST, 1e6), "with less string it is not wound up again on the other side";
         "free/radius": free, above_to(1.0, 1e6), "at 1 the disc touches the roof";
@@ -96,10 +82,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let firm = p.stiffness / weight;
     // A string that gives by a radius or more, or hardly at all, is not followed.
     let gives = gives(&d, peak, firm) < 1.0 && firm < 1e7;
-    let [soft, stored] = match gives {
-        true => d.softly(&ends.before, firm, 1e-14)?,
-        false => [1.0; 2],
-    };
+    let [soft, stored] = if gives { d.softly(&ends.before, firm, 1e-14)? } else { [1.0; 2] };
     let climbs = run.transition("top").is_ok();
     let top = || {
         let top = run.transition("top")?;
@@ -126,8 +109,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             g * p.time => "the string pulls as well";
         /// angular velocity at that time
         omega: w, "rad/s", "simulated" => spin / second, within bound * w, in "While the string unwinds":
-            v => "divide by the radius",
-            g * p.time / p.radius => "the string pulls as well",
+            v => "divide by the radius", g * p.time / p.radius => "the string pulls as well",
             w / (2.0 * PI) => "not turns but radians a second";
         /// part of the kinetic energy that is in the rotation
         rotation: k / (1.0 + k), "-", "simulated" => k * spin * spin / (fall * fall + k * spin * spin), within bound,

@@ -2,15 +2,16 @@
 
 #[path = "ch16_ex5_charged_ball/figures.rs"]
 mod figures;
+#[path = "ch16_ex5_charged_ball/physics.rs"]
+pub mod physics;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use kit::driven_in_air;
 use kit::prelude::*;
+use physics::*;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::integrators::{after, second_order};
-use rotation_dynamics::planar::contact::{
-    Contact, ContactMotion, Mechanism, MechanismState, Mode, Surface, entry, motion_within,
-};
+use rotation_dynamics::planar::contact::{Mode, entry};
 
 parameters! {
     /// The ball of the exercise: 1 cm of wood, charged nearly as highly as the air allows in this field.
@@ -41,156 +42,33 @@ parameters! {
     }
 }
 
-/// The ball, per unit mass: `[x, y, angle]`, along the slab, upward, and counterclockwise.
-#[derive(Debug, Clone, Copy)]
-pub struct Ball {
-    /// qE/m, m/s^2.
-    pub pull: f64,
-    /// N/m: g, and more if an image charge pulls at the ball.
-    pub press: f64,
-    pub radius: f64,
-    pub shape: f64,
-    pub mu: f64,
-    /// Distance of the charge from the middle, m; at the angle 0 it lies on the right.
-    pub spot: f64,
-    /// Arm of the normal force ahead of the middle, m, and drag over m v^2, 1/m.
-    pub resisting: [f64; 2],
-    /// Where the slab ends, m.
-    pub length: f64,
-}
-
-// ANCHOR: scene
-impl Mechanism<3, 1> for Ball {
-    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
-        let turning = self.shape * self.radius * self.radius;
-        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
-    }
-
-    fn force(&self, ball: &MechanismState<3>) -> [f64; 3] {
-        let ([arm, drag], [vx, ..]) = (self.resisting, ball.v);
-        // The field pulls where the charge is, and its moment is against the arm's height.
-        let moment = -self.pull * self.spot * sin(ball.q[2]);
-        [
-            self.pull - drag * vx * vx.abs(),
-            -self.press,
-            moment + self.side() * arm * self.press,
-        ]
-    }
-
-    fn contacts(&self, ball: &MechanismState<3>) -> [Contact<3>; 1] {
-        [Contact::rim("ball", ball, self.radius, Surface::FLOOR).friction(self.mu)]
-    }
-    // ANCHOR_END: scene
-
-    fn end(&self, ball: &MechanismState<3>) -> Option<(&'static str, f64)> {
-        Some(("arrives", self.length - self.side() * ball.q[0]))
-    }
-
-    fn scale(&self, _: &MechanismState<3>) -> MechanismState<3> {
-        let (r, v) = (self.radius, (2.0 * self.pull.abs() * self.length).sqrt());
-        let (q, v) = ([self.length, r, self.length / r], [v, v, v / r]);
-        MechanismState { q, v }
-    }
-}
-
-/// A motion of the ball.
-pub type Roll = ContactMotion<Ball, 3, 1>;
-
 impl Ball {
     /// The ball of these parameters, its charge in the middle.
     pub fn new(p: &Parameters) -> Result<Self> {
         let pull = p.charge * p.field / p.mass;
         let weights = pull / p.gravity;
         let told = "its size must be from 1e-9, below which nothing drives the ball, to 1e9";
-        let drives = (1e-9..=1e9).contains(&weights.abs());
-        require(drives, "q E/(m g)", weights, told)?;
+        require((1e-9..=1e9).contains(&weights.abs()), "q E/(m g)", weights, told)?;
         allowed! {
             "coefficient of friction that rolling needs": p.shape / (1.0 + p.shape) * weights.abs(),
                 above(1e-11), "contacts do not tell a smaller part of the weight from none";
-            "length/radius": p.length / p.radius,
-                between(0.0, 1e6), "after so many turns the angle has lost its digits";
+            "length/radius": p.length / p.radius, between(0.0, 1e6), "after so many turns the angle has lost its digits";
         }?;
-        Ok(Self {
-            pull,
-            press: p.gravity,
-            radius: p.radius,
-            shape: p.shape,
-            mu: p.friction,
-            spot: 0.0,
-            resisting: [0.0; 2],
-            length: p.length,
-        })
+        let (press, mu) = (p.gravity, p.friction);
+        let Parameters { radius, shape, length, .. } = *p;
+        Ok(Self { pull, press, radius, shape, mu, spot: 0.0, resisting: [0.0; 2], length })
     }
 
     /// The same with its charge off the middle.
     pub fn spotted(p: &Parameters) -> Result<Self> {
-        Ok(Self::new(p)?.but(|ball| ball.spot = p.spot * p.radius))
-    }
-
-    /// Where the field pulls: 1 to the right, -1 to the left.
-    pub fn side(&self) -> f64 {
-        self.pull.signum()
-    }
-
-    /// At the start, at rest, with its charge ahead.
-    pub fn ahead(&self) -> MechanismState<3> {
-        self.start(if self.pull > 0.0 { 0.0 } else { PI }, 0.0)
-    }
-
-    /// At the start, turned by this angle, with this velocity and no spin.
-    pub fn start(&self, angle: f64, velocity: f64) -> MechanismState<3> {
-        let (q, v) = ([0.0, self.radius, angle], [velocity, 0.0, 0.0]);
-        MechanismState { q, v }
-    }
-
-    /// The motion from there, at most until `end`.
-    pub fn run(self, start: MechanismState<3>, end: f64, tolerance: f64) -> Result<Roll> {
-        Ok(motion_within(self, tolerance, start, end)?)
-    }
-
-    /// The same from rest, to the end of the slab: when it arrives, and with which velocities.
-    pub fn rolled(self, end: f64, tolerance: f64) -> Result<(f64, [f64; 3])> {
-        let run = self.run(self.start(0.0, 0.0), end, tolerance)?;
-        let arrives = run.event("arrives")?;
-        Ok((arrives.t, arrives.before.v))
-    }
-
-    // ANCHOR: law
-    /// Friction that rolling needs, against the field, over the mass.
-    pub fn holding(&self) -> f64 {
-        self.shape / (1.0 + self.shape) * self.pull
-    }
-
-    /// Friction that there is: what rolling needs, or the most the slab can give.
-    pub fn friction(&self) -> f64 {
-        let most = self.mu * self.press;
-        self.holding().clamp(-most, most)
-    }
-
-    /// x'' and R phi'', from rest.
-    pub fn accelerations(&self) -> [f64; 2] {
-        [self.pull - self.friction(), self.friction() / self.shape]
-    }
-    // ANCHOR_END: law
-
-    /// The part of the work of the field that is lost to rubbing.
-    pub fn lost(&self) -> f64 {
-        let [a, rim] = self.accelerations();
-        1.0 - (a * a + self.shape * rim * rim) / (self.pull * a)
-    }
-
-    /// When a ball that is put down sliding begins to roll, and its velocity then.
-    pub fn caught(&self, shot: f64) -> [f64; 2] {
-        let rub = -self.mu * self.press.copysign(shot);
-        let time = -shot / (self.pull + rub * (1.0 + 1.0 / self.shape));
-        [time, shot + (self.pull + rub) * time]
+        Ok(Self { spot: p.spot * p.radius, ..Self::new(p)? })
     }
 }
 
 /// The least coefficient of friction with which the solver lets the ball stick: by bisection.
 fn holds_from(ball: Ball) -> Result<f64> {
     let slips = |mu| -> Result<bool> {
-        let there = ball.but(|ball| ball.mu = mu);
+        let there = Ball { mu, ..ball };
         Ok(entry(&there, there.start(0.0, 0.0))?.0 != [Mode::Stick])
     };
     Ok(try_bisect([0.0, 2.0 * ball.pull.abs() / ball.press], 0.0, slips)?[1])
@@ -211,15 +89,14 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let field = p.field.abs();
     // A ball that is put down sliding.
     let ([catch, then], shot) = (ball.caught(p.shot), p.shot.abs());
-    let far = ball.but(|ball| ball.length = d + 10.0 * shot * catch.abs());
+    let far = Ball { length: d + 10.0 * shot * catch.abs(), ..ball };
     let slid = || far.run(far.start(0.0, p.shot), 2.0 * catch, p.tolerance);
     let catches =
         shot > 0.0 && catch > 0.0 && catch.is_finite() && p.friction > needed * (1.0 + 1e-9);
     // A charged spot: below the middle it needs most friction.
     let spotted = Ball::spotted(p)?;
-    let rough = spotted.but(|ball| ball.mu = 1e3 + 2.0 * driven / g);
-    let low = rough.start(-FRAC_PI_2, 0.0);
-    let lowest = rough.run(low, 1e-3 * time, p.tolerance)?.forces(0.0)?[0];
+    let rough = Ball { mu: 1e3 + 2.0 * driven / g, ..spotted };
+    let lowest = rough.run(rough.start(-FRAC_PI_2, 0.0), 1e-3 * time, p.tolerance)?.forces(0.0)?[0];
     let most = (k + p.spot) / (1.0 + k) * pull;
     let further = d - spotted.spot * (1.0 - cos(d / r));
     let rolls = side * (2.0 * driven * further / (1.0 + k)).sqrt();
@@ -234,10 +111,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     claims! { report,
         /// acceleration
         a: a, "m/s^2", "located event" => side * ran * ran / (2.0 * d), within bound * driven, in "The motion":
-            pull => "that slides without friction",
-            naive => "friction is not at its limit",
-            pull / 1.5 => "that is a cylinder",
-            pull / (1.0 + 2.0 / 3.0) => "that is a thin shell";
+            pull => "that slides without friction", naive => "friction is not at its limit",
+            pull / 1.5 => "that is a cylinder", pull / (1.0 + 2.0 / 3.0) => "that is a thin shell";
         /// friction, against the field
         friction: m * ball.friction(), "N", "contact solver" => -m * run.forces(0.5 * time)?[0].tangential, within bound * m * driven,
         in "The friction":
@@ -285,21 +160,16 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 /// Bodies of known shape, and fields far from the threshold and near it.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let (k, gravity) = (p.shape, p.gravity);
-    let plain = Ball::new(p)?.but(|ball| (ball.mu, ball.pull) = (1e3, gravity));
+    let plain = Ball { mu: 1e3, pull: gravity, ..Ball::new(p)? };
     let goes = |ball: Ball| -> Result<f64> {
-        let [v, ..] = ball
-            .rolled(10.0 * (ball.length / ball.pull).sqrt(), 1e-12)?
-            .1;
+        let (_, [v, ..]) = ball.rolled(10.0 * (ball.length / ball.pull).sqrt(), 1e-12)?;
         Ok(0.5 * v.powi(2) / (ball.length * ball.pull))
     };
-    let shaped = |shape| plain.but(|ball| ball.shape = shape);
-    let rubbed = |mu| plain.but(|ball| ball.mu = mu);
+    let shaped = |shape| Ball { shape, ..plain };
+    let rubbed = |mu| Ball { mu, ..plain };
     let held = plain.holding() / p.gravity;
-    let top = plain.but(|ball| ball.spot = p.radius);
-    let top = top
-        .run(plain.start(FRAC_PI_2, 0.0), 1e-6, 1e-12)?
-        .forces(0.0)?[0]
-        .tangential;
+    let top = Ball { spot: p.radius, ..plain }.run(plain.start(FRAC_PI_2, 0.0), 1e-6, 1e-12)?;
+    let top = top.forces(0.0)?[0].tangential;
     limits! { report,
         /// all mass in the middle: it goes like a particle
         "k = 1e-9: m x''/(q E)": goes(shaped(1e-9))? => 1.0, within 2e-9;
@@ -337,8 +207,7 @@ fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
     // What rolls has the inertia of its turning as well.
     let rolls = p.friction * p.gravity > ball.holding().abs();
     let inertia = p.mass * if rolls { ball.pull / a } else { 1.0 };
-    let area = PI * p.radius * p.radius;
-    driven_in_air(report, [drag, area], [a.abs(), inertia, p.length])
+    driven_in_air(report, [drag, PI * p.radius * p.radius], [a.abs(), inertia, p.length])
 }
 
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -353,8 +222,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let slipping = if grip < 1.0 { faster } else { 0.0 };
     // The part of the work that a ball which rolls has lost at the end, by the contact solver.
     let arrives = |resisting: [f64; 2]| -> Result<f64> {
-        let run = ball.but(|ball| ball.resisting = resisting);
-        Ok(run.rolled(4.0 * time, 1e-10)?.1[0])
+        Ok(Ball { resisting, ..ball }.rolled(4.0 * time, 1e-10)?.1[0])
     };
     let lost = |resisting: [f64; 2], predicted: f64| -> Result<Option<f64>> {
         if grip < 1.01 || predicted > 0.5 {
@@ -383,7 +251,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 /// The accuracy strip: the ball with a charged spot, which does not accelerate evenly.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let far = p.length.min(TURNING * p.radius);
-    let ball = Ball::spotted(p)?.but(|ball| (ball.mu, ball.length) = (1e3, far));
+    let ball = Ball { mu: 1e3, length: far, ..Ball::spotted(p)? };
     let further = ball.length - ball.spot * (1.0 - cos(ball.length / p.radius));
     let pull = ball.pull.abs();
     let speed = ball.side() * (2.0 * pull * further / (1.0 + p.shape)).sqrt();

@@ -2,15 +2,18 @@
 
 #[path = "ch16_ex7_rod_and_disc/figures.rs"]
 mod figures;
+#[path = "ch16_ex7_rod_and_disc/physics.rs"]
+pub mod physics;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use kit::prelude::*;
+use physics::*;
 use rotation_dynamics::Error;
-use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
+use rotation_dynamics::exact::pendulum::Pendulum;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
-use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Solution, Work, size_or};
-use rotation_dynamics::integrators::{after, ode, second_order, small_frequency};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Solution, Work};
+use rotation_dynamics::integrators::{after, second_order, small_frequency};
 
 parameters! {
     /// The pendulum of the exercise; the notes leave all numbers open.
@@ -32,61 +35,6 @@ parameters! {
     }
 }
 
-// ANCHOR: moments
-/// What counts in the pendulum, each about the pivot but for the disc's own.
-#[derive(Debug, Clone, Copy)]
-pub struct Moments {
-    /// Rod, and disc as if all of it were at its centre, kg m^2.
-    pub carried: f64,
-    /// The disc about its own axle, kg m^2.
-    pub own: f64,
-    /// Torque of gravity over sin(theta), N m.
-    pub gravity: f64,
-    /// The disc's own moment over what is carried.
-    pub share: f64,
-}
-
-impl Moments {
-    /// With the centre of the disc at the end of the rod.
-    pub fn new(p: &Parameters) -> Result<Self> {
-        let (l, m, big) = (p.length, p.rod, p.disc);
-        let (carried, own) = ((m / 3.0 + big) * l * l, 0.5 * big * p.radius * p.radius);
-        let share = above(0.0).check("(M R^2/2)/(m l^2/3 + M l^2)", own / carried)?;
-        let gravity = (0.5 * m + big) * p.gravity * l;
-        Ok(Self {
-            carried,
-            own,
-            gravity,
-            share,
-        })
-    }
-
-    /// Whether the disc is so small that some grease cannot stop the swinging within a swing, and
-    /// not so small that it is not felt.
-    pub fn is_felt(&self) -> bool {
-        (1e-8..=1.0).contains(&self.share)
-    }
-
-    /// Angular frequency of small swings, the disc free, rad/s.
-    pub fn rate(&self) -> f64 {
-        (self.gravity / self.carried).sqrt()
-    }
-}
-
-/// The pendulum in closed form, with this moment of inertia about the pivot.
-pub fn pendulum(p: &Parameters, moment: f64, release: f64) -> Result<Pendulum> {
-    let (mass, gravity) = (p.rod + p.disc, p.gravity);
-    let lever = (0.5 * p.rod + p.disc) * p.length / mass;
-    let hung = Suspension {
-        moment,
-        mass,
-        gravity,
-        lever,
-    };
-    Ok(Pendulum::new(hung, release, 0.0)?)
-}
-// ANCHOR_END: moments
-
 /// Refuses a release that no swing follows.
 fn swings(p: &Parameters) -> Result<()> {
     let (release, size) = (p.release, p.release.abs());
@@ -95,59 +43,6 @@ fn swings(p: &Parameters) -> Result<()> {
     let upright = "it must be off pi by 1e-9 rad: released upright it stays there";
     Ok(require(size <= PI - 1e-9, "release", release, upright)?)
 }
-
-// ANCHOR: motion
-/// Rod and disc, each with its angle: `[theta, theta', phi, phi']`.
-/// In the unit of time the free pendulum has the angular frequency 1;
-/// `share` is J/A, `drag` is c/(J W), 0 if the disc is free.
-pub fn two_angles(share: f64, drag: f64) -> impl Ode<4> {
-    coupled(share, drag, sin)
-}
-
-/// With another pull of gravity: of small swings, the angle itself.
-fn coupled(share: f64, drag: f64, pull: fn(f64) -> f64) -> impl Ode<4> {
-    ode(move |_, [theta, rate, _, spin]: &[f64; 4]| {
-        let torque = drag * (rate - spin); // on the disc, over J
-        [*rate, -pull(*theta) - share * torque, *spin, torque]
-    })
-    .scaled(size_or([1.0; 4]))
-}
-
-/// Rod and disc as one body, in the same units.
-pub fn one_angle(share: f64) -> impl Ode<2> {
-    second_order(move |_, theta, _| -sin(theta) / (1.0 + share))
-}
-// ANCHOR_END: motion
-
-// ANCHOR: between
-/// Angular frequency and rate of decay of small swings, in units of W, for the friction
-/// `drag` = c/(J W), and which part of the disc's own moment goes along with the rod.
-#[derive(Debug, Clone, Copy)]
-pub struct Between {
-    pub frequency: f64,
-    pub decay: f64,
-    pub part: f64,
-}
-
-impl Between {
-    /// From the root x of x = drag^2 (1 + x)^2 (share - x) between 0 and `share`.
-    pub fn new(share: f64, drag: f64) -> Self {
-        let lacks = |x: f64| drag * drag * (1.0 + x) * (1.0 + x) * (share - x) - x;
-        let [x, _] = bisect([0.0, share], 0.0, |x| lacks(x) > 0.0);
-        let decay = 0.5 * x / (drag * (1.0 + x) * (1.0 + x));
-        Self {
-            frequency: (1.0 / (1.0 + x) - decay * decay).sqrt(),
-            decay,
-            part: x / share,
-        }
-    }
-}
-
-/// The friction, as c/(J W), of the fastest decay.
-pub fn worst(share: f64) -> f64 {
-    (1.0 + 0.5 * share) / ((1.0 + share) * (1.0 + share).sqrt())
-}
-// ANCHOR_END: between
 
 /// [`Between`], simulated: period in 1/W and decay in W, between two zeros of a small swing
 /// that come late enough for disc and rod to have found their rhythm. They find it at the rate
@@ -201,43 +96,11 @@ fn assembled(p: &Parameters, far: f64) -> Result<[f64; 2]> {
     // The axle is along e1 for the rod and along e3 for the disc as the library makes them.
     let down = |far: f64| DesignVector::new(0.0, 0.0, -far);
     let rod = solids::rod(p.rod, p.length)?.displaced(down(0.5 * p.length))?;
-    let both =
-        MassProperties::of_parts(&[rod, MassProperties::of_points(&[(p.disc, down(far))])?])?;
-    let disc = solids::disc(p.disc, p.radius)?.about_centre_of_mass();
-    let own = disc.matrix()[2][2];
+    let ball = MassProperties::of_points(&[(p.disc, down(far))])?;
+    let both = MassProperties::of_parts(&[rod, ball])?;
+    let own = solids::disc(p.disc, p.radius)?.about_centre_of_mass().matrix()[2][2];
     let carried = both.about(DesignVector::zero())?.matrix()[0][0];
     Ok([carried + own, carried])
-}
-
-/// The disc hinged at its rim: the pull of gravity on each angle, what couples them, M l R, and
-/// the moment of inertia of the disc about the hinge.
-fn hinged(p: &Parameters, m: &Moments) -> [f64; 4] {
-    let lever = p.disc * p.radius;
-    [m.gravity, lever * p.gravity, lever * p.length, 3.0 * m.own]
-}
-
-/// The disc hung by its rim and free there, for small angles: both angular frequencies, the
-/// slower first, and the angle of the disc over that of the rod in each.
-pub fn by_the_rim(p: &Parameters, m: &Moments) -> [[f64; 2]; 2] {
-    let [k1, k2, cross, own] = hinged(p, m);
-    let a = m.carried * own - cross * cross;
-    let b = 0.5 * (k1 * own + k2 * m.carried);
-    let fast = (b + (b * b - a * k1 * k2).sqrt()) / a;
-    [k1 * k2 / (a * fast), fast].map(|square| [square.sqrt(), (k1 / square - m.carried) / cross])
-}
-
-/// Its motion: Lagrange's equations of two angles from the vertical.
-pub fn double(p: &Parameters, m: &Moments) -> impl Ode<4> {
-    let ([k1, k2, cross, second], first) = (hinged(p, m), m.carried);
-    ode(move |_, [rod, rate, disc, spin]: &[f64; 4]| {
-        let (s, c) = sincos(rod - disc);
-        let f = -cross * s * spin * spin - k1 * sin(*rod);
-        let g = cross * s * rate * rate - k2 * sin(*disc);
-        let (mix, det) = (cross * c, first * second - cross * cross * c * c);
-        let [faster, spins] = [(second * f - mix * g) / det, (first * g - mix * f) / det];
-        [*rate, faster, *spin, spins]
-    })
-    .scaled(size_or([1.0; 4]))
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -302,8 +165,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         period_fixed: t_fixed, "s", "simulated" => 2.0 * PI * unit / stiff, within 1e-9 * t_fixed,
         in "Periods of small swings":
             2.0 * PI * (p.length / p.gravity).sqrt() => "that is for all mass at the end",
-            rod_only => "that is the rod alone",
-            0.5 * t_fixed => "a period is there and back",
+            rod_only => "that is the rod alone", 0.5 * t_fixed => "a period is there and back",
             t_free => "that is the other case";
         /// period of small swings, the disc free
         period_free: t_free, "s", "two angles, simulated" => 2.0 * PI * unit / slow, within 1e-9 * t_free,
@@ -349,17 +211,19 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// No disc, a small one, no rod, a swing nearly over the top, axles that hardly rub or nearly hold.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
-    let with = |rod, disc, radius| {
-        let p = p.but(|p| (p.rod, p.disc, p.radius) = (rod, disc, radius));
-        p.but(|p| (p.length, p.gravity) = (1.0, 1.0))
+    let with = |rod, disc, radius| Parameters {
+        rod,
+        disc,
+        radius,
+        length: 1.0,
+        gravity: 1.0,
+        ..p.clone()
     };
     let swing = |q: &Parameters, release: f64, hold: f64| -> Result<f64> {
         let m = Moments::new(q)?;
         Ok(pendulum(q, m.carried + hold * m.own, release)?.period() / (2.0 * PI))
     };
-    let light = with(1.0, 1e-6, 0.2);
-    let point = with(1.0, 1.0, 1e-3);
-    let wheel = with(1e-9, 1.0, 1e-3);
+    let (light, point, wheel) = (with(1.0, 1e-6, 0.2), with(1.0, 1.0, 1e-3), with(1e-9, 1.0, 1e-3));
     let high = 2.0 * PI * swing(&point, PI - 1e-4, 0.0)? / swing(&point, 0.0, 0.0)?;
     let [loose, tight] = [1e-4, 1e4].map(|drag| Between::new(0.02, drag));
     limits! { report,
@@ -448,12 +312,9 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     report.set_closed_form(ClosedForm::new(move |part| exact.at(part * exact.period())));
     let swing = move |step| match returns(m.share, 0.0, release, step) {
         // Released high up, a coarse run goes over the top.
-        Err(kit::Error::Library(Error::NotReached { .. })) => Err(Error::NotDelivered {
-            requested: step,
-            best: PI,
-            condition: None,
+        Err(kit::Error::Library(Error::NotReached { .. })) => {
+            Err(Error::NotDelivered { requested: step, best: PI, condition: None }.into())
         }
-        .into()),
         swing => swing,
     };
     report.dial_of_return(asked, swing, period, release)

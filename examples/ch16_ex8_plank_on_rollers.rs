@@ -2,17 +2,18 @@
 
 #[path = "ch16_ex8_plank_on_rollers/figures.rs"]
 mod figures;
+#[path = "ch16_ex8_plank_on_rollers/physics.rs"]
+pub mod physics;
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 use kit::interval::at_least;
 use kit::prelude::*;
+use physics::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::integrators::{Dop853, Ode, second_order};
-use rotation_dynamics::math::{acosh, asinh, atan, tanh};
-use rotation_dynamics::planar::contact::{
-    Contact, ContactMotion, Mechanism, MechanismState, motion,
-};
+use rotation_dynamics::math::{acosh, atan, tanh};
+use rotation_dynamics::planar::contact::{MechanismState, motion};
 
 parameters! {
     /// The plank of the exercise; the notes leave all numbers open.
@@ -55,69 +56,6 @@ impl Parameters {
     }
 }
 
-/// Radius of the rollers over their distance; it matters to a plank that has tipped.
-pub const RADIUS: f64 = 0.15;
-
-/// A plank, per unit of its mass, 2.4 times as long as the rollers are apart. Their tops move
-/// towards each other (`sense` 1) or apart (-1).
-#[derive(Debug, Clone)]
-pub struct Plank {
-    p: Parameters,
-    sense: f64,
-}
-
-// ANCHOR: scene
-/// The coordinates are `[x, y, tilt]`: how far the middle of the plank is to the right of that
-/// between the rollers and above its place when it lies flat, and its angle, counterclockwise.
-impl Mechanism<3, 2> for Plank {
-    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
-        let (long, thick) = (2.4 * self.p.distance, self.p.thickness);
-        let turning = (long * long + thick * thick) / 12.0;
-        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, turning]]
-    }
-
-    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
-        [0.0, -self.p.gravity, 0.0]
-    }
-
-    fn contacts(&self, plank: &MechanismState<3>) -> [Contact<3>; 2] {
-        let ([x, y, tilt], [vx, vy, omega]) = (plank.q, plank.v);
-        let ((s, c), half) = (sincos(tilt), 0.5 * self.p.thickness);
-        // From the axle up to the middle of the plank.
-        let axle = half + RADIUS * self.p.distance;
-        let roller = |name, at: f64, speed: f64| {
-            let gap = y * c - (x - at) * s - axle * (1.0 - c);
-            let along = (x - at) * c + (y + axle) * s;
-            let bias = -2.0 * omega * (c * vx + s * vy) - omega * omega * (gap + axle);
-            Contact::new(name, gap, [-s, c, -along], bias)
-                .tangent([c, s, half], omega * (c * vy - s * vx))
-                .frictions(self.p.kinetic, self.p.holding)
-                .moving(speed)
-        };
-        let (at, speed) = (0.5 * self.p.distance, self.sense * self.p.runs());
-        [roller("left", -at, speed), roller("right", at, -speed)]
-    }
-    // ANCHOR_END: scene
-
-    fn end(&self, plank: &MechanismState<3>) -> Option<(&'static str, f64)> {
-        let [x, _, tilt] = plank.q;
-        Some(match self.sense > 0.0 {
-            // Tops together: a cycle that has no room ends where a roller loses the plank.
-            true => ("comes off", lift(&self.p, 1.0) - x.abs()),
-            false => ("tipped", 0.25 - tilt.abs()),
-        })
-    }
-
-    fn scale(&self, _: &MechanismState<3>) -> MechanismState<3> {
-        let (a, speed) = (self.p.distance, rate(&self.p, 0.0) * self.p.distance);
-        let (q, v) = ([a, a, 1.0], [speed, speed, speed / a]);
-        MechanismState { q, v }
-    }
-}
-
-/// A motion of the plank.
-pub type Ride = ContactMotion<Plank, 3, 2>;
-
 /// The nearest to jamming.
 const JAMS: f64 = 0.9999;
 /// The slowest rollers: slower ones carry the plank for so long that they might as well rest.
@@ -128,14 +66,12 @@ pub fn plank(p: &Parameters, sense: f64) -> Result<Plank> {
     let lifts = lift(p, 1.0);
     allowed! {
         "holding": p.holding, at_least(p.kinetic), "what rests holds no less than what slips";
-        "kinetic*thickness/distance": p.kinetic * p.thickness / p.distance,
-            from_to(0.0, JAMS), "at 1 friction on its lower face jams the plank";
+        "kinetic*thickness/distance": p.kinetic * p.thickness / p.distance, from_to(0.0, JAMS), "at 1 friction on its lower face jams the plank";
         "speed/sqrt(2 kinetic gravity distance)": p.runs() / (rate(p, 0.0) * p.distance),
             from_to(SLOWEST, 1e9), "at 0 the rollers rest, and so does the plank";
         "offset": p.offset, between(-lifts, lifts), "at an end it lifts off a roller";
     }?;
-    let p = p.clone();
-    Ok(Plank { p, sense })
+    Ok(Plank { p: p.clone(), sense })
 }
 
 /// The same, released elsewhere.
@@ -150,69 +86,19 @@ pub fn released(p: &Parameters, sense: f64, end: f64) -> Result<Ride> {
     Ok(motion(plank(p, sense)?, &method, start, end)?)
 }
 
-// ANCHOR: forms
-/// Angular frequency of the oscillation (sense 1), or rate of growth (-1).
-pub fn rate(p: &Parameters, sense: f64) -> f64 {
-    (2.0 * p.kinetic * p.gravity / (p.distance - sense * p.kinetic * p.thickness)).sqrt()
-}
-
-/// Where the plank loses a roller while it slips on both.
-pub fn lift(p: &Parameters, sense: f64) -> f64 {
-    0.5 * (p.distance - sense * p.kinetic * p.thickness)
-}
-
-/// Up to where the roller holds the plank that carries it away from it.
-pub fn held(p: &Parameters) -> f64 {
-    0.5 * p.distance * (p.holding - p.kinetic) / (p.holding + p.kinetic)
-}
-
-/// Amplitude and period of the cycle of stick and slip.
-pub fn cycle(p: &Parameters) -> (f64, f64) {
-    let (rate, held) = (rate(p, 1.0), held(p));
-    let widest = p.runs() / rate;
-    let round = 4.0 * held / p.runs() + 4.0 / rate * atan2(widest, held);
-    (hypot(held, widest), round)
-}
-// ANCHOR_END: forms
-
-/// When and where the plank, released at rest, is first as fast as a roller; and when it loses
-/// the other one, if they move apart. Infinite where that does not happen.
-pub fn caught(p: &Parameters, sense: f64) -> (f64, f64, f64) {
-    let (rate, x) = (rate(p, sense), p.offset.abs());
-    let widest = p.runs() / rate;
-    if sense > 0.0 {
-        let at = ((x - widest) * (x + widest)).max(0.0).sqrt();
-        let when = match widest < (1.0 - 1e-6) * x {
-            true => atan2(widest, at) / rate,
-            false => f64::INFINITY,
-        };
-        return (when, at, f64::INFINITY);
-    }
-    let (at, when) = (hypot(x, widest), asinh(widest / x) / rate);
-    if at >= lift(p, -1.0) {
-        return (f64::INFINITY, at, acosh(lift(p, -1.0) / x) / rate);
-    }
-    (when, at, when + (0.5 * p.distance - at).max(0.0) / p.runs())
-}
-
 /// Whether it ends in the cycle.
 fn goes_round(p: &Parameters) -> bool {
-    held(p) > 1e-2 * p.runs() / rate(p, 1.0)
-        && caught(p, 1.0).0.is_finite()
-        && cycle(p).0 < lift(p, 1.0)
+    let felt = held(p) > 1e-2 * p.runs() / rate(p, 1.0);
+    felt && caught(p, 1.0)[0].is_finite() && cycle(p).0 < lift(p, 1.0)
 }
 
 /// A span of time that the page looks at, in the first sense: two rounds, and at least from the
 /// start until the plank has been let go twice, if it is caught at all.
 fn span(p: &Parameters) -> f64 {
-    let (round, (stick, at, _)) = (cycle(p).1, caught(p, 1.0));
+    let (round, [stick, at, _]) = (cycle(p).1, caught(p, 1.0));
     let twice = stick + (at + held(p)) / p.runs() + 1.2 * round;
     let rounds = 2.0 * round + 0.5 * TAU / rate(p, 1.0);
-    if stick.is_finite() {
-        rounds.max(twice)
-    } else {
-        rounds
-    }
+    if stick.is_finite() { rounds.max(twice) } else { rounds }
 }
 
 /// The cycle as simulated: where the roller lets the plank slip that held it first, and the time from one
@@ -265,7 +151,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let grown = released(&small, -1.0, 3.0 / growth)?.at(3.0 / growth)?.q[0] / small.offset;
     let right = 0.5 + p.offset / (2.0 * lift(p, 1.0));
     let (amplitude, round) = cycle(p);
-    let ((stick, _, _), (stick_out, _, tip)) = (caught(p, 1.0), caught(p, -1.0));
+    let ([stick, at, _], [stick_out, _, tip]) = (caught(p, 1.0), caught(p, -1.0));
     let goes_round = goes_round(p);
     let event = |ride: &Ride, names| Ok::<_, kit::Error>(ride.event(p.event_there(names))?.t);
     let sticks = ["left sticks", "right sticks"];
@@ -277,16 +163,14 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             0.5 + 2.0 * (right - 0.5) => "the rollers are at half the distance from the middle";
         /// period of the oscillation
         period: period, "s", "located zero" => 4.0 * zero, within wide * period, in "Tops together":
-            period * 2.0_f64.sqrt() => "both rollers rub",
-            1.0 / swing => "a period has 2 pi of these",
+            period * 2.0_f64.sqrt() => "both rollers rub", 1.0 / swing => "a period has 2 pi of these",
             period / 2.0_f64.sqrt() => "the forces change by x/a, one up and one down";
         /// largest amplitude at which it only slips
         widest: widest, "m", "speed at the middle" => top, within wide * widest, in "Tops together":
             v / growth / 2.0_f64.sqrt() => "the speed at the middle is the amplitude times the angular frequency";
         /// rate of growth
         growth: growth, "1/s", "growth by ten" => growth * acosh(grown) / 3.0, within exact * growth * (1.0 + 0.01 * a / small.offset), in "Tops apart":
-            growth * growth => "that is its square",
-            growth / 2.0_f64.sqrt() => "both rollers rub";
+            growth * growth => "that is its square", growth / 2.0_f64.sqrt() => "both rollers rub";
         /// tops apart: the nearer roller holds it
         stick_out: stick_out, "s", "located event" => event(&apart, sticks)?,
         within far * (stick_out + 1.0 / growth), if stick_out.is_finite() && tip > stick_out;
@@ -296,7 +180,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             acosh(lift(p, -1.0) / p.offset.abs()) / growth => "once as fast as the roller it goes no faster";
         /// tops together: the nearer roller holds it
         stick: stick, "s", "located event" => event(&ride, sticks)?,
-        within exact * (1.0 + v / (swing * caught(p, 1.0).1)) / swing, if stick.is_finite();
+        within exact * (1.0 + v / (swing * at)) / swing, if stick.is_finite();
         /// how far beyond the middle the roller carries it
         carried: carried, "m", "located event" => stick_slip(p, &ride)?.0, within wide * a, if goes_round,
         in "Stick and slip":
@@ -338,7 +222,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let [thin, thick] = [0.0, 0.96 * p.distance / p.kinetic].map(|h| p.but(|p| p.thickness = h));
     let edge = from(p, lift(p, 1.0) * (1.0 - 1e-12));
     let left = released(&edge, 1.0, 1e-3 / swing)?.forces(0.0)?[0].normal / p.gravity;
-    let tip = |offset| caught(&from(p, offset), -1.0).2;
+    let tip = |offset| caught(&from(p, offset), -1.0)[2];
     let near = 1e-6 * (p.runs() / growth).min(p.distance);
     limits! { report,
         /// the roller lets go where it would have carried it through the middle
@@ -371,9 +255,7 @@ fn grown(p: &Parameters, fading: f64) -> Result<[f64; 2]> {
 
 /// What `--with falling` adds: a small swing grows, as one that is damped would die.
 fn driven(p: &Parameters, report: &mut Report) -> Result<()> {
-    let Some(fading) = p.falling else {
-        return Ok(());
-    };
+    let Some(fading) = p.falling else { return Ok(()) };
     let (gain, free) = (0.5 * p.gravity * fading * p.kinetic, rate(p, 1.0));
     allowed! {
         "thickness": p.thickness, from_to(0.0, 0.0), "friction that falls is for a thin plank";
@@ -396,8 +278,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let is_thin = (swing * swing * a / (2.0 * mu * p.gravity) - 1.0).abs() < 0.1;
     let told = falling < 0.1 * swing && is_thin;
     let grown = when(told, || grown(p, 0.1))?;
-    let board =
-        |thickness: f64| Ok::<_, kit::Error>(quarter(&p.but(|p| p.thickness = thickness))?.0);
+    let board = |h: f64| Ok::<_, kit::Error>(quarter(&p.but(|p| p.thickness = h))?.0);
     let slower = || Ok::<_, kit::Error>(board(0.02)? / board(0.0)? - 1.0);
     let slower = when(thick < 0.1, slower)?;
     effect_card! { report,
@@ -413,7 +294,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The accuracy strip: tops apart, from the start to the loss of the left roller.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (p, end) = (p.clone(), caught(p, -1.0).2);
+    let (p, end) = (p.clone(), caught(p, -1.0)[2]);
     if end.is_infinite() {
         return Ok(()); // at rest in the middle
     }
@@ -440,10 +321,7 @@ fn smooth(p: &Parameters, report: &mut Report) -> Result<()> {
             table.push([format!("{part:e}"), late, evaluations.to_string()])?;
         }
     }
-    if table.is_empty() {
-        return Ok(());
-    }
-    report.add(table)
+    if table.is_empty() { Ok(()) } else { report.add(table) }
 }
 
 example! {

@@ -111,9 +111,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let room = weighed(&asked, on_the_earth())?;
     let above = weighed(&asked, gradient()?)?;
     let by_air = by_angles(p, &asked.looks(&drag)?, |spin| drag.axial_torque(spin))?;
-    let by_dry = by_angles(p, &asked.looks(&rotor.dry()?)?, |spin| {
-        -bearing * spin.signum()
-    })?;
+    let by_dry = by_angles(p, &asked.looks(&rotor.dry()?)?, |spin| -bearing * spin.signum())?;
     claims! { report,
         /// how far the axis is from where it would be without the air, at most
         air: air, "rad", "DOP853 on (2), (3), L_z falling" => by_air, within 1e-7,
@@ -139,13 +137,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let q = question(p)?;
     // No pivot, no sag; a room that does not turn, no drift.
-    let still = Turning {
-        rate: SpaceVector::zero(),
-    };
-    let smooth = Spinner {
-        pivot: 0.0,
-        ..gyroscope(p)
-    };
+    let still = Turning { rate: SpaceVector::zero() };
+    let smooth = Spinner { pivot: 0.0, ..gyroscope(p) };
     // A free rotor in a turning room: its axis is left behind by the angle of the room.
     let upright = (q.scene.body()).state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, p.spin))?;
     let free = Question::new(Scene::new(*q.scene.body()), upright, q.end).of_axis();
@@ -246,12 +239,7 @@ fn tables(_: &Parameters, report: &mut Report) -> Result<()> {
     static TABLES: Prepared<(), Vec<Table>> = Prepared::new();
     let tables = TABLES.get(&(), |()| -> Result<_> {
         let methods = methods::table(&Parameters::default())?;
-        Ok(vec![
-            tries()?,
-            methods,
-            digits::table(&cases()?)?,
-            kept::table()?,
-        ])
+        Ok(vec![tries()?, methods, digits::table(&cases()?)?, kept::table()?])
     })?;
     report.add(tables.to_vec())
 }

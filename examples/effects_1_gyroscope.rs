@@ -81,11 +81,7 @@ impl Gyroscope {
             air: Some(DiscDrag::new(RADIUS, density, viscosity, spin)?),
         };
         let start = gimbals.released(p.theta, spin);
-        let gyroscope = Self {
-            gimbals,
-            bearings,
-            start,
-        };
+        let gyroscope = Self { gimbals, bearings, start };
         gyroscope.dying()
     }
 
@@ -256,17 +252,9 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let walk = quick.precession / quick.period * fast / g.weight_moment();
     let nods = TAU / quick.period / (fast * sin(p.theta));
     let fixed = with(1e18)?;
-    let pendulum = Suspension {
-        moment: I1,
-        mass: MASS,
-        gravity: GRAVITY,
-        lever: LENGTH,
-    };
+    let pendulum = Suspension { moment: I1, mass: MASS, gravity: GRAVITY, lever: LENGTH };
     let pendulum = Pendulum::new(pendulum, PI - p.theta, 0.0)?.period();
-    let axle = Bearings {
-        axle: Bearing::new(0.0, 0.1)?,
-        ..Bearings::SMOOTH
-    };
+    let axle = Bearings { axle: Bearing::new(0.0, 0.1)?, ..Bearings::SMOOTH };
     let braked = y.with(axle).run(None, 0.5, p.tolerance)?.at(0.5)?;
     limits! { report,
         /// a top on a pivot, by elliptic functions
@@ -292,13 +280,10 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let nod = NutationCycle::of(&y.gimbals, &y.start)?;
     let asked = [p.tolerance, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
     let (gimbals, start) = (y.gimbals, y.start);
-    report.set_closed_form(ClosedForm::new(move |_| {
-        Ok(NutationCycle::of(&gimbals, &start)?.period)
-    }));
+    report
+        .set_closed_form(ClosedForm::new(move |_| Ok(NutationCycle::of(&gimbals, &start)?.period)));
     let back = move |step: f64| {
-        Dop853::new(step)?.zero(&y.gimbals, y.start.to_array(), 2, 3.0 * nod.period, |y| {
-            y[1]
-        })
+        Dop853::new(step)?.zero(&y.gimbals, y.start.to_array(), 2, 3.0 * nod.period, |y| y[1])
     };
     report.dial_of_return(asked, back, nod.period, p.theta)
 }

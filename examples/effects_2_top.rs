@@ -55,12 +55,7 @@ impl Parameters {
     }
 
     fn air(&self) -> rotation_dynamics::Result<DiscDrag> {
-        DiscDrag::new(
-            RIM,
-            DiscDrag::AIR_DENSITY,
-            DiscDrag::AIR_VISCOSITY,
-            self.spin,
-        )
+        DiscDrag::new(RIM, DiscDrag::AIR_DENSITY, DiscDrag::AIR_VISCOSITY, self.spin)
     }
 
     /// The radius of the patch that the weight presses into tip and floor.
@@ -199,9 +194,8 @@ pub fn growth(p: &Parameters, spin: f64) -> Result<f64> {
     // Over whole turns of the precession what is left of a nod averages out.
     let turn = TAU / p.precession(spin.max(1.02 * p.rolling_spin()));
     let mean = |from: f64| -> Result<f64> {
-        let sizes = sampled(times(from, from + turn, 200), |t| {
-            Ok(log(run.configuration(t)?.tilt()))
-        })?;
+        let sizes =
+            sampled(times(from, from + turn, 200), |t| Ok(log(run.configuration(t)?.tilt())))?;
         Ok(sizes.iter().sum::<f64>() / 201.0)
     };
     let (from, to) = (8.0, 8.0 + 10.0 * turn.min(0.7));
@@ -223,24 +217,16 @@ fn least_by_growth(p: &Parameters) -> Result<f64> {
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let sleeps = above(1.25).because("a slower one does not sleep");
-    sleeps.check(
-        "spin over the least spin of a sleeping top",
-        p.spin / p.least_spin(),
-    )?;
+    sleeps.check("spin over the least spin of a sleeping top", p.spin / p.least_spin())?;
     let (life, again) = (p.life(p.tolerance)?, p.life(0.1 * p.tolerance)?);
     let at = |name| -> Result<[Configuration; 2]> {
-        Ok([
-            life.configuration_at(life.event(name)?),
-            again.configuration_at(again.event(name)?),
-        ])
+        Ok([life.configuration_at(life.event(name)?), again.configuration_at(again.event(name)?)])
     };
     let when = |name| -> Result<[f64; 2]> { Ok([life.event(name)?.t, again.event(name)?.t]) };
     let first = life.configuration(0.0)?;
     // With so little friction it goes on at one rate, and without a nod.
     let gentle = Top::new(p.shape()?, GRAVITY)?.on(Dry::new(1e-3 * p.friction)?);
-    let gentle = gentle
-        .simulate(&p.throw(), 3.0, 1e-12)?
-        .configuration(3.0)?;
+    let gentle = gentle.simulate(&p.throw(), 3.0, 1e-12)?.configuration(3.0)?;
     let risen = 1e3 * (p.tilt - gentle.tilt()) / 3.0;
     let [creeps, creeps_again] = when("creeps")?;
     let [asleep, asleep_again] = when("sleeps")?;
@@ -253,9 +239,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let late = life.event("unstable")?.t * 0.9;
     let fast = life.configuration(early)?.spin();
     let slow = life.configuration(late)?.spin();
-    let slept = kit::simpson([slow, fast], 200, |w| {
-        Ok::<_, kit::Error>(1.0 / p.braking(w)?)
-    })?;
+    let slept = kit::simpson([slow, fast], 200, |w| Ok::<_, kit::Error>(1.0 / p.braking(w)?))?;
     let crossed = least_by_growth(p)?;
     let (leans, settles) = (p.slope * (LEVER + p.tip) / LEVER, p.settling(p.spin)?);
     let bound = 1e3 * p.tolerance;
@@ -266,9 +250,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let later = log(300.0) / grown;
     let touches = asin(p.tip / hypot(RIM, LEVER)) + atan2(LEVER, RIM);
     let grip = |step: f64| -> Result<[f64; 2]> {
-        let point = p
-            .toy(Dry::new(p.friction)?)?
-            .simulate(&p.throw(), 5.0, step)?;
+        let point = p.toy(Dry::new(p.friction)?)?.simulate(&p.throw(), 5.0, step)?;
         let event = point.event("grips")?;
         Ok([event.t, point.configuration_at(event).tilt()])
     };
@@ -320,27 +302,17 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let top = || Top::new(p.shape()?, GRAVITY);
     let kept = |part: [f64; 2]| (part[1] / part[0] - 1.0).abs();
-    let point = top()?
-        .on(Dry::new(p.friction)?)
-        .simulate(&p.throw(), 2.0, p.tolerance)?;
+    let point = top()?.on(Dry::new(p.friction)?).simulate(&p.throw(), 2.0, p.tolerance)?;
     let ends = |f: &dyn Fn(&Configuration) -> f64| -> Result<[f64; 2]> {
         Ok([f(&point.configuration(0.0)?), f(&point.configuration(2.0)?)])
     };
     let jellett = ends(&|at| point.top().jellett(at))?;
     let smooth = top()?.simulate(&p.throw(), 2.0, p.tolerance)?;
     let first = smooth.configuration(0.0)?;
-    let energies = [
-        smooth.top().energy(&first),
-        smooth.top().energy(&smooth.configuration(2.0)?),
-    ];
-    let rolls = top()?
-        .on(NoSlip)
-        .simulate(&p.throw().rolling(), 2.0, p.tolerance)?;
-    let held = [0.0, 2.0].map(|t| {
-        rolls
-            .configuration(t)
-            .map_or(f64::NAN, |at| rolls.top().energy(&at))
-    });
+    let energies = [smooth.top().energy(&first), smooth.top().energy(&smooth.configuration(2.0)?)];
+    let rolls = top()?.on(NoSlip).simulate(&p.throw().rolling(), 2.0, p.tolerance)?;
+    let held =
+        [0.0, 2.0].map(|t| rolls.configuration(t).map_or(f64::NAN, |at| rolls.top().energy(&at)));
     // The spins at which a top can sleep, for a tip that shrinks to a point.
     let sharp = p.but(|p| p.tip = 1e-9);
     let notes = 2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL;

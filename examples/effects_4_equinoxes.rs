@@ -201,17 +201,13 @@ fn precession(p: &Parameters, report: &mut Report) -> Result<()> {
     let (own, year) = (sun(p)?, ANOMALISTIC_YEAR * DAY);
     let alone = axis(p, |t| [own.pull(t)]);
     let mean = pole([0.0, p.obliquity]);
-    let after = Dop853::new(p.tolerance)?
-        .advance(&alone, 0.0, &mean, year)?
-        .0;
+    let after = Dop853::new(p.tolerance)?.advance(&alone, 0.0, &mean, year)?.0;
     let by_sun = angles(after)[0] / year;
     // The Moon's ring while its node goes from the equinox to the equinox.
     let ring = moon(p)?.averaged()?;
     let round = TAU / (TAU / (p.node_period * YEAR) + moon_rate);
     let turning = axis(p, |t| [ring.pull(t)]);
-    let after = Dop853::new(p.tolerance)?
-        .advance(&turning, 0.0, &start(p, 1)?, round)?
-        .0;
+    let after = Dop853::new(p.tolerance)?.advance(&turning, 0.0, &start(p, 1)?, round)?.0;
     let by_moon = (angles(after)[0] - angles(start(p, 1)?)[0]) / round;
     let by_both = nutation::Spectrum::of(p)?.rate;
     // In a year the equinox has moved, and with it the phase of the half-yearly nutation.

@@ -128,11 +128,7 @@ impl Lossy {
         let moments = PrincipalMoments::new(least, 1.0, largest)?;
         let inverse = [1.0 / least, 1.0, 1.0 / largest];
         let free = FreeFlow::new(moments);
-        Ok(Self {
-            inverse,
-            loss,
-            free,
-        })
+        Ok(Self { inverse, loss, free })
     }
 
     /// 1/I1 - 1/I2 and 1/I2 - 1/I3.
@@ -193,9 +189,7 @@ impl Lossy {
     pub fn edge_angles(&self, beyond: f64) -> Result<Vec<f64>> {
         let met = self.edges(beyond)?;
         let edges = met.events().iter().filter(|event| event.name == "edge");
-        Ok(edges
-            .map(|event| atan2(event.state[0].abs(), event.state[1].abs()))
-            .collect())
+        Ok(edges.map(|event| atan2(event.state[0].abs(), event.state[1].abs())).collect())
     }
 
     /// An edge between two starts that end on different sides, by halving.
@@ -217,19 +211,12 @@ impl Lossy {
     pub fn averaged(&self, above: f64) -> Result<[f64; 2]> {
         let [one, three] = self.gaps();
         // The polhode goes round the axis `near`.
-        let (near, far) = if above > 0.0 {
-            (one, three)
-        } else {
-            (three, one)
-        };
+        let (near, far) = if above > 0.0 { (one, three) } else { (three, one) };
         let (inside, outside) = (near - above.abs(), far + above.abs());
         let modulus = Modulus::from_m1((near + far) * above.abs() / (near * outside))?;
         let quarter = legendre::k(modulus)?;
         let square = inside / near * legendre::complete_d(modulus)? / quarter;
-        Ok([
-            inside * outside - near * far * square,
-            2.0 * quarter / (near * outside).sqrt(),
-        ])
+        Ok([inside * outside - near * far * square, 2.0 * quarter / (near * outside).sqrt()])
     }
     // ANCHOR_END: averaged
 
@@ -241,11 +228,7 @@ impl Lossy {
         for i in 1..=pieces {
             let s = f64::from(i) / f64::from(pieces);
             let [mean, half] = self.averaged(to + (from - to) * s * s * s * s)?;
-            let weight = if i == pieces {
-                1.0
-            } else {
-                f64::from(2 + 2 * (i % 2))
-            };
+            let weight = if i == pieces { 1.0 } else { f64::from(2 + 2 * (i % 2)) };
             let slowness = weight * 4.0 * (from - to) * s * s * s / (2.0 * self.loss * mean);
             sums = [sums[0] + slowness, sums[1] + slowness / half];
         }
@@ -337,18 +320,9 @@ fn flips(p: &Parameters, report: &mut Report) -> Result<()> {
     let edges = body.edge_angles(aside)?;
     let below = edges.iter().filter(|edge| **edge < aside).count();
     let parity = if below % 2 == 0 { -1.0 } else { 1.0 };
-    let near = edges
-        .iter()
-        .copied()
-        .min_by(|a, b| (a - aside).abs().total_cmp(&(b - aside).abs()));
-    let near = near.ok_or(rotation_dynamics::Error::NotReached {
-        name: "edge",
-        until: aside,
-    })?;
-    let width = edges
-        .windows(2)
-        .map(|pair| pair[1] - pair[0])
-        .fold(edges[0], f64::min);
+    let near = edges.iter().copied().min_by(|a, b| (a - aside).abs().total_cmp(&(b - aside).abs()));
+    let near = near.ok_or(rotation_dynamics::Error::NotReached { name: "edge", until: aside })?;
+    let width = edges.windows(2).map(|pair| pair[1] - pair[0]).fold(edges[0], f64::min);
     let found = body.halved(near - 0.3 * width, near + 0.3 * width)?;
     let away = (near - aside).abs();
     let leaves = 0.5 * p.loss * (2.0 * one + three);
@@ -384,9 +358,7 @@ fn split(body: &Lossy, aside: f64, t: f64) -> Result<(f64, [f64; 3])> {
         // So many steps while the fastest rate turns by a radian.
         let steps = (4.0 * body.inverse[0] * time.abs()) as u64 + 1;
         Ok::<_, rotation_dynamics::Error>(
-            Splitting::new(Scheme::KAHAN_LI17, steps)?
-                .advance(body, 0.0, n, time)?
-                .0,
+            Splitting::new(Scheme::KAHAN_LI17, steps)?.advance(body, 0.0, n, time)?.0,
         )
     };
     let there = advance(&start(aside), t)?;
@@ -470,18 +442,11 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (seen, cost) = if if thin { ratio > 1.02 } else { ratio < 0.98 } {
         let (_, other, its) = ended(whipped)?;
         let [before, after] = [work, its].map(|work| work.derivatives);
-        (
-            Some((other / rate - 1.0).abs()),
-            format!("{before} derivatives, {after} derivatives"),
-        )
+        (Some((other / rate - 1.0).abs()), format!("{before} derivatives, {after} derivatives"))
     } else {
         (None, "-".into())
     };
-    let turns = if thin {
-        FRAC_PI_2 - p.nutation
-    } else {
-        p.nutation
-    };
+    let turns = if thin { FRAC_PI_2 - p.nutation } else { p.nutation };
     effect_card! { report,
         "it is not rigid inside": "a times L" = bent, costs turns, "rad of nutation",
             measured (angle - p.nutation).abs(), within 1e-3, at_work work, included;
@@ -497,10 +462,7 @@ fn averaging(p: &Parameters) -> Result<Table> {
     let columns = "loss, flips, averaged, half way, averaged to half way, off by flips, separatrix, averaged to it";
     let mut table = Table::new("averaging", columns.split(", "))?;
     for part in [4.0, 2.0, 1.0, 0.5] {
-        let body = Lossy {
-            loss: part * p.loss,
-            ..lossy(p)?
-        };
+        let body = Lossy { loss: part * p.loss, ..lossy(p)? };
         let fallen = body.fall(p.aside, 1e-12)?;
         let flips = fallen.events().len() - 1;
         let from = body.above(&start(p.aside));
@@ -529,10 +491,7 @@ pub fn half_way(body: &Lossy, aside: f64) -> Result<f64> {
     let half = 0.5 * body.above(&start(aside));
     let there = |n: &[f64; 3]| body.above(n) - half;
     let until = 1e3 / body.loss;
-    Ok(Dop853::new(1e-13)?
-        .zero(&body.equations(), start(aside), 1, until, there)?
-        .0
-        .t)
+    Ok(Dop853::new(1e-13)?.zero(&body.equations(), start(aside), 1, until, there)?.0.t)
 }
 
 /// The error of L's direction after `time`, and the work: evaluations of the loss.
@@ -543,9 +502,7 @@ pub fn price(
     scheme: Option<Scheme>,
     fine: f64,
 ) -> Result<(f64, Work)> {
-    let exact = Dop853::new(1e-15)?
-        .advance(&body.equations(), 0.0, &start(aside), time)?
-        .0;
+    let exact = Dop853::new(1e-15)?.advance(&body.equations(), 0.0, &start(aside), time)?.0;
     let (n, work) = match scheme {
         Some(scheme) => {
             Splitting::new(scheme, fine as u64)?.advance(body, 0.0, &start(aside), time)?
@@ -571,10 +528,7 @@ fn prices(p: &Parameters) -> Result<Table> {
     let columns = "loss, evaluations by the splitting, its free flows, evaluations by DOP853";
     let mut table = Table::new("prices", columns.split(", "))?;
     for part in [1.0, 0.1, 0.01] {
-        let body = Lossy {
-            loss: part * p.loss,
-            ..lossy(p)?
-        };
+        let body = Lossy { loss: part * p.loss, ..lossy(p)? };
         let split = least_price(&body, p.aside, Some(Scheme::ABA1064))?.unwrap_or_default();
         let steps = least_price(&body, p.aside, None)?.unwrap_or_default();
         let counts = [split.kicks, split.flows, steps.derivatives].map(|n| n.to_string());

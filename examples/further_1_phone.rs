@@ -160,10 +160,7 @@ fn lopsided(p: &Parameters, [i1, i2, _]: [f64; 3]) -> Result<[f64; 2]> {
     let slab = solids::cuboid(p.mass, p.length, p.width, p.thickness)?;
     let mut parts = vec![slab];
     if p.lump > 0.0 {
-        parts.push(MassProperties::of_points(&[(
-            p.lump,
-            DesignVector::new(x, y, 0.0),
-        )])?);
+        parts.push(MassProperties::of_points(&[(p.lump, DesignVector::new(x, y, 0.0))])?);
     }
     let both = MassProperties::of_parts(&parts)?.about_centre_of_mass();
     let [_, middle, _] = both.principal_axes().axes();
@@ -212,10 +209,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let aimed = pace * caught < 25.0; // else no double is near enough to the axis
     let tenth = |tilt| Throw::new(moments, turn, tilt, 0.0);
     let waited = tenth(1e-7).flip(1, 1e-15)?.t - tenth(1e-6).flip(1, 1e-15)?.t;
-    let [exact, run] = [
-        throw.free()?.attitude(caught),
-        throw.stepped(caught, 1e-15)?,
-    ];
+    let [exact, run] = [throw.free()?.attitude(caught), throw.stepped(caught, 1e-15)?];
     let away = |attitude: &Attitude| attitude.to_space(BodyVector::new(1.0, 0.0, 0.0)).x();
     let sways = |axis: usize| {
         let (angle, throw) = sway(moments, axis, tilt);
@@ -231,10 +225,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     let down =
         |of: &dyn Fn(&Throw) -> Result<f64>| part(hands(2500), |throw| Ok(of(&throw)? < 0.0));
-    let steady = [
-        steady(moments, 1.0, p.spread)?,
-        steady(moments, turns * caught, p.spread)?,
-    ];
+    let steady = [steady(moments, 1.0, p.spread)?, steady(moments, turns * caught, p.spread)?];
     // The strip is that of small strays.
     let [into_1, into_3] = exchange(moments);
     let askance = 0.2 * p.spread * p.spread / into_1.min(into_3);
@@ -326,9 +317,7 @@ pub fn over<'a>() -> rotation_dynamics::integrators::Event<'a, 3> {
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let moments = slab(p)?;
     let [into_1, into_3] = exchange(moments);
-    let (pace, tiny) = (growth(moments), |toward| {
-        Throw::new(moments, 1.0, 1e-9, toward)
-    });
+    let (pace, tiny) = (growth(moments), |toward| Throw::new(moments, 1.0, 1e-9, toward));
     let wait = |factor: f64| log(4.0 * factor / 1e-9) / pace;
     let lean = (into_1 / into_3).sqrt();
     let never = atan2(1.0, lean); // p = lean r
@@ -387,14 +376,9 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // Wind of the flight on a face, its centre of pressure a tenth of the width off.
     let wind = 0.5 * 1.204 * 1.2 * p.length * p.width * speed * speed * 0.1 * p.width;
     let gradient = 3.0 * 9.80665 / 6.371e6 * (i3 - i1) / i2;
-    let sooner = Throw::new(
-        throw.moments,
-        turn,
-        p.tilt + 0.0175 * p.tilt.signum(),
-        p.toward,
-    )
-    .flip(1, 1e-12)?
-    .t;
+    let sooner = Throw::new(throw.moments, turn, p.tilt + 0.0175 * p.tilt.signum(), p.toward)
+        .flip(1, 1e-12)?
+        .t;
     let sooner = small.then_some(first - sooner);
     effect_card! { report,
         "a degree in the throw": "delta/tilt" = 0.0175 / tilt, costs log(1.0 + 0.0175 / tilt) / pace, "s to the first flip",
@@ -410,13 +394,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 /// Ten flips in a row: closed form, steps that hold an error, and steps of a clock.
 fn ten_flips(p: &Parameters, report: &mut Report) -> Result<()> {
     let throw = thrown(p)?;
-    let columns = [
-        "flip",
-        "closed form",
-        "DOP853, 1e-15",
-        "DOP853, 1e-6",
-        "RK4, 60 steps a second",
-    ];
+    let columns =
+        ["flip", "closed form", "DOP853, 1e-15", "DOP853, 1e-6", "RK4, 60 steps a second"];
     let mut table = Table::new("ten", columns)?;
     for (n, ([exact, fine, coarse], clock)) in (1..).zip(ten(&throw)?) {
         let off = |t: f64| format!("{:+.1e} s", t - exact);
@@ -462,17 +441,10 @@ pub fn ten(throw: &Throw) -> Result<Vec<([f64; 3], Option<f64>)>> {
 /// Thrown about the short edge to the last bit, and stepped with attitude and L in space: when
 /// it turns over all the same, if it does within thirty turns.
 pub fn by_rounding(moments: [f64; 3], step: f64) -> Result<Option<f64>> {
-    let throw = Throw {
-        moments,
-        rates: [0.0, TAU, 0.0],
-    };
+    let throw = Throw { moments, rates: [0.0, TAU, 0.0] };
     let (scene, method) = (Scene::new(throw.body()?), Dop853::new(step)?);
     // Held in no special direction.
-    let held = Attitude::from_euler(EulerAngles {
-        phi: 0.3,
-        theta: 1.0,
-        zeta: 0.4,
-    })?;
+    let held = Attitude::from_euler(EulerAngles { phi: 0.3, theta: 1.0, zeta: 0.4 })?;
     let rates = BodyVector::from_array(throw.rates);
     let (mut state, mut last) = (throw.body()?.state(held, rates)?, 0.0);
     for t in times(0.0, 30.0, 600).skip(1) {
@@ -488,14 +460,8 @@ pub fn by_rounding(moments: [f64; 3], step: f64) -> Result<Option<f64>> {
 /// [`by_rounding`], for three errors of a step.
 fn rounding(p: &Parameters, report: &mut Report) -> Result<()> {
     let mut table = Table::new("rounding", ["stepped", "half over after"])?;
-    let body = Dop853::new(1e-6)?
-        .advance(&euler(slab(p)?), 0.0, &[0.0, TAU, 0.0], 1000.0)?
-        .0;
-    let never = if body == [0.0, TAU, 0.0] {
-        "never in 1000 turns"
-    } else {
-        "it has strayed"
-    };
+    let body = Dop853::new(1e-6)?.advance(&euler(slab(p)?), 0.0, &[0.0, TAU, 0.0], 1000.0)?.0;
+    let never = if body == [0.0, TAU, 0.0] { "never in 1000 turns" } else { "it has strayed" };
     table.push(["rates on the body's axes, 1e-6", never])?;
     for step in [1e-6, 1e-10, 1e-15] {
         let after = by_rounding(slab(p)?, step)?;
@@ -516,12 +482,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
             false => 0.5 * throw.until_flip()?,
         },
     );
-    let problem = Problem::new(
-        Scene::new(throw.body()?),
-        throw.start()?,
-        end,
-        motion.state(end),
-    );
+    let problem = Problem::new(Scene::new(throw.body()?), throw.start()?, end, motion.state(end));
     let problem = problem.in_closed_form(move |t| motion.attitude(t));
     report.strip(&problem, &[p.tolerance, 1e-3, 1e-6, 1e-10])
 }

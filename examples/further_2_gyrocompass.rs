@@ -238,10 +238,7 @@ impl Compass {
         let damping = self.offset * rate * level;
         let across = (north * c + rate) / (level * level);
         let along = north * s * raised / level;
-        [
-            0.5 * (damping - along),
-            north * c * across - along * damping,
-        ]
+        [0.5 * (damping - along), north * c * across - along * damping]
     }
 
     /// The slow swing of the whole body about a level rest: its angular frequency, and its
@@ -302,10 +299,7 @@ fn ship(p: &Parameters, speed: f64, within: f64) -> impl Fn(f64) -> (SpaceVector
     move |t| {
         let x = (t / within).min(1.0);
         let push = 6.0 * x * (1.0 - x) * speed / (within * g);
-        (
-            horizon(EARTH, latitude, speed * x * x * (3.0 - 2.0 * x)),
-            push,
-        )
+        (horizon(EARTH, latitude, speed * x * x * (3.0 - 2.0 * x)), push)
     }
 }
 
@@ -362,12 +356,7 @@ fn flatness(c: Compass) -> Result<f64> {
         let port = c.slow(move |_| (c.horizon, 0.0));
         let start = axle(size, rest).to_array();
         Ok::<_, rotation_dynamics::Error>(
-            angles(
-                Dop853::new(1e-14)?
-                    .zero(&port, start, count, 1e8, |y| y[0])?
-                    .0
-                    .state,
-            )[1],
+            angles(Dop853::new(1e-14)?.zero(&port, start, count, 1e8, |y| y[0])?.0.state)[1],
         )
     };
     Ok(0.5 * (crossing(1)? - crossing(2)?) / size)
@@ -418,9 +407,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         if !damps {
             return Ok(0.0);
         }
-        Ok(Compass { rider, ..damped }
-            .run([0.0, 0.0], 200.0 / decay.min(rate), 1e-14)?
-            .end_state()[0])
+        Ok(Compass { rider, ..damped }.run([0.0, 0.0], 200.0 / decay.min(rate), 1e-14)?.end_state()
+            [0])
     });
     let off = -atan2(p.speed / RADIUS, north);
     let sailing = c.but(|c| c.horizon = horizon(EARTH, p.latitude, p.speed));
@@ -491,11 +479,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let stiff = 1e9 * c.momentum * c.momentum / c.transverse;
     let with = |pendulosity| Compass { pendulosity, ..c };
     let level = horizon(EARTH, 0.0, 0.0);
-    let thin = Compass {
-        transverse: 1e-6 * c.transverse,
-        horizon: level,
-        ..c
-    };
+    let thin = Compass { transverse: 1e-6 * c.transverse, horizon: level, ..c };
     let at = |latitude| p.but(|p| (p.latitude, p.offset) = (latitude, 0.0));
     let pole = |latitude| {
         Ok::<_, kit::Error>(Compass::of(&at(latitude))?.foucault_rate() / cos(latitude).sqrt())
@@ -520,16 +504,10 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let c = Compass::new(p)?;
     let (north, rate) = (c.north(), c.linear()[1].sqrt());
     let (grip, ratio) = (1e-6 / (c.momentum * north), rate / c.foucault_rate());
-    let [way, sail] = [
-        p.speed / RADIUS * 2.0 * PI / rate,
-        p.speed / (RADIUS * north),
-    ]
-    .map(f64::abs);
+    let [way, sail] =
+        [p.speed / RADIUS * 2.0 * PI / rate, p.speed / (RADIUS * north)].map(f64::abs);
     let (wide, flattening) = (p.release * p.release / 16.0, 1.0 / 298.257);
-    let narrow = Parameters {
-        release: 0.01 * p.release,
-        ..p.clone()
-    };
+    let narrow = Parameters { release: 0.01 * p.release, ..p.clone() };
     let [swing, small] = [p, &narrow].map(|p| turned(p, 2, 1e-12));
     let longer = swing?.0.t / small?.0.t - 1.0;
     effect_card! { report,
@@ -550,12 +528,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let period = compass.foucault_period(release)?;
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12];
     report.set_closed_form(ClosedForm::new(move |_| compass.foucault_period(release)));
-    report.dial_of_return(
-        asked,
-        move |step| compass.turned(release, 2, step),
-        period,
-        sin(release),
-    )
+    report.dial_of_return(asked, move |step| compass.turned(release, 2, step), period, sin(release))
 }
 
 example! {

@@ -105,10 +105,7 @@ impl Settling {
 
     /// The steady motion through which a disc passes that has settled for long.
     pub fn passing(tilt: f64) -> Steady {
-        Steady {
-            tilt,
-            circle: 5.0 / 18.0 * tilt * tilt,
-        }
+        Steady { tilt, circle: 5.0 / 18.0 * tilt * tilt }
     }
 
     /// Time left until the singularity.
@@ -176,15 +173,7 @@ impl Case {
         let soon = from_to(0.0, 3e4).because("a smaller loss takes too long to simulate");
         soon.check("turns until it has settled", turns)?;
         let step = p.tolerance;
-        Ok(Self {
-            time,
-            loss,
-            law,
-            end,
-            film,
-            start: p.start,
-            step,
-        })
+        Ok(Self { time, loss, law, end, film, start: p.start, step })
     }
 
     /// The settling simulated, to the film. It starts as one that has settled for long: with
@@ -192,28 +181,15 @@ impl Case {
     fn simulate(&self) -> Result<Settled> {
         let steady = Settling::passing(self.start);
         let falling = -self.law.k * pow(self.start, -self.law.n);
-        let from = placed(
-            self.start,
-            [steady.rate(), falling, steady.spin()],
-            steady.circle,
-        )?;
+        let from = placed(self.start, [steady.rate(), falling, steady.spin()], steady.circle)?;
         let marks = [0.4, 0.2, 0.1].map(|part| part * self.start);
         let until = 2.0 * self.law.left(self.start);
         let run = settling(self.loss, from, &marks, self.film, until, self.step)?;
-        let passed: Vec<f64> = run
-            .events()
-            .iter()
-            .filter(|e| e.name == "mark")
-            .map(|e| e.t)
-            .collect();
+        let passed: Vec<f64> =
+            run.events().iter().filter(|e| e.name == "mark").map(|e| e.t).collect();
         // Slow enough there for the law to say what is left.
         let end = passed[2] + self.law.left(marks[2]);
-        Ok(Settled {
-            run,
-            passed,
-            end,
-            loss: self.loss,
-        })
+        Ok(Settled { run, passed, end, loss: self.loss })
     }
 }
 
@@ -253,10 +229,7 @@ pub fn bend(exponent: f64, t: &[f64], rates: &[f64]) -> f64 {
 
 /// The steady motion of the page; refused if there is none or the disc would leave it.
 fn steady(p: &Parameters) -> Result<Steady> {
-    let motion = Steady {
-        tilt: p.inclination,
-        circle: p.circle,
-    };
+    let motion = Steady { tilt: p.inclination, circle: p.circle };
     let pressed = above(0.0).because("else no rate holds it on this circle");
     let room = cos(p.inclination) - 6.0 * p.circle;
     pressed.check("cos(inclination) - 6 circle", room)?;
@@ -269,15 +242,10 @@ fn steady(p: &Parameters) -> Result<Steady> {
 
 /// A turn of the contact, simulated: how long, and where it ends.
 fn turn(motion: Steady, step: f64) -> Result<(f64, Disc, [f64; 2])> {
-    let start = placed(
-        motion.tilt,
-        [motion.rate(), 0.0, motion.spin()],
-        motion.circle,
-    )?;
+    let start = placed(motion.tilt, [motion.rate(), 0.0, motion.spin()], motion.circle)?;
     let until = 2.0 * TAU / motion.rate();
-    let (back, _) = Dop853::new(step)?.zero(&rolling(Loss::None), start, 2, until, |y| {
-        Disc::new(y).axis.x()
-    })?;
+    let (back, _) = Dop853::new(step)?
+        .zero(&rolling(Loss::None), start, 2, until, |y| Disc::new(y).axis.x())?;
     let [w, x, y, z, ..] = back.state;
     let angles = Attitude::from_quaternion([w, x, y, z])?.euler_angles();
     Ok((back.t, Disc::new(&back.state), [angles.phi, angles.zeta]))
@@ -346,15 +314,8 @@ fn last_seconds(p: &Parameters, report: &mut Report) -> Result<()> {
         .because("longer than the disc settles there is nothing left")
         .check("left, down to where the law ends,", asked)?;
     let (by_air, by_rolling) = (air.simulate()?, rolls.simulate()?);
-    let run = if p.loss == "air" {
-        &by_air
-    } else {
-        &by_rolling
-    };
-    table_of_ends(
-        [("air", &air, &by_air), ("rolling", &rolls, &by_rolling)],
-        report,
-    )?;
+    let run = if p.loss == "air" { &by_air } else { &by_rolling };
+    table_of_ends([("air", &air, &by_air), ("rolling", &rolls, &by_rolling)], report)?;
     let hasty = |case: &Case| 3.0 * pow(case.law.haste(0.1 * p.start), 2.0);
     let tilt = law.tilt(asked / time);
     let near = 3.0 * pow(p.start, 4.0) + hasty(case);
@@ -362,9 +323,7 @@ fn last_seconds(p: &Parameters, report: &mut Report) -> Result<()> {
     let then = run.at(run.end - asked / time);
     let told = then.as_ref().map_or(f64::NAN, |disc| disc.tilt);
     let tone = |tilt: f64| Settling::passing(tilt).rate() / (TAU * time);
-    let sounds = then
-        .as_ref()
-        .map_or(f64::NAN, |disc| disc.rate / (TAU * time));
+    let sounds = then.as_ref().map_or(f64::NAN, |disc| disc.rate / (TAU * time));
     let (turns, rest) = (law.turns(case.start), law.turns(0.1 * case.start));
     let equal = pow(air.law.k / rolls.law.k, 2.0 / 3.0);
     let power = |case: &Case| case.loss.drag(equal, 2.0 / equal.sqrt());
@@ -402,17 +361,9 @@ fn last_seconds(p: &Parameters, report: &mut Report) -> Result<()> {
             )
             .agrees_with("simulated", run.turns(run.passed[2])?, near * turns)
             .slip(TAU * (turns - rest), "that is in radians"),
-            claim(
-                "tilt_left",
-                "inclination when so much time is left",
-                tilt,
-                "rad",
-            )
-            .agrees_with("simulated", told, near * tilt)
-            .slip(
-                case.start * asked / (whole * time),
-                "it does not sink at an even rate",
-            ),
+            claim("tilt_left", "inclination when so much time is left", tilt, "rad")
+                .agrees_with("simulated", told, near * tilt)
+                .slip(case.start * asked / (whole * time), "it does not sink at an even rate"),
             claim("tone_left", "tone then", tone(tilt), "Hz")
                 .agrees_with("simulated", sounds, near * tone(tilt))
                 .slip(TAU * tone(tilt), "that is in radians a second"),
@@ -426,9 +377,7 @@ fn last_seconds(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The end once more: where the law's fall, taken by differences, is g, or the film.
 fn ending(case: &Case) -> f64 {
-    let (tilt, speed) = (case.law.falls(), |tilt: f64| {
-        case.law.k * pow(tilt, -case.law.n)
-    });
+    let (tilt, speed) = (case.law.falls(), |tilt: f64| case.law.k * pow(tilt, -case.law.n));
     let slope = (speed(0.9999 * tilt) - speed(1.0001 * tilt)) / (2e-4 * tilt);
     case.film.max(tilt * speed(tilt) * slope)
 }
@@ -436,32 +385,16 @@ fn ending(case: &Case) -> f64 {
 /// Time in which the law falls from there to nothing, by the rule of midpoints.
 fn fallen(law: &Settling, from: f64) -> f64 {
     let h = from / 4000.0;
-    (0..4000)
-        .map(|i| h * pow(h * (f64::from(i) + 0.5), law.n) / law.k)
-        .sum()
+    (0..4000).map(|i| h * pow(h * (f64::from(i) + 0.5), law.n) / law.k).sum()
 }
 
 /// Upright, flat, and falling.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
-    let flat = Steady {
-        tilt: 1e-4,
-        circle: 0.0,
-    };
-    let upright = Steady {
-        tilt: FRAC_PI_2 - 1e-6,
-        circle: 0.0,
-    };
-    let coin = Steady {
-        tilt: FRAC_PI_2 - 1e-4,
-        circle: -1e3,
-    };
-    let falls = Disc::new(&placed(1e-3, [0.0; 3], 0.0)?)
-        .force(Loss::None)
-        .z();
-    let motion = Steady {
-        tilt: p.inclination,
-        circle: 0.0,
-    };
+    let flat = Steady { tilt: 1e-4, circle: 0.0 };
+    let upright = Steady { tilt: FRAC_PI_2 - 1e-6, circle: 0.0 };
+    let coin = Steady { tilt: FRAC_PI_2 - 1e-4, circle: -1e3 };
+    let falls = Disc::new(&placed(1e-3, [0.0; 3], 0.0)?).force(Loss::None).z();
+    let motion = Steady { tilt: p.inclination, circle: 0.0 };
     let (_, disc, _) = turn(motion, p.tolerance)?;
     let held = disc.force(Loss::None) - SpaceVector::new(0.0, 0.0, 1.0);
     limits! { report,
@@ -509,9 +442,7 @@ fn both([air, rolls]: [&Case; 2]) -> Result<(f64, f64, Work)> {
     };
     let left = |from: f64| {
         let h = from / 4000.0;
-        (0..4000)
-            .map(|i| h / fall(h * (f64::from(i) + 0.5)))
-            .sum::<f64>()
+        (0..4000).map(|i| h / fall(h * (f64::from(i) + 0.5))).sum::<f64>()
     };
     let (Loss::Air(viscosity), Loss::Rolling(part)) = (air.loss, rolls.loss) else {
         return Ok((f64::NAN, f64::NAN, Work::default()));
@@ -556,16 +487,11 @@ fn effects(p: &Parameters, cases: [&Case; 2], alone: &Settled, report: &mut Repo
 /// The accuracy strip: a turn of the steady motion.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let motion = steady(p)?;
-    let start = placed(
-        motion.tilt,
-        [motion.rate(), 0.0, motion.spin()],
-        motion.circle,
-    )?;
+    let start = placed(motion.tilt, [motion.rate(), 0.0, motion.spin()], motion.circle)?;
     let period = TAU / motion.rate();
     let back = move |step: f64| {
-        Dop853::new(step)?.zero(&rolling(Loss::None), start, 2, 2.0 * period, |y| {
-            Disc::new(y).axis.x()
-        })
+        Dop853::new(step)?
+            .zero(&rolling(Loss::None), start, 2, 2.0 * period, |y| Disc::new(y).axis.x())
     };
     let asked = [p.tolerance, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14];
     report.set_closed_form(ClosedForm::new(move |_| Ok::<_, Error>(motion.rate())));
@@ -588,11 +514,7 @@ fn table_of_ends(both: [(&str, &Case, &Settled); 2], report: &mut Report) -> Res
                 (top, place) = (disc.rate, disc.tilt);
             }
         }
-        let why = if case.end > case.film {
-            "fall with g"
-        } else {
-            "film"
-        };
+        let why = if case.end > case.film { "fall with g" } else { "film" };
         let last = settled.at(end)?.tilt;
         let cells = [
             format!("{:.2e}", case.end),

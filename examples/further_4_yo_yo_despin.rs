@@ -133,43 +133,23 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     // Without an end of the string the spin goes through zero on the tangent.
     let long = with(3.0 * stop_tangent).run(1e-13)?;
-    let still = zero([0.1 * stop_tangent, 2.0 * stop_tangent], |t| {
-        Ok(long.at(t)?.1[2])
-    })?;
-    let near = |length: f64, more: f64| {
-        YoYo {
-            inertia: j * (1.0 + more),
-            length,
-        }
-        .last_spin(1e-14)
-    };
+    let still = zero([0.1 * stop_tangent, 2.0 * stop_tangent], |t| Ok(long.at(t)?.1[2]))?;
+    let near = |length: f64, more: f64| YoYo { inertia: j * (1.0 + more), length }.last_spin(1e-14);
     let each = 1e-4;
     let by_inertia = (near(stop, each)? - near(stop, -each)?) / (2.0 * each);
     let by_length =
         (near(stop * (1.0 + each), 0.0)? - near(stop * (1.0 - each), 0.0)?) / (2.0 * each);
     // One string: the weight and the satellite move about their common centre of mass.
     let share = p.body / (p.weight + p.body);
-    let single = Answer {
-        inertia: 2.0 * j / share,
-    };
+    let single = Answer { inertia: 2.0 * j / share };
     let (lone, speed) = (single.spin_outward(l), single.speed(l));
-    let reel = Reel {
-        inertia: 2.0 * j,
-        weight: share,
-        length: l,
-        stiffness: None,
-    };
+    let reel = Reel { inertia: 2.0 * j, weight: share, length: l, stiffness: None };
     let [lone_spin, _, lone_speed] = reel.last(1.0, 1e-13)?;
     let push = |speed: f64| w.abs() * r * speed * p.weight / (p.weight + p.body);
     let [weights, cable, ratio, guess] = DAWN;
     let dawned = zero([1.5, 0.5], |part| {
         let inertia = part * dawn() / (weights * guess * guess);
-        Ok(YoYo {
-            inertia,
-            length: cable / guess,
-        }
-        .last_spin(1e-13)?
-            - ratio)
+        Ok(YoYo { inertia, length: cable / guess }.last_spin(1e-13)? - ratio)
     })?;
     let (rate, skater) = (w.abs(), w * (j + 1.0) / (j + (1.0 + l) * (1.0 + l)));
     let spin = w * a.spin_outward(l);
@@ -233,13 +213,8 @@ pub fn tension_outward(a: &Answer, length: f64) -> f64 {
 /// No string, heavy weights, a satellite that is nothing but its weights.
 fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     let (light, heavy) = (Answer { inertia: 80.0 }, Answer { inertia: 1e8 });
-    let stiff = Reel {
-        inertia: 80.0,
-        weight: 1.0,
-        length: 6.0,
-        stiffness: Some(1e6),
-    }
-    .last(1.0, 1e-12)?[0];
+    let stiff =
+        Reel { inertia: 80.0, weight: 1.0, length: 6.0, stiffness: Some(1e6) }.last(1.0, 1e-12)?[0];
     limits! { report,
         /// nothing has unwound
         "l/R = 0: omega/w0": light.spin_outward(0.0) => 1.0, within 1e-15;
@@ -263,9 +238,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let heavy = 1440.0 * area * p.radius / p.weight;
     let shorter = 1.0 - heavy_stop(&a, heavy)? / stop;
     let newton = 2.0 * p.weight * p.spin * p.spin * p.radius;
-    let most = a
-        .tension(((j + 1.0) / 3.0).sqrt().min(stop))
-        .max(tension_outward(&a, stop));
+    let most = a.tension(((j + 1.0) / 3.0).sqrt().min(stop)).max(tension_outward(&a, stop));
     let stretch = newton * most / (70e9 * area);
     let size = 0.4 * 0.02 * 0.02 / (p.radius * p.radius);
     let thick = 0.75e-3 / p.radius;
@@ -314,12 +287,8 @@ fn stretch(p: &Parameters, report: &mut Report) -> Result<()> {
     let (w, aim) = (p.spin, p.aim / p.spin);
     // A spring that is too soft, or longer than the string, leaves no spin that is wanted.
     let (springs, length) = (sprung(p), a.length_outward(aim));
-    let columns = [
-        "spin before / (rad/s)",
-        "I / that foreseen",
-        "rigid / (rad/s)",
-        "with springs / (rad/s)",
-    ];
+    let columns =
+        ["spin before / (rad/s)", "I / that foreseen", "rigid / (rad/s)", "with springs / (rad/s)"];
     let mut table = Table::new("stretch", columns)?;
     let spins = [0.8, 0.9, 1.0, 1.1, 1.2].map(|before| [before, 1.0]);
     for [before, part] in spins.into_iter().chain([[1.0, 0.95], [1.0, 1.05]]) {
@@ -328,9 +297,7 @@ fn stretch(p: &Parameters, report: &mut Report) -> Result<()> {
         let sprung = match &springs {
             Ok(springs) => format!(
                 "{:.3}",
-                w * springs
-                    .but(|springs| springs.inertia = inertia)
-                    .last(before, 1e-10)?[0]
+                w * springs.but(|springs| springs.inertia = inertia).last(before, 1e-10)?[0]
             ),
             Err(_) => "none holds".into(),
         };
@@ -348,12 +315,7 @@ pub fn sprung(p: &Parameters) -> Result<Reel> {
     allowed! { "spring/(m w0^2)": stiffness, above(2.0), "a softer spring is drawn out without an end"; }?;
     // A stiffer one gives less than a millionth of its length.
     let stiffness = Some(stiffness).filter(|stiffness| *stiffness <= 1e6);
-    let reel = |length| Reel {
-        inertia: yoyo.inertia,
-        weight: 1.0,
-        length,
-        stiffness,
-    };
+    let reel = |length| Reel { inertia: yoyo.inertia, weight: 1.0, length, stiffness };
     let rigid = a.length_outward(aim);
     Ok(reel(zero([0.05 * rigid, 1.2 * rigid], |length| {
         Ok(reel(length).last(1.0, 1e-10)?[0] - aim)

@@ -77,10 +77,7 @@ impl Wheel {
     }
 
     pub fn rates(&self, now: &Place) -> [f64; 12] {
-        let Place {
-            rope: [r, v],
-            axle: [e, u],
-        } = *now;
+        let Place { rope: [r, v], axle: [e, u] } = *now;
         let pull = self.tension(now);
         let torque = (r - e * e.dot(&r)) * (self.lever * pull);
         let turned = (torque + e.cross(&u) * self.momentum) / self.transverse - e * u.dot(&u);
@@ -93,10 +90,7 @@ impl Wheel {
 
     /// The pull that keeps the end of the axle at the rope's length from the support.
     pub fn tension(&self, place: &Place) -> f64 {
-        let Place {
-            rope: [r, v],
-            axle: [e, u],
-        } = place;
+        let Place { rope: [r, v], axle: [e, u] } = place;
         let (along, l) = (e.dot(r), self.lever);
         let gyroscopic = self.momentum * e.cross(u).dot(r) / self.transverse;
         let needed =
@@ -125,30 +119,18 @@ impl Wheel {
     /// derivatives if the rates are constant; on axes that turn with the axle's azimuth.
     fn geometry(&self, q: &Coordinates) -> [([SpaceVector; 4], SpaceVector); 2] {
         let [x, y, theta, _, vx, vy, nod, turn] = *q;
-        let (z, (s, c), v) = (
-            (1.0 - x * x - y * y).sqrt(),
-            sincos(theta),
-            SpaceVector::new,
-        );
+        let (z, (s, c), v) = ((1.0 - x * x - y * y).sqrt(), sincos(theta), SpaceVector::new);
         let sinking = -(x * vx + y * vy) / z;
         let up = (vx * vx + vy * vy + sinking * sinking) / z;
         let zero = SpaceVector::zero();
         [
             (
                 [v(1.0, 0.0, x / z), v(0.0, 1.0, y / z), zero, v(-y, x, 0.0)],
-                v(
-                    -2.0 * turn * vy - turn * turn * x,
-                    2.0 * turn * vx - turn * turn * y,
-                    up,
-                ),
+                v(-2.0 * turn * vy - turn * turn * x, 2.0 * turn * vx - turn * turn * y, up),
             ),
             (
                 [zero, zero, v(c, 0.0, -s), v(0.0, s, 0.0)],
-                v(
-                    -s * (nod * nod + turn * turn),
-                    2.0 * nod * turn * c,
-                    -c * nod * nod,
-                ),
+                v(-s * (nod * nod + turn * turn), 2.0 * nod * turn * c, -c * nod * nod),
             ),
         ]
     }
@@ -284,10 +266,7 @@ impl Wheel {
 
 /// Angle of the rope from the vertical, outward along the axle's azimuth, and the axle's rise.
 pub fn angles(y: &[f64; 12]) -> [f64; 2] {
-    let Place {
-        rope: [r, _],
-        axle: [e, _],
-    } = place(y);
+    let Place { rope: [r, _], axle: [e, _] } = place(y);
     let out = (r.x() * e.x() + r.y() * e.y()) / hypot(e.x(), e.y());
     [atan2(out, -r.z()), atan2(e.z(), hypot(e.x(), e.y()))]
 }
@@ -356,13 +335,10 @@ fn eigen(a: [[f64; 3]; 3]) -> Option<[Mode; 3]> {
             SpaceVector::from_array(shifted)
         });
         let crosses = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| shifted[i].cross(&shifted[j]));
-        let longest = crosses.into_iter().fold(SpaceVector::zero(), |best, v| {
-            if v.norm() > best.norm() { v } else { best }
-        });
-        Mode {
-            frequency: x.sqrt(),
-            start: (longest / longest.norm()).to_array(),
-        }
+        let longest = crosses
+            .into_iter()
+            .fold(SpaceVector::zero(), |best, v| if v.norm() > best.norm() { v } else { best });
+        Mode { frequency: x.sqrt(), start: (longest / longest.norm()).to_array() }
     };
     Some([mode(0.0, low), mode(low, high), mode(high, trace)])
 }
@@ -374,9 +350,7 @@ pub fn measured(wheel: Wheel, rest: Coordinates, mode: &Mode, nods: bool) -> Res
     for size in [1e-4, -1e-4] {
         let mut q = rest;
         let most = mode.start.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        ODD.into_iter()
-            .zip(mode.start)
-            .for_each(|(k, x)| q[k] += size * x / most);
+        ODD.into_iter().zip(mode.start).for_each(|(k, x)| q[k] += size * x / most);
         let start = wheel.in_space(&q);
         let read = |y: &[f64; 12]| angles(y)[usize::from(nods)];
         let level = read(&start);
@@ -409,16 +383,12 @@ impl Wheel {
     pub fn turning(self, push: f64, step: f64) -> Result<LocatedEvent<12>> {
         let start = self.in_space(&[0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, push]);
         let nods = |y: &[f64; 12]| y[11];
-        Ok(Dop853::new(step)?
-            .zero(&self.hung(), start, 1, 100.0, nods)?
-            .0)
+        Ok(Dop853::new(step)?.zero(&self.hung(), start, 1, 100.0, nods)?.0)
     }
 
     fn turning_free(self, push: f64, step: f64) -> Result<LocatedEvent<8>> {
         let start = [0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, push];
-        Ok(Dop853::new(step)?
-            .zero(&self.free(), start, 1, 100.0, |q| q[6])?
-            .0)
+        Ok(Dop853::new(step)?.zero(&self.free(), start, 1, 100.0, |q| q[6])?.0)
     }
 
     /// A forward push with which it goes slack at the top of the first nod, nearly.
@@ -440,11 +410,7 @@ pub fn after_a_while(wheel: Wheel, rise: f64, step: f64) -> Result<[f64; 3]> {
     let Place { axle: [e, _], .. } = place(&end);
     let ahead = atan2(e.y(), e.x()) - q[7] * time;
     let ahead = atan2(sin(ahead), cos(ahead));
-    Ok([
-        q[7] + ahead / time,
-        angles(&end)[0],
-        wheel.tension(&place(&end)),
-    ])
+    Ok([q[7] + ahead / time, angles(&end)[0], wheel.tension(&place(&end))])
 }
 
 /// Where the centre of mass is, by the linear theory: a pendulum whose support goes round.
@@ -462,10 +428,7 @@ pub fn drawn_round(wheel: &Wheel, t: f64) -> (f64, f64) {
 
 /// Centre of mass and end of the axle, seen from above.
 pub fn from_above(wheel: &Wheel, y: &[f64; 12]) -> [(f64, f64); 2] {
-    let Place {
-        rope: [r, _],
-        axle: [e, _],
-    } = place(y);
+    let Place { rope: [r, _], axle: [e, _] } = place(y);
     let end = r * wheel.rope;
     let centre = end + e * wheel.lever;
     [(centre.x(), centre.y()), (end.x(), end.y())]
@@ -542,10 +505,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 /// Where one part hardly matters.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let wheel = Wheel::new(p);
-    let fast = Wheel {
-        momentum: 1e3 * wheel.momentum,
-        ..wheel
-    };
+    let fast = Wheel { momentum: 1e3 * wheel.momentum, ..wheel };
     let [slow, quick, nod] = fast.modes(fast.going(0.0)?)?;
     let short = Wheel { rope: 1e-4, ..fast };
     let swing = (p.gravity / p.rope).sqrt();
@@ -601,10 +561,7 @@ fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let wheel = Wheel::new(p);
     let [rate, rope] = wheel.steady(0.0)?;
-    let (mass, stretch) = (
-        0.025 * p.rope / p.mass,
-        p.mass * p.gravity / (1e9 * 0.25 * PI * 36e-6),
-    );
+    let (mass, stretch) = (0.025 * p.rope / p.mass, p.mass * p.gravity / (1e9 * 0.25 * PI * 36e-6));
     let [slowing, spun] = braked(p, &wheel, 1.204)?;
     let bound = wheel.at_end() * rate / wheel.momentum;
     // tan(lean) g = rate^2 (lever + rope sin(lean)), by the length of the rope.
@@ -613,10 +570,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let longer = far * s * c * c / left / rope;
     // By the mass of the rope: less by its mean weight, more by its centrifugal force.
     let heavier = s * c * (0.5 - far * c / 3.0) / left;
-    let stretched = Wheel {
-        rope: p.rope * (1.0 + stretch),
-        ..Wheel::new(p)
-    };
+    let stretched = Wheel { rope: p.rope * (1.0 + stretch), ..Wheel::new(p) };
     effect_card! { report,
         "lean of the rope": "p^2 b/g" = rate * rate * p.rope / p.gravity,
             costs rope, "rad of the rope", included;
@@ -642,9 +596,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     report.set_closed_form(ClosedForm::new(move |_| wheel.steady(0.5)));
     report.stepped(asked, run, Solution::work, move |run| {
-        Ok(largest(
-            [0, 1, 6, 7, 8].map(|i| run.end_state()[i] - end[i]),
-        ))
+        Ok(largest([0, 1, 6, 7, 8].map(|i| run.end_state()[i] - end[i])))
     })
 }
 

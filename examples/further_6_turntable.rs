@@ -96,13 +96,7 @@ impl Bobbing {
         let amplitude = hypot(below, p.drop / rate);
         let lowest = (PI - atan2(p.drop, below * rate)) / rate;
         let friction = 1.0 + rate * rate * amplitude / g;
-        Self {
-            rate,
-            middle,
-            amplitude,
-            lowest,
-            friction,
-        }
+        Self { rate, middle, amplitude, lowest, friction }
     }
 }
 
@@ -131,14 +125,8 @@ fn circling(p: &Parameters) -> Result<(Ball, Moving)> {
     let slope = p.gravity * sin(p.tilt).abs().max(1e-3) / (p.shape * p.rate.abs());
     let (turn, passed) = (2.0 * PI / nu, 100.0 * (p.place / p.radius).abs());
     let few = from_to(0.0, 1e4).because("more of them take too long to simulate");
-    few.check(
-        "radians that the ball turns in a turn of its circle",
-        turn * start.spin.norm(),
-    )?;
-    few.check(
-        "radians that it turns in that time on the slope",
-        turn * slope / p.radius,
-    )?;
+    few.check("radians that the ball turns in a turn of its circle", turn * start.spin.norm())?;
+    few.check("radians that it turns in that time on the slope", turn * slope / p.radius)?;
     allowed! {
         "radians that it turns while the table turns by 100 of them": passed, from_to(0.0, 3e4), "more of them take too long to simulate";
         "loss over the rate on the circle": p.loss / nu, from_to(0.0, 50.0), "braked more strongly, it is carried by the table";
@@ -155,10 +143,7 @@ pub fn thrown(ball: &Ball, [x, y]: [f64; 2], [vx, vy]: [f64; 2]) -> Moving {
 /// Put down there without velocity and without spin.
 pub fn dead(ball: &Ball, place: [f64; 2]) -> Moving {
     let spin = SpaceVector::zero();
-    Moving {
-        spin,
-        ..thrown(ball, place, [0.0; 2])
-    }
+    Moving { spin, ..thrown(ball, place, [0.0; 2]) }
 }
 
 /// The same table with its right side, along x, lowered by the tilt.
@@ -236,11 +221,7 @@ fn circle(p: &Parameters, report: &mut Report) -> Result<()> {
     // Which way the friction bends its path.
     let sense = (-v * held.x()).signum();
     // Carried by the table, and let go.
-    let out = if p.place == 0.0 {
-        p.radius
-    } else {
-        p.place.abs()
-    };
+    let out = if p.place == 0.0 { p.radius } else { p.place.abs() };
     let lying = thrown(&ball, [out, 0.0], [0.0, p.rate * out]);
     let carried = out * p.friction * g / ball.forces(&lying).1.norm();
     // Put down without spin: it slips at first.
@@ -250,15 +231,12 @@ fn circle(p: &Parameters, report: &mut Report) -> Result<()> {
     let caught = match until * p.rate.abs() * (1.0 + p.place.abs() / p.radius) < 1e5 {
         true => {
             let slid = wide.run(&dead(&wide, [p.place, 0.0]), until, step)?;
-            slid.transition("rolls")
-                .ok()
-                .map(|rolls| Moving::of(&rolls.after))
+            slid.transition("rolls").ok().map(|rolls| Moving::of(&rolls.after))
         }
         false => None,
     };
-    let [far, quick] = caught
-        .as_ref()
-        .map_or([f64::NAN; 2], |at| [at.place, at.velocity].map(level));
+    let [far, quick] =
+        caught.as_ref().map_or([f64::NAN; 2], |at| [at.place, at.velocity].map(level));
     claims! { report,
         /// angular velocity on the circle
         nu: turns, "rad/s", "located event" => sense * 2.0 * PI / whole.t, within bound * nu, in "On the table":
@@ -290,10 +268,7 @@ fn tilt_and_loss(p: &Parameters, report: &mut Report) -> Result<()> {
     let (nu, bound) = (share(k) * p.rate.abs(), 1e3 * p.tolerance);
     let (sloping, drift) = (tilted(ball, p), g * sin(p.tilt) / (k * p.rate));
     let turn = after(2.0 * PI / nu, &sloping.rolls(), &start.numbers(), step)?;
-    let lossy = Ball {
-        loss: p.loss,
-        ..ball.without_edge()
-    };
+    let lossy = Ball { loss: p.loss, ..ball.without_edge() };
     let [shrinks, grows] = exponents(p.rate, k, p.loss);
     // The acceleration of a circle about the axis that grows is grows^2 times its radius.
     let slips = p.friction * g / (grows[0] * grows[0] + grows[1] * grows[1]);
@@ -308,21 +283,15 @@ fn tilt_and_loss(p: &Parameters, report: &mut Report) -> Result<()> {
         true => {
             let start = near.numbers();
             let grip = |y: &[f64; 13]| lossy.grip(y);
-            let slips = Dop853::new(step)?
-                .zero(&lossy.rolls(), start, 1, end, grip)?
-                .0;
+            let slips = Dop853::new(step)?.zero(&lossy.rolls(), start, 1, end, grip)?.0;
             level(Moving::of(&slips.state).place)
         }
     };
     // The wrong equation.
     let wrong = nu / k.sqrt();
     let away = |t: f64| -> Result<f64> {
-        let [x, y, ..] = after(
-            t / wrong,
-            &naive(p.rate, k),
-            &[1.0, 0.0, 0.0, 0.1 * p.rate],
-            1e-14,
-        )?;
+        let [x, y, ..] =
+            after(t / wrong, &naive(p.rate, k), &[1.0, 0.0, 0.0, 0.1 * p.rate], 1e-14)?;
         Ok(log(hypot(x, y)))
     };
     claims! { report,
@@ -376,27 +345,17 @@ fn cylinder(p: &Parameters, report: &mut Report) -> Result<()> {
 /// Balls of other kinds, and those that do nothing.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let (ball, _) = on_table(p);
-    let slow = thrown(
-        &ball,
-        [0.01 * p.radius, 0.0],
-        [0.0, 1e-3 * p.rate * p.radius],
-    );
+    let slow = thrown(&ball, [0.01 * p.radius, 0.0], [0.0, 1e-3 * p.rate * p.radius]);
     let rate = |shape| -> Result<f64> {
         let ball = Ball { shape, ..ball };
         Ok(2.0 * PI / (turning(ball, slow, 2, 1e-12)?.0.t * p.rate.abs()))
     };
     let still = thrown(&ball, [p.place, 0.0], [0.0; 2]).numbers();
     let rests = after(100.0 / p.rate.abs(), &ball.rolls(), &still, 1e-12)?;
-    let size = if p.place == 0.0 {
-        p.radius
-    } else {
-        p.place.abs()
-    };
+    let size = if p.place == 0.0 { p.radius } else { p.place.abs() };
     let [middle, circle] = exponents(1.0, p.shape, 1e-9 * (1.0 + p.shape));
     let (golf, start) = in_hole(p, 0.0)?;
-    let hanging = golf
-        .rolling(start.place, SpaceVector::zero(), 0.0)
-        .numbers();
+    let hanging = golf.rolling(start.place, SpaceVector::zero(), 0.0).numbers();
     let falls = after(0.1, &golf.rolls(), &hanging, 1e-12)?[5];
     limits! { report,
         /// a thin shell, k = 2/3
@@ -426,10 +385,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let sloping = tilted(ball, &p.but(|p| p.tilt = 1e-3));
     let [x, y, ..] = after(turn, &sloping.rolls(), &start.numbers(), step)?;
     let drifted = hypot(x - start.place.x(), y - start.place.y());
-    let rolling = Ball {
-        loss: p.loss,
-        ..ball.without_edge()
-    };
+    let rolling = Ball { loss: p.loss, ..ball.without_edge() };
     let grows = exponents(p.rate, k, p.loss)[1];
     let noise = 1e4 * step;
     let slips = nu * v / (p.friction * p.gravity);

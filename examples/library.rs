@@ -98,11 +98,8 @@ pub fn after_a_minute() -> rotation_dynamics::Result<EulerAngles> {
 
 // ANCHOR: measured
 /// The axes of a phone as an app wrote them down: three decimals, in single precision.
-pub const MEASURED: [[f32; 3]; 3] = [
-    [0.72, -0.586, 0.368],
-    [0.605, 0.795, 0.085],
-    [-0.337, 0.161, 0.926],
-];
+pub const MEASURED: [[f32; 3]; 3] =
+    [[0.72, -0.586, 0.368], [0.605, 0.795, 0.085], [-0.337, 0.161, 0.926]];
 
 /// The attitude nearest to that, and how far the matrix was from it.
 pub fn put_right() -> rotation_dynamics::Result<(Attitude, f64)> {
@@ -120,17 +117,13 @@ pub fn on_the_way() -> rotation_dynamics::Result<Attitude> {
 fn stepped_for_a_minute() -> Result<EulerAngles> {
     let (body, gravity) = (rotor()?, GravityAtLever::new(4.9, 0.1)?);
     let start = body.state(tilted()?, BodyVector::new(0.0, 0.0, 314.0))?;
-    let end = Scene::new(body)
-        .with(gravity)
-        .solve_by_stepping(&start, 60.0, 1e-10)?;
+    let end = Scene::new(body).with(gravity).solve_by_stepping(&start, 60.0, 1e-10)?;
     Ok(end.state.attitude.euler_angles())
 }
 
 /// The top as a rigid body.
 fn rotor() -> Result<RigidBody> {
-    Ok(RigidBody::new(PrincipalMoments::symmetric(
-        5.45e-3, 9.0e-4,
-    )?))
+    Ok(RigidBody::new(PrincipalMoments::symmetric(5.45e-3, 9.0e-4)?))
 }
 
 /// A tilt of 1 rad.
@@ -158,10 +151,7 @@ pub fn after_a_second(p: &Parameters) -> Result<State> {
 
 /// The angle from the vertical to the satellite's long axis at the time `t`, rad.
 pub fn swing(p: &Parameters, t: f64, state: &State) -> f64 {
-    let [x, y, _] = state
-        .attitude
-        .to_space(BodyVector::new(1.0, 0.0, 0.0))
-        .to_array();
+    let [x, y, _] = state.attitude.to_space(BodyVector::new(1.0, 0.0, 0.0)).to_array();
     let (s, c) = sincos(p.mean_motion * t);
     atan2(c * y - s * x, c * x + s * y)
 }
@@ -170,12 +160,7 @@ pub fn swing(p: &Parameters, t: f64, state: &State) -> f64 {
 pub fn pendulum(p: &Parameters) -> rotation_dynamics::Result<Pendulum> {
     let gravity = 3.0 * p.mean_motion * p.mean_motion * (90.0 - 20.0);
     let (moment, mass, lever) = (100.0, 1.0, 1.0);
-    let pendulum = Suspension {
-        moment,
-        mass,
-        gravity,
-        lever,
-    };
+    let pendulum = Suspension { moment, mass, gravity, lever };
     Pendulum::new(pendulum, 2.0 * p.askew, 0.0)
 }
 
@@ -183,10 +168,7 @@ pub fn pendulum(p: &Parameters) -> rotation_dynamics::Result<Pendulum> {
 fn exact(p: &Parameters, pendulum: &Pendulum, t: f64) -> rotation_dynamics::Result<State> {
     let (normal, twice) = (SpaceVector::new(0.0, 0.0, 1.0), pendulum.at(t)?);
     let attitude = Attitude::about_space_axis(normal, p.mean_motion * t + 0.5 * twice.theta)?;
-    State::new(
-        attitude,
-        normal * (100.0 * (p.mean_motion + 0.5 * twice.omega)),
-    )
+    State::new(attitude, normal * (100.0 * (p.mean_motion + 0.5 * twice.omega)))
 }
 
 /// By how much each of the day's states is off, rad.
@@ -249,20 +231,13 @@ pub fn slow_rate(p: &Parameters) -> f64 {
 pub fn measured_slow_rate(p: &Parameters) -> Result<f64> {
     let still = p.but(|p| p.askew = 1e-9);
     let (scene, start) = satellite(&still)?;
-    let turned = start
-        .attitude
-        .turned_in_body(BodyVector::new(1e-4, 0.0, 0.0))?;
+    let turned = start.attitude.turned_in_body(BodyVector::new(1e-4, 0.0, 0.0))?;
     let normal = SpaceVector::new(0.0, 0.0, p.mean_motion);
     let start = scene.body().state(turned, turned.to_body(normal))?;
     let h = 1.0 / p.mean_motion;
     let times: Vec<f64> = (0..8).map(|k| h * f64::from(k)).collect();
     let states = scene.solve_at(&start, &times, 1e-12, &Limits::default())?;
-    let x = |k: usize| {
-        states[k]
-            .attitude
-            .to_space(BodyVector::new(0.0, 1.0, 0.0))
-            .z()
-    };
+    let x = |k: usize| states[k].attitude.to_space(BodyVector::new(0.0, 1.0, 0.0)).z();
     // S^2 x is x two steps ahead and behind, and x twice.
     let row = |k: usize| [x(k + 1) + x(k - 1), x(k), x(k + 2) + x(k - 2) + 2.0 * x(k)];
     let ([a, b, c], [d, e, f]) = (row(2), row(5));
@@ -293,10 +268,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let period = swings.period();
     let early = 2.0 * p.tolerance / (rate * sin(p.askew).abs());
     let [astray, astray_by_steps] = led_astray(p, magnet(MAGNET), 1e-13)?;
-    let tenth = Parameters {
-        askew: 0.1 * p.askew,
-        ..p.clone()
-    };
+    let tenth = Parameters { askew: 0.1 * p.askew, ..p.clone() };
     let [calm, calm_by_steps] = led_astray(&tenth, magnet(MAGNET), 1e-13)?;
     let (angles, stepped) = (after_a_minute()?, stepped_for_a_minute()?);
     let whole = TAU * ((angles.phi - stepped.phi) / TAU).round();
@@ -304,10 +276,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let spin = rotor()?.angular_velocity(&state).z();
     let first = upright(p, 0.5 * period)?[0];
     let ((phone, off), halved, third) = (put_right()?, put_right_by_halves()?, on_the_way()?);
-    let ([phone_angles, halves], matrix) = (
-        [phone, halved].map(|attitude| attitude.yaw_pitch_roll()),
-        halved.matrix(),
-    );
+    let ([phone_angles, halves], matrix) =
+        ([phone, halved].map(|attitude| attitude.yaw_pitch_roll()), halved.matrix());
     let square = |row: usize, column: usize| {
         let apart = f64::from(MEASURED[row][column]) - matrix[row][column];
         apart * apart
@@ -375,11 +345,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let rate = pendulum(p)?.small_swing_frequency();
     let ((scene, start), spin) = (driven(0.0)?, BodyVector::new(0.0, 0.0, 100.0));
     let off = scene.solve(&start, 1.0, 1e-9)?.state.attitude;
-    let top = HeavyTop::new(
-        SymmetricTop::new(5.45e-3, 9.0e-4, 4.9, 0.1)?,
-        tilted()?,
-        spin,
-    )?;
+    let top = HeavyTop::new(SymmetricTop::new(5.45e-3, 9.0e-4, 4.9, 0.1)?, tilted()?, spin)?;
     limits! { report,
         /// all axes alike: no side is nearer than another
         "a ball for a satellite: angle after a day over that at the start":
@@ -423,13 +389,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (orbit, e) = ("an orbit that is no circle, e = 0.001", 1e-3);
     let swing = 2.0 * e / (3.0 * 0.7 - 1.0);
     report.add(vec![
-        left_out.line(
-            "sunlight off the centre",
-            formula,
-            lit,
-            &sunlight,
-            "rad in a day",
-        )?,
+        left_out.line("sunlight off the centre", formula, lit, &sunlight, "rad in a day")?,
         left_out.line("magnet on board", formula, drawn, &magnet, "rad in a day")?,
         effect(orbit)
             .number("e", e)
@@ -448,9 +408,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let problem = Problem::new(scene, start, DAY, exact(p, &pendulum, DAY)?);
     report.strip(&problem, &[p.tolerance, 1e-4, 1e-6, 1e-10])?;
     let (pendulum, p) = (pendulum.clone(), p.clone());
-    report.set_closed_form(ClosedForm::new(move |part| {
-        exact(&p, &pendulum, part * DAY)
-    }));
+    report.set_closed_form(ClosedForm::new(move |part| exact(&p, &pendulum, part * DAY)));
     Ok(())
 }
 
@@ -461,31 +419,18 @@ fn asked(p: &Parameters, report: &mut Report) -> Result<()> {
     let of_satellite = satellite.solve_along(&hung, DAY, p.tolerance, &limits)?;
     let of_motor = driven.solve_along(&started, 1.0, p.tolerance, &limits)?;
     let top = top()?;
-    let motions: [(&str, &dyn Motion<State = State>, f64); 3] = [
-        ("satellite", &of_satellite, DAY),
-        ("top", &top, 60.0),
-        ("motor", &of_motor, 1.0),
-    ];
-    let mut table = Table::new(
-        "motion",
-        ["motion", "name()", "try_state(t)", "kept()", "condition(t)"],
-    )?;
+    let motions: [(&str, &dyn Motion<State = State>, f64); 3] =
+        [("satellite", &of_satellite, DAY), ("top", &top, 60.0), ("motor", &of_motor, 1.0)];
+    let mut table =
+        Table::new("motion", ["motion", "name()", "try_state(t)", "kept()", "condition(t)"])?;
     for (name, motion, t) in motions {
         let tilt = motion.try_state(t)?.attitude.euler_angles().theta;
         let kept: Vec<&str> = motion.kept().iter().map(|kept| kept.name).collect();
         table.push([
             name.to_owned(),
             motion.name().to_owned(),
-            format!(
-                "t = {} s: e3 at {} rad from Z",
-                short(t, 3),
-                supported_digits(tilt, 1e-6)
-            ),
-            if kept.is_empty() {
-                "-".to_owned()
-            } else {
-                kept.join("; ")
-            },
+            format!("t = {} s: e3 at {} rad from Z", short(t, 3), supported_digits(tilt, 1e-6)),
+            if kept.is_empty() { "-".to_owned() } else { kept.join("; ") },
             format!("{} rad", short(motion.condition(t)?, 2)),
         ])?;
     }
@@ -496,38 +441,20 @@ fn asked(p: &Parameters, report: &mut Report) -> Result<()> {
 fn refused(p: &Parameters, report: &mut Report) -> Result<()> {
     let ((scene, start), (body, motor)) = (driven(p.torque)?, (rotor()?, driven(p.torque)?.0));
     let bearing = CoulombBearing::new(1e-4, &body, &start, 0.0)?;
-    let few = Limits {
-        budget: 1000,
-        ..Limits::default()
-    };
+    let few = Limits { budget: 1000, ..Limits::default() };
     let (orbit, askew) = satellite(&p.but(|p| p.askew = 0.3))?;
     let wide = orbit.with(magnet(MAGNET)).solve(&askew, DAY, 1e-8).err();
     let asked = [
-        (
-            "a body that cannot be: I = 1, 2, 4",
-            PrincipalMoments::new(1.0, 2.0, 4.0).err(),
-        ),
-        (
-            "an end that is no number",
-            scene.solve(&start, f64::NAN, 1e-8).err(),
-        ),
-        (
-            "more digits than the start determines",
-            scene.solve(&start, 1.0, 1e-15).err(),
-        ),
+        ("a body that cannot be: I = 1, 2, 4", PrincipalMoments::new(1.0, 2.0, 4.0).err()),
+        ("an end that is no number", scene.solve(&start, f64::NAN, 1e-8).err()),
+        ("more digits than the start determines", scene.solve(&start, 1.0, 1e-15).err()),
         ("a day with the magnet, if the swing is 0.3 rad", wide),
-        (
-            "a day with a thousand torques",
-            scene.solve_with(&start, DAY, 1e-8, &few).err(),
-        ),
+        ("a day with a thousand torques", scene.solve_with(&start, DAY, 1e-8, &few).err()),
         (
             "dry friction, where a motor drives the axle",
             motor.with(bearing).solve(&start, 1.0, 1e-8).err(),
         ),
-        (
-            "the top at a time that is no number",
-            top()?.try_state(f64::INFINITY).err(),
-        ),
+        ("the top at a time that is no number", top()?.try_state(f64::INFINITY).err()),
     ];
     let mut table = Table::new("refused", ["asked", "answer"])?;
     for (request, answer) in asked {

@@ -46,11 +46,8 @@ impl Angles {
         let (s, u) = sincos(theta);
         let across = a.sqrt() * (b - u) / s;
         let (sin, cos) = sincos(zeta);
-        let rates = BodyVector::new(
-            rate * cos + across * sin,
-            across * cos - rate * sin,
-            1.0 / a.sqrt(),
-        );
+        let rates =
+            BodyVector::new(rate * cos + across * sin, across * cos - rate * sin, 1.0 / a.sqrt());
         self.body.state(Attitude::from_euler(angles)?, rates)
     }
 }

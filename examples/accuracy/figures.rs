@@ -99,9 +99,7 @@ figures! { p: &Parameters;
 
 /// The price of one more digit against the order.
 fn digit(all: &[Measured]) -> Panel {
-    let by_order = (10..=170)
-        .map(|k| 0.1 * f64::from(k))
-        .map(|p| (p, pow(10.0, 1.0 / p)));
+    let by_order = (10..=170).map(|k| 0.1 * f64::from(k)).map(|p| (p, pow(10.0, 1.0 / p)));
     let law = Curve::new(by_order.filter(|(_, y)| *y <= 4.0), Ink::Ink);
     let ticks = LABELS.map(|(order, _)| (f64::from(order), order.to_string()));
     let mut panel = Panel::over_axes(

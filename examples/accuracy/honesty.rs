@@ -17,9 +17,8 @@ use rotation_dynamics::{Error, Result};
 use core::f64::consts::{PI, TAU};
 
 /// Tolerances from 1e-3 to 1e-13 (rad).
-pub const TOLERANCES: [f64; 11] = [
-    1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13,
-];
+pub const TOLERANCES: [f64; 11] =
+    [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13];
 
 /// A scene to be solved, and the attitude at its end.
 pub struct Case {
@@ -40,11 +39,7 @@ impl Case {
         exact: Attitude,
     ) -> Self {
         let solve = move |tolerance| scene.solve_by_stepping(&start, t_end, tolerance);
-        Self {
-            kind,
-            solve: Box::new(solve),
-            exact,
-        }
+        Self { kind, solve: Box::new(solve), exact }
     }
 }
 
@@ -102,10 +97,7 @@ struct Governor {
 }
 
 impl Effect for Governor {
-    const PROPERTIES: Properties = Properties {
-        smooth: true,
-        ..Properties::ANYTHING
-    };
+    const PROPERTIES: Properties = Properties { smooth: true, ..Properties::ANYTHING };
 
     fn name(&self) -> &'static str {
         "governor"
@@ -146,10 +138,7 @@ fn free(
     }
     let (decay, swing) = (dice.between(-0.5, 1.0) / t_end, dice.between(0.0, 0.3));
     let governor = Governor { decay, swing };
-    let (scene, exact) = (
-        scene.with(governor),
-        motion.attitude(governor.inner_time(t_end)),
-    );
+    let (scene, exact) = (scene.with(governor), motion.attitude(governor.inner_time(t_end)));
     Ok(Case::new(kind, scene, start, t_end, exact))
 }
 
@@ -265,14 +254,9 @@ pub fn judge(case: &Case, tolerance: f64) -> Result<Outcome> {
             error: case.exact.angle_to(&solved.state.attitude),
             solved: Box::new(solved),
         }),
-        Err(Error::NotDelivered {
-            best: attainable,
-            condition: Some(condition),
-            ..
-        }) => Ok(Outcome::Refused {
-            attainable,
-            condition,
-        }),
+        Err(Error::NotDelivered { best: attainable, condition: Some(condition), .. }) => {
+            Ok(Outcome::Refused { attainable, condition })
+        }
         Err(other) => Err(other),
     }
 }
@@ -332,13 +316,7 @@ pub fn spreads(cases: &[Case]) -> Result<Vec<Spread>> {
         for sorted in [&mut ratios, &mut estimates, &mut prices] {
             sort_by_number(sorted, |x| *x);
         }
-        Ok(Spread {
-            tolerance,
-            ratios,
-            estimates,
-            refused,
-            price: quantile(&prices, 0.5),
-        })
+        Ok(Spread { tolerance, ratios, estimates, refused, price: quantile(&prices, 0.5) })
     };
     TOLERANCES.iter().map(spread).collect()
 }

@@ -57,13 +57,7 @@ impl Line {
     /// A method's runs, under its own key and name or under others.
     fn new(method: Method, (key, name): Names, sweep: Sweep) -> Result<Self> {
         let attitude = sweep.curve(Measure::Attitude, Work::torques)?;
-        Ok(Self {
-            method,
-            key,
-            name,
-            sweep,
-            attitude,
-        })
+        Ok(Self { method, key, name, sweep, attitude })
     }
 
     /// The floor, if the method has come to it: the last doubling of the work gained less

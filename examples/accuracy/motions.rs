@@ -225,8 +225,7 @@ impl Motion {
 
     /// The attitude at the end in closed form, set up anew; `None` if it is stepped.
     pub fn in_closed_form(&self) -> Option<Result<Attitude>> {
-        self.exact
-            .then(|| (self.continued)(&(self.state)(0.0)?, 0.0))
+        self.exact.then(|| (self.continued)(&(self.state)(0.0)?, 0.0))
     }
 
     /// By how much a disturbance of the state at time `t`, of relative size `size`, is

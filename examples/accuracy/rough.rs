@@ -54,10 +54,7 @@ impl Effect for Push {
     const PROPERTIES: Properties = Properties {
         on_rates: false,
         smooth: true, // but for its jumps
-        conserved: Conserved {
-            momentum: [true, true, false],
-            ..Conserved::NONE
-        },
+        conserved: Conserved { momentum: [true, true, false], ..Conserved::NONE },
         ..Properties::ANYTHING
     };
 

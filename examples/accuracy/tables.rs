@@ -33,14 +33,7 @@ fn methods() -> Result<Table> {
     Table::of("methods", columns, Method::ALL, |method| {
         let about = method.about();
         let order = about.order.to_string();
-        Ok([
-            about.name,
-            &order,
-            about.idea,
-            about.conserved,
-            about.source,
-        ]
-        .map(str::to_owned))
+        Ok([about.name, &order, about.idea, about.conserved, about.source].map(str::to_owned))
     })
 }
 
@@ -178,17 +171,12 @@ fn sweeps(free: &Measured) -> Result<Table> {
 }
 
 /// Which digits of the heavy top are claimed, and how well they are known.
-const DIGITS: [(&[&str], f64); 2] = [
-    (&["strang", "rk4"], 0.01),
-    (&["mk4", "srkn6", "srkn14", "dop853"], 0.1),
-];
+const DIGITS: [(&[&str], f64); 2] =
+    [(&["strang", "rk4"], 0.01), (&["mk4", "srkn6", "srkn14", "dop853"], 0.1)];
 
 /// Which work is claimed to be more, and than which: a motion, and two methods on it.
-const RATIOS: [[&str; 3]; 3] = [
-    ["top", "rk4", "dop853"],
-    ["top", "rk4", "srkn14"],
-    ["pole", "angles", "dop853"],
-];
+const RATIOS: [[&str; 3]; 3] =
+    [["top", "rk4", "dop853"], ["top", "rk4", "srkn14"], ["pole", "angles", "dop853"]];
 
 /// Adds numbers that a second route confirms.
 pub fn add_claims(report: &mut Report, all: &[Measured]) -> Result<()> {

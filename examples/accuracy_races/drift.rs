@@ -41,16 +41,8 @@ pub type Gravity = ((), GravityAtLever);
 
 /// One start, with its exact motion and the period of nods or of the rates.
 pub enum Subject {
-    Top {
-        scene: Scene<Gravity>,
-        start: State,
-        exact: Box<HeavyTop>,
-    },
-    Free {
-        scene: Scene<()>,
-        start: State,
-        exact: Box<FreeBody>,
-    },
+    Top { scene: Scene<Gravity>, start: State, exact: Box<HeavyTop> },
+    Free { scene: Scene<()>, start: State, exact: Box<FreeBody> },
 }
 
 impl Subject {
@@ -59,22 +51,14 @@ impl Subject {
         let shift = n as f64;
         match kind {
             Kind::Top => {
-                let angles = EulerAngles {
-                    phi: 0.0,
-                    theta: 0.4 + 0.1 * shift,
-                    zeta: 0.0,
-                };
+                let angles = EulerAngles { phi: 0.0, theta: 0.4 + 0.1 * shift, zeta: 0.0 };
                 let rates = BodyVector::new(0.1, 0.3, 0.7);
                 let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 1.9)?);
                 let scene = Scene::new(body).with(GravityAtLever::new(0.2, 1.0)?);
                 let start = body.state(Attitude::from_euler(angles)?, rates)?;
                 let top = SymmetricTop::new(1.0, 1.9, 0.2, 1.0)?;
                 let exact = Box::new(HeavyTop::from_body(top, angles, rates)?);
-                Ok(Self::Top {
-                    scene,
-                    start,
-                    exact,
-                })
+                Ok(Self::Top { scene, start, exact })
             }
             Kind::Free => {
                 let moments = PrincipalMoments::new(1.0, 2.0, 8.0 / 3.0)?;
@@ -82,11 +66,7 @@ impl Subject {
                 let scene = Scene::new(RigidBody::new(moments));
                 let start = scene.body().state(Attitude::IDENTITY, rates)?;
                 let exact = Box::new(FreeBody::new(moments, Attitude::IDENTITY, rates)?);
-                Ok(Self::Free {
-                    scene,
-                    start,
-                    exact,
-                })
+                Ok(Self::Free { scene, start, exact })
             }
         }
     }
@@ -108,16 +88,12 @@ impl Subject {
     /// those of the start.
     pub fn errors(&self, state: &State, t: f64) -> (f64, f64) {
         let (attitude, kept) = match self {
-            Self::Top {
-                scene,
-                start,
-                exact,
-            } => (exact.attitude(t), Errors::between(scene, state, start)),
-            Self::Free {
-                scene,
-                start,
-                exact,
-            } => (exact.attitude(t), Errors::between(scene, state, start)),
+            Self::Top { scene, start, exact } => {
+                (exact.attitude(t), Errors::between(scene, state, start))
+            }
+            Self::Free { scene, start, exact } => {
+                (exact.attitude(t), Errors::between(scene, state, start))
+            }
         };
         (state.attitude.angle_to(&attitude), kept.invariants)
     }
@@ -130,9 +106,7 @@ impl Subject {
         Ok(match self {
             Self::Top { scene, .. } => method.advance(&SpinFree::new(scene)?, t, state, t_end)?.0,
             Self::Free { scene, .. } => {
-                method
-                    .advance(&FreeRotation::new(scene), t, state, t_end)?
-                    .0
+                method.advance(&FreeRotation::new(scene), t, state, t_end)?.0
             }
         })
     }
@@ -155,13 +129,8 @@ pub enum Method {
 }
 
 impl Method {
-    pub const ALL: [Self; 5] = [
-        Self::Gauss,
-        Self::GaussProjected,
-        Self::Splitting,
-        Self::Rk4,
-        Self::Dop853,
-    ];
+    pub const ALL: [Self; 5] =
+        [Self::Gauss, Self::GaussProjected, Self::Splitting, Self::Rk4, Self::Dop853];
 
     /// For keys, and for people.
     pub const fn names(self) -> (&'static str, &'static str) {
@@ -271,17 +240,9 @@ pub fn curve(method: Method, kind: Kind, starts: usize, periods: f64) -> Result<
     }
     let points = times.iter().zip(squares).map(|(periods, sum)| {
         let [phase, invariants] = sum.map(|square| (square / starts as f64).sqrt());
-        Point {
-            periods: *periods,
-            phase,
-            invariants,
-        }
+        Point { periods: *periods, phase, invariants }
     });
-    Ok(Curve {
-        method,
-        kind,
-        points: points.collect(),
-    })
+    Ok(Curve { method, kind, points: points.collect() })
 }
 
 /// The curves of all methods that apply.
@@ -309,9 +270,8 @@ impl Curve {
             .map(|point| (log(point.periods), log(error(point))))
             .collect();
         let count = logs.len() as f64;
-        let (x0, y0) = logs.iter().fold((0.0, 0.0), |(x, y), (lx, ly)| {
-            (x + lx / count, y + ly / count)
-        });
+        let (x0, y0) =
+            logs.iter().fold((0.0, 0.0), |(x, y), (lx, ly)| (x + lx / count, y + ly / count));
         let (xy, xx) = logs.iter().fold((0.0, 0.0), |(xy, xx), (x, y)| {
             (xy + (x - x0) * (y - y0), xx + (x - x0) * (x - x0))
         });

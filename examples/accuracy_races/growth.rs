@@ -84,13 +84,7 @@ fn add_claims(report: &mut Report, drift: &Curve) -> Result<()> {
 /// The phase, and what is kept, against the number of periods.
 pub fn figures(all: &[Curve]) -> Result<Vec<Figure>> {
     Ok(vec![
-        panel(
-            all,
-            "drift_phase",
-            "error of the attitude / rad",
-            phase,
-            1e-15,
-        )?,
+        panel(all, "drift_phase", "error of the attitude / rad", phase, 1e-15)?,
         panel(all, "drift_kept", "error of what is kept", kept, 1e-16)?,
     ])
 }
@@ -105,11 +99,7 @@ fn panel(
     let ends: Vec<String> = (all.iter())
         .filter_map(|drift| {
             let end = drift.points.last()?;
-            Some(format!(
-                "{} {}",
-                drift.method.names().1,
-                rounded_up(error(end))
-            ))
+            Some(format!("{} {}", drift.method.names().1, rounded_up(error(end))))
         })
         .collect();
     let alt = format!(

@@ -16,11 +16,7 @@ use rotation_dynamics::scene::Scene;
 /// The free body of the chapter, for so many periods of its rates and a third of one: at
 /// the whole number a symmetric method's error of the energy vanishes by luck.
 fn free(periods: f64) -> Result<Problem<()>> {
-    let attitude = Attitude::from_euler(EulerAngles {
-        phi: 0.3,
-        theta: 0.7,
-        zeta: -0.4,
-    })?;
+    let attitude = Attitude::from_euler(EulerAngles { phi: 0.3, theta: 0.7, zeta: -0.4 })?;
     let moments = PrincipalMoments::new(1.0, 2.0, 8.0 / 3.0)?;
     let rates = BodyVector::new(0.8, 0.4, 0.9 / (8.0 / 3.0));
     let scene = Scene::new(RigidBody::new(moments));
@@ -127,10 +123,7 @@ fn add_table(report: &mut Report) -> Result<()> {
         report.add(
             claim("long_gauss", meaning("Gauss-Legendre"), ratio, "-")
                 .within(1.0)
-                .against(
-                    "as many times the periods: shorter steps are nearly free",
-                    10.0,
-                )
+                .against("as many times the periods: shorter steps are nearly free", 10.0)
                 .judged_within(0.1)
                 .answer("closed form or steps"),
         )?;

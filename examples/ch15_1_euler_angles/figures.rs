@@ -21,11 +21,7 @@ fn lying(name: &str, alt: &str, attitude: &Attitude) -> View {
     let at = |x, y, z| attitude.to_space(BodyVector::new(x, y, z));
     let edges = [at(1.1, 0.0, 0.0), at(0.0, 0.8, 0.0), at(0.0, 0.0, 0.22)];
     let title = [at(0.3, 0.0, 0.115), at(-0.42, 0.0, 0.115)];
-    let head = [
-        at(-0.2, -0.2, 0.115),
-        at(-0.42, 0.0, 0.115),
-        at(-0.2, 0.2, 0.115),
-    ];
+    let head = [at(-0.2, -0.2, 0.115), at(-0.42, 0.0, 0.115), at(-0.2, 0.2, 0.115)];
     View::new(name, alt)
         .around(UP * 0.05, 1.05)
         .size(340, 260)
@@ -57,11 +53,7 @@ fn books(p: &Parameters) -> Result<[Figure; 3]> {
          and the top edge lies to the left",
         &book(p.book, false)?,
     );
-    Ok([
-        start.figure()?,
-        level_first.figure()?,
-        upright_first.figure()?,
-    ])
+    Ok([start.figure()?, level_first.figure()?, upright_first.figure()?])
 }
 
 /// A triangle fixed in the body, on its way along the screw.
@@ -74,11 +66,7 @@ fn screw(p: &Parameters) -> Result<Figure> {
     let feet = [foot, foot + screw.axis * screw.advance];
     let ends = [screw.moved(origin, 0.0), screw.moved(origin, 1.0)];
     let centre = (ends[0] + ends[1] + feet[0] + feet[1]) * 0.25;
-    let reach = ends
-        .iter()
-        .chain(&feet)
-        .map(|v| (*v - centre).norm())
-        .fold(0.5, f64::max);
+    let reach = ends.iter().chain(&feet).map(|v| (*v - centre).norm()).fold(0.5, f64::max);
     let alt = "A triangle fixed in a body before and after the displacement. Its corners have run along arcs about one \
                straight line, the screw axis, and have advanced along it by the same length; dashed lines join one corner \
                to that axis.";
@@ -87,48 +75,25 @@ fn screw(p: &Parameters) -> Result<Figure> {
         .around(centre, 1.02 * reach)
         .size(340, 320)
         .line(
-            [
-                feet[0] - screw.axis * (0.4 * reach),
-                feet[1] + screw.axis * (0.5 * reach),
-            ],
+            [feet[0] - screw.axis * (0.4 * reach), feet[1] + screw.axis * (0.5 * reach)],
             Ink::Ink,
         )
         .dashed([feet[0], ends[0]], Ink::Ink)
         .dashed([feet[1], ends[1]], Ink::Ink)
         .arrow(feet[0], feet[1], Ink::Velocity, "", Side::Right)
-        .text(
-            (feet[0] + feet[1]) * 0.5,
-            "advance",
-            Ink::Velocity,
-            Side::Below,
-        )
-        .text(
-            feet[0] - screw.axis * (0.4 * reach),
-            "screw axis",
-            Ink::Ink,
-            Side::Above,
-        );
+        .text((feet[0] + feet[1]) * 0.5, "advance", Ink::Velocity, Side::Below)
+        .text(feet[0] - screw.axis * (0.4 * reach), "screw axis", Ink::Ink, Side::Above);
     let view = corners.into_iter().fold(view, |view, corner| {
-        view.turn(
-            times(0.0, 1.0, 60).map(|part| screw.moved(corner, part)),
-            Ink::Velocity,
-        )
+        view.turn(times(0.0, 1.0, 60).map(|part| screw.moved(corner, part)), Ink::Velocity)
     });
     let triangle = |view: View, part: f64, ink: Ink| {
         let [a, b, c] = corners.map(|corner| screw.moved(corner, part));
         let view = view.line([a, b, c, a], ink);
-        [a, b, c]
-            .into_iter()
-            .fold(view, |view, corner| view.dot(corner, ink, "", Side::Above))
+        [a, b, c].into_iter().fold(view, |view, corner| view.dot(corner, ink, "", Side::Above))
     };
     triangle(triangle(view, 0.0, Ink::Frame), 1.0, Ink::Body)
         .text(ends[0], "before", Ink::Frame, Side::Below)
-        .text(
-            screw.moved(corners[0], 1.0),
-            "after",
-            Ink::Body,
-            Side::Above,
-        )
+        .text(screw.moved(corners[0], 1.0), "after", Ink::Body, Side::Above)
         .triad()
         .figure()
 }
@@ -171,11 +136,7 @@ fn passage(_: &Parameters) -> Result<Figure> {
         .x(Axis::linear("$t$ / s").range(-1.0, 1.0))
         .y(Axis::angle("angle / rad").range(-PI, PI))
         .curve(over(|a| a[0], Ink::Velocity).label_at("$\\phi$", -0.4, 2.9, Side::Below))
-        .curve(
-            over(|a| a[2], Ink::Velocity)
-                .dashed()
-                .label_at("$\\zeta$", -0.4, -2.9, Side::Above),
-        )
+        .curve(over(|a| a[2], Ink::Velocity).dashed().label_at("$\\zeta$", -0.4, -2.9, Side::Above))
         .curve(over(|a| a[0] + a[2], Ink::Ink).dotted().label_at(
             "$\\phi+\\zeta$",
             0.55,

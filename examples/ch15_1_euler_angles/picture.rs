@@ -37,9 +37,7 @@ fn shown(p: &Parameters) -> (SpaceVector, f64) {
 pub fn triad(view: View, axes: [SpaceVector; 3], length: f64, names: [&str; 3], ink: Ink) -> View {
     let sides = [Side::Below, Side::Right, Side::Above];
     let each = axes.into_iter().zip(names).zip(sides);
-    each.fold(view, |view, ((axis, name), side)| {
-        view.arrow(ORIGIN, axis * length, ink, name, side)
-    })
+    each.fold(view, |view, ((axis, name), side)| view.arrow(ORIGIN, axis * length, ink, name, side))
 }
 
 /// The way of an axis while it is turned about another, as an arrow.
@@ -47,10 +45,7 @@ fn way(view: View, from: SpaceVector, about: SpaceVector, angle: f64, radius: f6
     if angle.abs() < 0.02 {
         return view;
     }
-    view.turn(
-        times(0.0, angle, 24).map(|a| turned(from, about, a) * radius),
-        Ink::Velocity,
-    )
+    view.turn(times(0.0, angle, 24).map(|a| turned(from, about, a) * radius), Ink::Velocity)
 }
 
 /// A disc in the plane of x and y, with a mark that points along x.
@@ -66,53 +61,20 @@ fn scene(view: View, angles: [f64; 3], names: [&str; 3]) -> View {
     let [phi, theta, zeta] = angles;
     let [fixed, first, second, last] = frames(angles);
     let view = view.camera(Camera::new(EYE[0], EYE[1])).size(250, 230);
-    let view = triad(
-        body(view, last),
-        fixed,
-        FIXED,
-        ["$X$", "$Y$", "$Z$"],
-        Ink::Frame,
-    );
+    let view = triad(body(view, last), fixed, FIXED, ["$X$", "$Y$", "$Z$"], Ink::Frame);
     let label = |view: View, on: bool, at: SpaceVector, text: &str| {
-        if on {
-            view.text(at, text, Ink::Velocity, Side::Centre)
-        } else {
-            view
-        }
+        if on { view.text(at, text, Ink::Velocity, Side::Centre) } else { view }
     };
     let middle = |from, about, angle: f64, radius| turned(from, about, 0.5 * angle) * radius;
     let (on_phi, on_theta, on_zeta) = (phi.abs() > 0.1, theta.abs() > 0.1, zeta.abs() > 0.1);
     let view = way(view, fixed[0], fixed[2], phi, 0.8);
-    let view = label(
-        view,
-        on_phi,
-        middle(fixed[0], fixed[2], phi, 0.93),
-        "$\\phi$",
-    );
+    let view = label(view, on_phi, middle(fixed[0], fixed[2], phi, 0.93), "$\\phi$");
     let view = way(view, first[2], first[0], theta, 0.8);
-    let view = label(
-        view,
-        on_theta,
-        middle(first[2], first[0], theta, 0.94),
-        "$\\theta$",
-    );
+    let view = label(view, on_theta, middle(first[2], first[0], theta, 0.94), "$\\theta$");
     let view = way(view, second[1], second[2], zeta, 0.8);
-    let view = label(
-        view,
-        on_zeta,
-        middle(second[1], second[2], zeta, 0.93),
-        "$\\zeta$",
-    );
-    let view = if on_zeta {
-        view.dashed([ORIGIN, first[0] * 1.05], Ink::Ink)
-    } else {
-        view
-    };
-    if names[0].is_empty() {
-        view
-    } else {
-        triad(view, last, BODY, names, Ink::Body)
-    }
+    let view = label(view, on_zeta, middle(second[1], second[2], zeta, 0.93), "$\\zeta$");
+    let view = if on_zeta { view.dashed([ORIGIN, first[0] * 1.05], Ink::Ink) } else { view };
+    if names[0].is_empty() { view } else { triad(view, last, BODY, names, Ink::Body) }
 }
 
 /// The notes' figure, panel by panel.
@@ -153,16 +115,8 @@ pub fn panels(p: &Parameters) -> Result<[Figure; 4]> {
 
 /// The three turns against the part that is made, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let columns = [
-        "turns [-]",
-        "phi [rad]",
-        "theta [rad]",
-        "zeta [rad]",
-        "w [-]",
-        "x [-]",
-        "y [-]",
-        "z [-]",
-    ];
+    let columns =
+        ["turns [-]", "phi [rad]", "theta [rad]", "zeta [rad]", "w [-]", "x [-]", "y [-]", "z [-]"];
     Trajectory::sampled(columns, times(0.0, 3.0, 300), |t| {
         let [a, b, c] = made(p, t);
         let [w, x, y, z] = attitude([a, b, c])?.quaternion();
@@ -173,11 +127,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// The turns as they are made, above the three angles.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let p = p.clone();
-    let angle = |i: usize| {
-        times(0.0, 3.0, 60)
-            .map(|t| (t, made(&p, t)[i]))
-            .collect::<Vec<_>>()
-    };
+    let angle = |i: usize| times(0.0, 3.0, 60).map(|t| (t, made(&p, t)[i])).collect::<Vec<_>>();
     let names = ["$\\phi$", "$\\theta$", "$\\zeta$"];
     let (centre, reach) = shown(&p);
     // At least as high as for the angles of the page, so that larger ones look larger.
@@ -188,9 +138,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let graph = (0..3).fold(axes, |panel, i| {
         let curve = Curve::new(angle(i), Ink::Velocity);
         panel.curve(
-            [curve.clone(), curve.clone().dashed(), curve.dotted()][i]
-                .clone()
-                .label_end(names[i]),
+            [curve.clone(), curve.clone().dashed(), curve.dotted()][i].clone().label_end(names[i]),
         )
     });
     MovingPicture::new(0.0..=3.0, [0.6, 1.6, 3.0], move |t| {

@@ -31,11 +31,7 @@ impl Passage {
         let method = Dop853::new(tolerance)?;
         let (end, work) = method.advance(&rates_of_angles(), -1.0, &self.angles(-1.0), 1.0)?;
         let [phi, theta, zeta] = end;
-        Ok((
-            Attitude::from_euler(EulerAngles { phi, theta, zeta })?,
-            end,
-            work,
-        ))
+        Ok((Attitude::from_euler(EulerAngles { phi, theta, zeta })?, end, work))
     }
 
     /// The end by quaternions.
@@ -61,14 +57,7 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// fastest rate of phi, backwards, over the rate of the body
         passage_rate: rate, "-", "difference of phi" => slope, within 1e-9 * rate;
     }?;
-    let columns = [
-        "closest",
-        "rate of phi",
-        "by angles",
-        "error",
-        "by quaternion",
-        "error of it",
-    ];
+    let columns = ["closest", "rate of phi", "by angles", "error", "by quaternion", "error of it"];
     let mut table = Table::new("passages", columns)?;
     for e in [0.5, 0.1, 1e-2, 1e-3, 1e-4, 1e-6] {
         let (passage, exact) = (Passage(e), Passage(e).attitude(1.0)?);
@@ -106,8 +95,6 @@ pub fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
         |run| run.2,
         move |run| Ok(run.0.angle_to(&exact)),
     )?;
-    report.set_closed_form(ClosedForm::new(move |part| {
-        passage.attitude(2.0 * part - 1.0)
-    }));
+    report.set_closed_form(ClosedForm::new(move |part| passage.attitude(2.0 * part - 1.0)));
     Ok(())
 }

@@ -40,11 +40,7 @@ fn line(p: &Parameters) -> Result<Figure> {
     let sketch = Sketch::new("line", alt)
         .window((-1.05, 1.25), (-1.0, 1.0))
         .body(rim(after), Ink::Body, 0.1)
-        .curve(
-            Curve::new([(0.0, 0.0), (1.12, 0.0)], Ink::Frame)
-                .thin()
-                .dashed(),
-        )
+        .curve(Curve::new([(0.0, 0.0), (1.12, 0.0)], Ink::Frame).thin().dashed())
         .text((1.12, 0.0), "$x$", Ink::Frame, Side::Right);
     let draw = |sketch: Sketch, (foot, along, long): ((f64, f64), f64, f64)| {
         let end = |turn: f64, part: f64| {
@@ -55,20 +51,11 @@ fn line(p: &Parameters) -> Result<Figure> {
         sketch
             .curve(Curve::new([foot, end(before, 1.0)], Ink::Body).dashed())
             .curve(Curve::new([foot, end(after, 1.0)], Ink::Body))
-            .turn(
-                foot,
-                0.7 * long,
-                (along + before, along + after),
-                Ink::Velocity,
-            )
+            .turn(foot, 0.7 * long, (along + before, along + after), Ink::Velocity)
             .text(middle, &turned, Ink::Velocity, Side::Right)
             .dot(foot, Ink::Body, "", Side::Below)
     };
-    lines
-        .into_iter()
-        .fold(sketch, draw)
-        .dot((0.0, 0.0), Ink::Ink, "$O$", Side::BelowLeft)
-        .figure()
+    lines.into_iter().fold(sketch, draw).dot((0.0, 0.0), Ink::Ink, "$O$", Side::BelowLeft).figure()
 }
 
 /// A box about a fixed point and three of its points.
@@ -77,28 +64,14 @@ fn field() -> Result<Figure> {
     let alt = "A box turns about a fixed point; the angular velocity is an arrow through it. Thin arrows lead from \
                the fixed point through the box to two corners and to the middle of an edge; each of these three points \
                has a velocity at right angles to its thin arrow and to that of the angular velocity.";
-    let edges = [
-        SpaceVector::new(1.3, 0.0, 0.0),
-        SpaceVector::new(0.0, 0.9, 0.0),
-        UP * 0.3,
-    ];
+    let edges = [SpaceVector::new(1.3, 0.0, 0.0), SpaceVector::new(0.0, 0.9, 0.0), UP * 0.3];
     let corner = |x: f64, y: f64| SpaceVector::new(0.65 * x, 0.45 * y, 0.15);
     let view = View::new("field", alt)
         .around(UP * 0.2, 0.95)
         .solid(Solid::cuboid(ORIGIN, edges), Ink::Body)
         .dashed([omega * -0.7, omega * 1.1], Ink::Frame)
-        .arrow(
-            ORIGIN,
-            omega * 1.05,
-            Ink::Velocity,
-            "$\\Omega$",
-            Side::Right,
-        );
-    let points = [
-        corner(1.0, -1.0),
-        corner(1.0, 1.0),
-        SpaceVector::new(0.0, 0.45, 0.15),
-    ];
+        .arrow(ORIGIN, omega * 1.05, Ink::Velocity, "$\\Omega$", Side::Right);
+    let points = [corner(1.0, -1.0), corner(1.0, 1.0), SpaceVector::new(0.0, 0.45, 0.15)];
     let labels = ["$v_1$", "$v_2$", "$v_3$"];
     points
         .into_iter()
@@ -128,30 +101,11 @@ fn disc() -> Result<Figure> {
         .arrow(o, flat(O_PRIME), Ink::Frame, "$a$", Side::Below)
         .arrow(o, flat(A), Ink::Frame, "$r$", Side::Above)
         .arrow(flat(O_PRIME), flat(A), Ink::Frame, "$r'$", Side::BelowRight)
-        .arrow_to(
-            flat(O_PRIME),
-            flat(O_PRIME + of_o),
-            Ink::Ink,
-            "$V_{O'}$",
-            Side::Right,
-        )
+        .arrow_to(flat(O_PRIME), flat(O_PRIME + of_o), Ink::Ink, "$V_{O'}$", Side::Right)
         .arrow_to(flat(A), flat(A + of_a), Ink::Ink, "$V_A$", Side::AboveLeft)
-        .curve(
-            Curve::new([flat(A), flat(A + of_o)], Ink::Ink)
-                .thin()
-                .dashed(),
-        )
-        .curve(
-            Curve::new([flat(A + of_o), flat(A + of_o + about)], Ink::Ink)
-                .thin()
-                .dashed(),
-        )
-        .text(
-            flat(A + of_o + about * 0.4),
-            "$\\Omega$ × $r'$",
-            Ink::Ink,
-            Side::Right,
-        )
+        .curve(Curve::new([flat(A), flat(A + of_o)], Ink::Ink).thin().dashed())
+        .curve(Curve::new([flat(A + of_o), flat(A + of_o + about)], Ink::Ink).thin().dashed())
+        .text(flat(A + of_o + about * 0.4), "$\\Omega$ × $r'$", Ink::Ink, Side::Right)
         .turn(o, 0.3, (2.4, 3.4), Ink::Velocity)
         .text((-0.24, 0.0), "$\\Omega$", Ink::Velocity, Side::Right)
         .dot(o, Ink::Ink, "$O$", Side::Left)
@@ -168,10 +122,7 @@ fn orders(name: &str, how: &str, axes: [SpaceVector; 2]) -> Result<Figure> {
     let [long, wide, up] = [[1.1, 0.0, 0.0], [0.0, 0.7, 0.0], [0.0, 0.0, 0.26]];
     let put = |v: [f64; 3]| turned.to_space(v.into());
     let points = |v: SpaceVector| {
-        let found = ["X", "Y", "Z"]
-            .into_iter()
-            .zip(v.to_array())
-            .find(|(_, c)| c.abs() > 0.5);
+        let found = ["X", "Y", "Z"].into_iter().zip(v.to_array()).find(|(_, c)| c.abs() > 0.5);
         let (axis, along) = found.unwrap_or(("nothing", 0.0));
         format!("{}{axis}", if along < 0.0 { "-" } else { "" })
     };
@@ -184,10 +135,7 @@ fn orders(name: &str, how: &str, axes: [SpaceVector; 2]) -> Result<Figure> {
     View::new(name, &alt)
         .around(ORIGIN, 1.15)
         .size(340, 280)
-        .solid(
-            Solid::cuboid(ORIGIN, [put(long), put(wide), put(up)]),
-            Ink::Body,
-        )
+        .solid(Solid::cuboid(ORIGIN, [put(long), put(wide), put(up)]), Ink::Body)
         .arrow(ORIGIN, z, Ink::Body, "$3$", Side::Left)
         .arrow(ORIGIN, x, Ink::Body, "$1$", Side::Right)
         .triad()
@@ -272,12 +220,7 @@ fn gyroscope(p: &Parameters) -> Result<Figure> {
         .turn(round(UP, x, 1.22, 0.16), Ink::Velocity)
         .text(UP * 1.22 + x * 0.2, "$\\phi$", Ink::Velocity, Side::Left)
         .turn(round(x, y, 1.22, 0.16), Ink::Velocity)
-        .text(
-            x * 1.22 + UP * 0.22,
-            "$\\theta$",
-            Ink::Velocity,
-            Side::Above,
-        )
+        .text(x * 1.22 + UP * 0.22, "$\\theta$", Ink::Velocity, Side::Above)
         .turn(round(z, x, 1.1, 0.16), Ink::Velocity)
         .text(z * 1.1 + x * 0.2, "$\\zeta$", Ink::Velocity, Side::Left)
         .figure()
@@ -319,34 +262,10 @@ fn triad(p: &Parameters) -> Result<Figure> {
         .dashed([on_z, turn], Ink::Velocity)
         .turn(tilt, Ink::Ink)
         .text(half, "$\\theta$", Ink::Ink, Side::Centre)
-        .arrow(
-            ORIGIN,
-            on_y,
-            Ink::Velocity,
-            "$\\dot\\phi\\sin\\theta$",
-            Side::Below,
-        )
-        .arrow(
-            ORIGIN,
-            x * (g.rates.theta * scale),
-            Ink::Velocity,
-            "$\\dot\\theta$",
-            Side::Left,
-        )
-        .arrow(
-            ORIGIN,
-            z * (g.rates.zeta * scale),
-            Ink::Velocity,
-            "$\\dot\\zeta$",
-            Side::Left,
-        )
-        .arrow(
-            ORIGIN,
-            on_z,
-            Ink::Velocity,
-            "$\\dot\\phi\\cos\\theta$",
-            Side::Left,
-        )
+        .arrow(ORIGIN, on_y, Ink::Velocity, "$\\dot\\phi\\sin\\theta$", Side::Below)
+        .arrow(ORIGIN, x * (g.rates.theta * scale), Ink::Velocity, "$\\dot\\theta$", Side::Left)
+        .arrow(ORIGIN, z * (g.rates.zeta * scale), Ink::Velocity, "$\\dot\\zeta$", Side::Left)
+        .arrow(ORIGIN, on_z, Ink::Velocity, "$\\dot\\phi\\cos\\theta$", Side::Left)
         .arrow(ORIGIN, turn, Ink::Velocity, "$\\dot\\phi$", Side::Right)
         .figure()
 }
@@ -439,19 +358,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .arrow(ORIGIN, first, Ink::Velocity, "", Side::Left)
             .text(first * 0.8, "$\\dot\\phi$", Ink::Velocity, Side::Left)
             .arrow(first, second, Ink::Velocity, "", Side::Above)
-            .text(
-                (first + second) * 0.5,
-                "$\\dot\\theta$",
-                Ink::Velocity,
-                Side::Above,
-            )
+            .text((first + second) * 0.5, "$\\dot\\theta$", Ink::Velocity, Side::Above)
             .arrow(second, last, Ink::Velocity, "", Side::Right)
-            .text(
-                (second + last) * 0.5,
-                "$\\dot\\zeta$",
-                Ink::Velocity,
-                Side::Above,
-            )
+            .text((second + last) * 0.5, "$\\dot\\zeta$", Ink::Velocity, Side::Above)
             .arrow(ORIGIN, sum, Ink::Velocity, "$\\Omega$", Side::Right);
         Stack::frame(&alt, scene, &graph, t)
     })

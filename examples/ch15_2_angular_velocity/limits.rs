@@ -9,16 +9,10 @@ use kit::{Table, short};
 /// Tests the formulas where one knows what must come out.
 pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
     let g = Gyroscope::of(p, 1.0);
-    let at = |theta| Gyroscope {
-        angles: EulerAngles { theta, ..g.angles },
-        ..g
-    };
+    let at = |theta| Gyroscope { angles: EulerAngles { theta, ..g.angles }, ..g };
     let (upright, level) = (at(1e-9), at(FRAC_PI_2));
     let omega = SpaceVector::new(0.4, -0.3, 2.0);
-    let [r, s] = [
-        SpaceVector::new(0.1, 0.2, 0.3),
-        SpaceVector::new(0.7, -0.2, 0.5),
-    ];
+    let [r, s] = [SpaceVector::new(0.1, 0.2, 0.3), SpaceVector::new(0.7, -0.2, 0.5)];
     let found = from_two_points(velocity(omega, r), velocity(omega, s), s);
     let sum = p.precession.abs() + p.nutation.abs() + p.spin.abs();
     let near = 1e-14 * sum;

@@ -60,9 +60,7 @@ fn vector(w: impl Fn(usize, usize) -> f64) -> [f64; 3] {
 
 /// The angular velocity in space: that of R' R^T.
 pub fn in_space(r: &Matrix) -> SpaceVector {
-    SpaceVector::from_array(vector(|i, j| {
-        (0..3).map(|k| r[i][k].rate * r[j][k].value).sum()
-    }))
+    SpaceVector::from_array(vector(|i, j| (0..3).map(|k| r[i][k].rate * r[j][k].value).sum()))
 }
 
 /// The angular velocity on the axes that turn: that of R^T R'.

@@ -16,10 +16,7 @@ pub fn by_angles(
     let method = Dop853::new(step)?;
     let ([phi, theta, zeta], work) =
         method.advance(&angles_of(omega), 0.0, &[phi, theta, zeta], end)?;
-    Ok((
-        Attitude::from_euler(EulerAngles { phi, theta, zeta })?,
-        work,
-    ))
+    Ok((Attitude::from_euler(EulerAngles { phi, theta, zeta })?, work))
 }
 
 /// The same by the quaternion.
@@ -108,8 +105,7 @@ pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
         |run| run.1,
         error,
     )?;
-    report.set_closed_form(ClosedForm::new(move |part| {
-        start.turned_in_space(omega * (part * end))
-    }));
+    report
+        .set_closed_form(ClosedForm::new(move |part| start.turned_in_space(omega * (part * end))));
     Ok(())
 }

@@ -7,14 +7,7 @@ use rotation_dynamics::frame::SpaceVector;
 
 /// All figures of the page.
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {
-    Ok(vec![
-        one_day()?,
-        oval()?,
-        tilt()?,
-        equation(p)?,
-        day_length(p)?,
-        analemma(p)?,
-    ])
+    Ok(vec![one_day()?, oval()?, tilt()?, equation(p)?, day_length(p)?, analemma(p)?])
 }
 
 type Point = (f64, f64);
@@ -66,12 +59,7 @@ fn one_day() -> Result<Figure> {
         .dot(alpha, Ink::Ink, "$O$", Side::Right)
         .dot(beta, Ink::Ink, "$O$", Side::Right)
         .text(at(alpha, 0.2, 0.5 * PI), "$P$", Ink::Body, Side::Left)
-        .text(
-            at(beta, 0.2, 0.5 * PI + angle),
-            "$P$",
-            Ink::Body,
-            Side::Left,
-        )
+        .text(at(beta, 0.2, 0.5 * PI + angle), "$P$", Ink::Body, Side::Left)
         .figure()
 }
 
@@ -127,16 +115,8 @@ fn tilt() -> Result<Figure> {
         .sphere()
         .trace(times(0.0, TAU, 240).map(ecliptic), Ink::Ink)
         .trace(meridian, Ink::Frame)
-        .trace(
-            times(0.0, sun, 40).map(|a| SpaceVector::new(cos(a), sin(a), 0.0)),
-            Ink::Body,
-        )
-        .dot(
-            SpaceVector::new(1.0, 0.0, 0.0),
-            Ink::Ink,
-            "equinox",
-            Side::Left,
-        )
+        .trace(times(0.0, sun, 40).map(|a| SpaceVector::new(cos(a), sin(a), 0.0)), Ink::Body)
+        .dot(SpaceVector::new(1.0, 0.0, 0.0), Ink::Ink, "equinox", Side::Left)
         .dot(there, Ink::Ink, "Sun", Side::AboveRight)
         .dot(foot, Ink::Frame, "", Side::Below)
         .dot(mean, Ink::Body, "mean", Side::BelowRight)
@@ -150,18 +130,12 @@ fn calendar(p: &Parameters) -> Axis {
         return axis;
     }
     let months = ["Jan", "Mar", "May", "Jul", "Sep", "Nov"];
-    axis.ticks(
-        [0.0, 60.0, 121.0, 182.0, 244.0, 305.0]
-            .into_iter()
-            .zip(months),
-    )
+    axis.ticks([0.0, 60.0, 121.0, 182.0, 244.0, 305.0].into_iter().zip(months))
 }
 
 /// An axis over all of these curves, and over a little more if they are flat.
 fn reaching(label: &str, curves: &[&[Point]]) -> Axis {
-    let values = curves
-        .iter()
-        .flat_map(|curve| curve.iter().map(|(_, y)| *y));
+    let values = curves.iter().flat_map(|curve| curve.iter().map(|(_, y)| *y));
     Axis::linear(label).over(values.chain([-0.1, 0.1]))
 }
 
@@ -194,20 +168,14 @@ fn equation(p: &Parameters) -> Result<Figure> {
                highest in November; dots from simulated noons lie on it.";
     let (oval, tilt) = (curve(|sun| -sun.centre), curve(|sun| sun.reduction));
     let curves = [oval, tilt, curve(Sun::equation_of_time), found];
-    causes(
-        Panel::new("equation", alt),
-        p,
-        "sundial less clock / min",
-        curves,
-    )
+    causes(Panel::new("equation", alt), p, "sundial less clock / min", curves)
 }
 
 fn day_length(p: &Parameters) -> Result<Figure> {
     let lengths = |noons: Vec<f64>| {
         let pairs = noons.windows(2).take(p.year as usize);
         let days = pairs.map(|t| (0.5 * (t[0] + t[1]), (t[1] - t[0] - 1.0) * p.day));
-        days.filter(|(t, _)| (0.0..=p.year).contains(t))
-            .collect::<Vec<_>>()
+        days.filter(|(t, _)| (0.0..=p.year).contains(t)).collect::<Vec<_>>()
     };
     let of = |e, tilt| lengths(noons(&with(p, e, tilt)));
     let alt = "The time from noon to noon less 24 hours over the year, in seconds: twice a year above and twice below \
@@ -216,12 +184,7 @@ fn day_length(p: &Parameters) -> Result<Figure> {
     let found = lengths(orbit::noons(p, p.tolerance)?.0);
     let (oval, tilt) = (of(p.eccentricity, 0.0), of(0.0, p.obliquity));
     let curves = [oval, tilt, lengths(noons(p)), found];
-    causes(
-        Panel::new("day_length", alt),
-        p,
-        "noon to noon less 24 h / s",
-        curves,
-    )
+    causes(Panel::new("day_length", alt), p, "noon to noon less 24 h / s", curves)
 }
 
 fn analemma(p: &Parameters) -> Result<Figure> {
@@ -259,30 +222,13 @@ fn analemma(p: &Parameters) -> Result<Figure> {
 
 /// The Sun day by day, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let columns = [
-        "day",
-        "noon [d]",
-        "sundial less clock [s]",
-        "orbit [s]",
-        "tilt [s]",
-        "declination [rad]",
-    ];
+    let columns =
+        ["day", "noon [d]", "sundial less clock [s]", "orbit [s]", "tilt [s]", "declination [rad]"];
     let second = p.day / TAU;
     Trajectory::sampled(columns, (0..=p.year as u32).map(f64::from), |k| {
         let t = noon(p, k as u32);
-        let Sun {
-            centre,
-            reduction,
-            declination,
-        } = sun(p, t);
-        Ok([
-            k,
-            t,
-            (k - t) * p.day,
-            -centre * second,
-            reduction * second,
-            declination,
-        ])
+        let Sun { centre, reduction, declination } = sun(p, t);
+        Ok([k, t, (k - t) * p.day, -centre * second, reduction * second, declination])
     })
 }
 

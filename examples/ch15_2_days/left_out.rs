@@ -110,10 +110,7 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (light, circled) = (by_light(lag), simulated(p, by_the_moon)?);
     // The perihelion moves against the equinox by 61.9 arcsec a year (Simon et al. 1994).
     let perihelion = 61.9 / TURN * TAU;
-    let moved = Parameters {
-        perigee: p.perigee + perihelion,
-        ..p.clone()
-    };
+    let moved = Parameters { perigee: p.perigee + perihelion, ..p.clone() };
     let (turned, place) = (orbit::noons(&moved, 1e-13)?, on_orbit(&moved)?);
     let by_turn = later(p, |t, _| [place(t)[0], place(t)[1]])?;
     // The largest term of Newcomb's; there are smaller ones.

@@ -52,8 +52,5 @@ pub fn facing(rate: f64, motion: f64, step: f64) -> Result<[f64; 2]> {
     let time = |f: fn(&[f64; 4]) -> f64| {
         Ok::<_, rotation_dynamics::Error>(method.zero(&arrows, start, 2, until, f)?.0.t)
     };
-    Ok([
-        time(|[x, y, u, v]| x * v - y * u)?,
-        time(|[_, _, _, v]| *v)?,
-    ])
+    Ok([time(|[x, y, u, v]| x * v - y * u)?, time(|[_, _, _, v]| *v)?])
 }

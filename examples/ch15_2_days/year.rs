@@ -32,14 +32,8 @@ fn least_and_greatest(values: &[f64]) -> [(f64, usize); 2] {
 impl Extremes {
     /// From the noons of a year, in mean days.
     pub fn of(noons: &[f64], day: f64) -> Self {
-        let leads: Vec<f64> = (0..)
-            .zip(noons)
-            .map(|(k, t)| (f64::from(k) - t) * day)
-            .collect();
-        let days: Vec<f64> = noons
-            .windows(2)
-            .map(|pair| (pair[1] - pair[0] - 1.0) * day)
-            .collect();
+        let leads: Vec<f64> = (0..).zip(noons).map(|(k, t)| (f64::from(k) - t) * day).collect();
+        let days: Vec<f64> = noons.windows(2).map(|pair| (pair[1] - pair[0] - 1.0) * day).collect();
         let [latest, earliest] = least_and_greatest(&leads[..days.len()]);
         let [shortest_on, longest_on] = least_and_greatest(&days);
         Self {

@@ -269,15 +269,8 @@ const WHEEL: [f64; 3] = [0.3, 0.5, 0.16];
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (r, start) = (p.coin_radius, [2.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
     let run = Dop853::new(p.tolerance)?.solve(&on_a_coin(1.0), 0.0, &start, 2.0 * TAU, &[])?;
-    let columns = [
-        "theta_net [rad]",
-        "theta_orbit [rad]",
-        "rim x [m]",
-        "rim y [m]",
-    ];
-    Trajectory::of(&run, columns, 360, |t, y: [f64; 6]| {
-        [t, y[4], r * y[2], r * y[3]]
-    })
+    let columns = ["theta_net [rad]", "theta_orbit [rad]", "rim x [m]", "rim y [m]"];
+    Trajectory::of(&run, columns, 360, |t, y: [f64; 6]| [t, y[4], r * y[2], r * y[3]])
 }
 
 /// Coin on coin, told twice: in the laboratory, and as seen from the line of centres. Where it
@@ -295,14 +288,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let (back, on) = (turned(t), turned((spin * t).abs()));
         let sense = ["counterclockwise", "clockwise"][usize::from(spin < 0.0)];
         let (moves, seen) = match slip {
-            None => (
-                "rolling",
-                format!("by {back} degrees each, in opposite senses"),
-            ),
-            Some(_) => (
-                "slipping",
-                format!("by {back} degrees clockwise and by {on} {sense}"),
-            ),
+            None => ("rolling", format!("by {back} degrees each, in opposite senses")),
+            Some(_) => ("slipping", format!("by {back} degrees clockwise and by {on} {sense}")),
         };
         let alt = format!(
             "Left, in the laboratory: the line of centres has turned by {back} degrees and the {moves} \
@@ -317,18 +304,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let sketch = Sketch::within((-6.6, 6.6), (-4.3, 3.3))
             .curve(centres([left, there]))
             .curve(centres([right, above]));
-        let sketch = coin(
-            coin(sketch, left, up, Ink::Frame),
-            right,
-            up - t,
-            Ink::Frame,
-        );
-        let sketch = coin(
-            coin(sketch, there, net * t - up, Ink::Body),
-            above,
-            spin * t - up,
-            Ink::Body,
-        );
+        let sketch = coin(coin(sketch, left, up, Ink::Frame), right, up - t, Ink::Frame);
+        let sketch =
+            coin(coin(sketch, there, net * t - up, Ink::Body), above, spin * t - up, Ink::Body);
         let sketch = match slip {
             None => sketch,
             Some(slip) => {
@@ -337,10 +315,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
                 sketch.arrow_along([contact, (contact.0 + dx, contact.1 + dy)], Ink::Ink)
             }
         };
-        let told = [
-            (left.0, "in the laboratory"),
-            (right.0, "from the line of centres"),
-        ];
+        let told = [(left.0, "in the laboratory"), (right.0, "from the line of centres")];
         let write = |s: Sketch, (x, words)| s.text((x, -3.6), words, Ink::Ink, Side::Centre);
         Ok((alt, told.into_iter().fold(sketch, write)))
     })

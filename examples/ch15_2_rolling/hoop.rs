@@ -26,17 +26,11 @@ impl Mechanism<3, 2> for Roller {
     }
     fn contacts(&self, body: &MechanismState<3>) -> [Contact<3>; 2] {
         let ground = Contact::rim("ground", body, self.radius, Surface::FLOOR).friction(1.0);
-        [
-            ground,
-            Contact::rolling("rim", 0, self.radius, self.resistance),
-        ]
+        [ground, Contact::rolling("rim", 0, self.radius, self.resistance)]
     }
     fn scale(&self, _: &MechanismState<3>) -> MechanismState<3> {
         let (v, r) = (self.speed, self.radius);
-        MechanismState {
-            q: [r, r, 1.0],
-            v: [v, v, v / r],
-        }
+        MechanismState { q: [r, r, 1.0], v: [v, v, v / r] }
     }
 }
 
@@ -49,17 +43,8 @@ pub fn lost(
     gravity: f64,
     t: f64,
 ) -> Result<(f64, Work)> {
-    let body = Roller {
-        shape,
-        radius,
-        speed,
-        gravity,
-        resistance,
-    };
-    let start = MechanismState {
-        q: [0.0, radius, 0.0],
-        v: [speed, 0.0, -speed / radius],
-    };
+    let body = Roller { shape, radius, speed, gravity, resistance };
+    let start = MechanismState { q: [0.0, radius, 0.0], v: [speed, 0.0, -speed / radius] };
     let run = motion_within(body, 1e-10, start, t)?;
     Ok((speed - run.at(t)?.v[0], run.work()))
 }

@@ -14,11 +14,7 @@ pub fn four() -> Vec<Mass> {
 impl Rigid {
     /// The same motion, told by another point of the body.
     pub fn seen_from(&self, point: DesignVector) -> Self {
-        Self {
-            point,
-            velocity: velocity(self, point),
-            ..*self
-        }
+        Self { point, velocity: velocity(self, point), ..*self }
     }
 }
 
@@ -34,14 +30,7 @@ pub fn kinetic_energy(masses: &[Mass], motion: &Rigid) -> f64 {
 /// The kinetic energy of a rotation about the origin.
 pub fn turning_energy(masses: &[Mass], angular_velocity: DesignVector) -> f64 {
     let (point, velocity) = (DesignVector::zero(), DesignVector::zero());
-    kinetic_energy(
-        masses,
-        &Rigid {
-            point,
-            velocity,
-            angular_velocity,
-        },
-    )
+    kinetic_energy(masses, &Rigid { point, velocity, angular_velocity })
 }
 
 /// The velocity at `place`, from where the point is a little before and after: the body is
@@ -73,8 +62,7 @@ pub fn centre_of_mass(masses: &[Mass]) -> DesignVector {
 
 /// A matrix times a vector.
 pub fn on_vector(t: &[[f64; 3]; 3], v: DesignVector) -> DesignVector {
-    t.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
-        .into()
+    t.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2]).into()
 }
 
 /// The tensor on other axes by the tensor law, Q I Q^T: `axes` carries components on the new
@@ -91,26 +79,17 @@ pub fn on_axes(t: &[[f64; 3]; 3], axes: &Attitude) -> [[f64; 3]; 3] {
 /// The same masses with their places on other axes, which `axes` carries to the old ones.
 pub fn turned_masses(masses: &[Mass], axes: &Attitude) -> Vec<Mass> {
     let turned = |r: &DesignVector| -> BodyVector { axes.to_body(r.to_array().into()) };
-    masses
-        .iter()
-        .map(|(m, r)| (*m, turned(r).to_array().into()))
-        .collect()
+    masses.iter().map(|(m, r)| (*m, turned(r).to_array().into())).collect()
 }
 
 /// Four points that have all moments of a plate with these edges, its centre at `centre`.
 pub fn plate_points(mass: f64, edges: [f64; 2], centre: [f64; 2]) -> Vec<Mass> {
     let off = 1.0 / 12.0_f64.sqrt();
     let point = |(x, y): (f64, f64)| {
-        let place = [
-            centre[0] + x * off * edges[0],
-            centre[1] + y * off * edges[1],
-            0.0,
-        ];
+        let place = [centre[0] + x * off * edges[0], centre[1] + y * off * edges[1], 0.0];
         (0.25 * mass, place.into())
     };
-    [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
-        .map(point)
-        .into()
+    [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(point).into()
 }
 
 /// A wheel of mass 1 and radius 1 as two rings, upright, its axle along z: a uniform disc.
@@ -122,9 +101,7 @@ pub fn wheel() -> Vec<Mass> {
         })
     };
     // Half of the mass at sqrt(1/2 - d) and half at sqrt(1/2 + d): the mean square is a disc's.
-    ring(0.25_f64.sqrt(), 0.5)
-        .chain(ring(0.75_f64.sqrt(), 0.5))
-        .collect()
+    ring(0.25_f64.sqrt(), 0.5).chain(ring(0.75_f64.sqrt(), 0.5)).collect()
 }
 
 /// It rolls along x with the speed 1, and so turns clockwise.

@@ -13,13 +13,8 @@ use rotation_dynamics::math::{cbrt, cos, sin, sincos};
 
 /// All figures of the page.
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {
-    let drawn = [
-        velocities, wheel, body, ellipsoid, square, corner, principal,
-    ];
-    let mut figures: Vec<Figure> = drawn
-        .into_iter()
-        .map(|draw| draw())
-        .collect::<Result<_>>()?;
+    let drawn = [velocities, wheel, body, ellipsoid, square, corner, principal];
+    let mut figures: Vec<Figure> = drawn.into_iter().map(|draw| draw()).collect::<Result<_>>()?;
     figures.push(mohr(p)?);
     figures.push(parallel()?);
     Ok(figures)
@@ -80,12 +75,7 @@ fn wheel() -> Result<Figure> {
         .arrow(on, (0.8, -0.8), Ink::Ink, "", Side::Right)
         .arrow(on, (0.8, -0.2), Ink::Frame, "", Side::Right)
         .text((0.8, -0.8), "$V_P$", Ink::Ink, Side::Right)
-        .text(
-            (0.8, -0.2),
-            r"$\Omega\times R_{CM}$",
-            Ink::Frame,
-            Side::Right,
-        )
+        .text((0.8, -0.2), r"$\Omega\times R_{CM}$", Ink::Frame, Side::Right)
         .curve(Curve::new([on, centre], Ink::Frame).thin())
         .dot(centre, Ink::Ink, "CM", Side::Left)
         .dot(on, Ink::Ink, "$P$", Side::Left)
@@ -102,9 +92,7 @@ fn space(v: DesignVector) -> SpaceVector {
 
 /// Where the four masses and their ellipsoid are seen from.
 fn view(name: &str, alt: &str) -> View {
-    View::new(name, alt)
-        .camera(Camera::new(0.6, 0.38))
-        .size(340, 320)
+    View::new(name, alt).camera(Camera::new(0.6, 0.38)).size(340, 320)
 }
 
 /// The axes, to both sides, with a label at one end.
@@ -113,17 +101,14 @@ fn with_axes(view: View, length: impl Fn(usize) -> f64) -> Result<View> {
     let named = axes.into_iter().zip(["$x'$", "$y'$", "$z'$"]).enumerate();
     Ok(named.fold(view, |view, (i, (axis, name))| {
         let end = space(axis) * length(i);
-        view.line([-end, end], Ink::Body)
-            .arrow(end * 0.9, end, Ink::Body, name, Side::Above)
+        view.line([-end, end], Ink::Body).arrow(end * 0.9, end, Ink::Body, name, Side::Above)
     }))
 }
 
 fn body() -> Result<Figure> {
     let alt = "Four balls of different size at the ends of rods that meet at the origin, and three green \
                lines at right angles through the origin, x prime, y prime and z prime.";
-    let scene = view("body", alt)
-        .around(SpaceVector::new(0.0, 0.05, 0.05), 0.95)
-        .triad();
+    let scene = view("body", alt).around(SpaceVector::new(0.0, 0.05, 0.05), 0.95).triad();
     let scene = four().into_iter().fold(scene, |scene, (m, r): Mass| {
         let place = space(r);
         scene
@@ -144,23 +129,14 @@ fn stretched(axes: [SpaceVector; 3], lengths: [f64; 3]) -> Solid {
             + axes[2] * (lengths[2] * c)
     };
     let face = |(i, j): (usize, usize)| {
-        let corners = vec![
-            place(i, j),
-            place(i + 1, j),
-            place(i + 1, j + 1),
-            place(i, j + 1),
-        ];
+        let corners = vec![place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)];
         match i {
             0 => corners[..3].to_vec(),
             _ if i + 1 == rings => vec![corners[0], corners[1], corners[3]],
             _ => corners,
         }
     };
-    Solid::new(
-        (0..rings)
-            .flat_map(|i| (0..sides).map(move |j| (i, j)))
-            .map(face),
-    )
+    Solid::new((0..rings).flat_map(|i| (0..sides).map(move |j| (i, j))).map(face))
 }
 
 fn ellipsoid() -> Result<Figure> {
@@ -169,13 +145,8 @@ fn ellipsoid() -> Result<Figure> {
     let found = InertiaTensor::new(tensor(&four()))?.principal_axes();
     let lengths = found.moments().map(|moment| 0.45 / moment.sqrt());
     let solid = stretched(found.axes().map(space), lengths);
-    let scene = view("ellipsoid", alt)
-        .around(SpaceVector::new(0.0, 0.05, 0.05), 0.95)
-        .triad();
-    with_axes(scene.solid(solid, Ink::Frame), |i| {
-        lengths[i] + [0.22, 0.22, 0.6][i]
-    })?
-    .figure()
+    let scene = view("ellipsoid", alt).around(SpaceVector::new(0.0, 0.05, 0.05), 0.95).triad();
+    with_axes(scene.solid(solid, Ink::Frame), |i| lengths[i] + [0.22, 0.22, 0.6][i])?.figure()
 }
 
 /// The edges of the square, along x and y.
@@ -189,22 +160,15 @@ fn plate(sketch: Sketch, at: (f64, f64), [a, b]: [f64; 2]) -> Sketch {
 
 /// Two axes through `at`, turned by `angle`.
 fn two_axes(sketch: Sketch, at: (f64, f64), angle: f64, length: f64, names: [&str; 2]) -> Sketch {
-    let sides = [
-        (angle, names[0], Side::Right),
-        (angle + FRAC_PI_2, names[1], Side::Above),
-    ];
-    sides
-        .into_iter()
-        .fold(sketch, |sketch, (angle, name, side)| {
-            let end = sum(at, polar(length, angle));
-            sketch.arrow_to(at, end, Ink::Ink, name, side)
-        })
+    let sides = [(angle, names[0], Side::Right), (angle + FRAC_PI_2, names[1], Side::Above)];
+    sides.into_iter().fold(sketch, |sketch, (angle, name, side)| {
+        let end = sum(at, polar(length, angle));
+        sketch.arrow_to(at, end, Ink::Ink, name, side)
+    })
 }
 
 fn sketch(name: &str, alt: &str) -> Sketch {
-    Sketch::new(name, alt)
-        .window((-0.95, 1.75), (-0.4, 1.7))
-        .width(300)
+    Sketch::new(name, alt).window((-0.95, 1.75), (-0.4, 1.7)).width(300)
 }
 
 fn square() -> Result<Figure> {
@@ -221,12 +185,7 @@ fn square() -> Result<Figure> {
     two_axes(drawn, centre, 0.0, 0.9, ["$x$", "$y$"])
         .curve(turned(0.6).label_end("$x'$"))
         .curve(turned(0.6 + FRAC_PI_2))
-        .text(
-            sum(centre, polar(0.97, 0.6 + FRAC_PI_2)),
-            "$y'$",
-            Ink::Frame,
-            Side::Left,
-        )
+        .text(sum(centre, polar(0.97, 0.6 + FRAC_PI_2)), "$y'$", Ink::Frame, Side::Left)
         .dot(centre, Ink::Ink, "CM", Side::BelowLeft)
         .figure()
 }
@@ -246,18 +205,12 @@ fn principal() -> Result<Figure> {
     let [.., angle] = corner_axes(1.0, 1.0, 1.0);
     let drawn = plate(sketch("principal", alt), (0.0, 0.0), SQUARE);
     let along = [polar(1.75, angle), polar(1.2, angle + FRAC_PI_2)];
-    let axes = along.into_iter().fold(drawn, |drawn, end| {
-        drawn.arrow_along([(0.0, 0.0), end], Ink::Ink)
-    });
+    let axes =
+        along.into_iter().fold(drawn, |drawn, end| drawn.arrow_along([(0.0, 0.0), end], Ink::Ink));
     axes.curve(Curve::new([(0.0, 0.0), (1.5, 0.0)], Ink::Frame).dashed())
         .angle((0.0, 0.0), 0.34, (0.0, angle), "$45°$")
         .text(polar(1.75, angle), "$x'$", Ink::Ink, Side::Right)
-        .text(
-            sum((0.03, 0.0), polar(1.2, angle + FRAC_PI_2)),
-            "$y'$",
-            Ink::Ink,
-            Side::AboveRight,
-        )
+        .text(sum((0.03, 0.0), polar(1.2, angle + FRAC_PI_2)), "$y'$", Ink::Ink, Side::AboveRight)
         .dot((0.0, 0.0), Ink::Ink, "$P$", Side::Below)
         .dot((0.5, 0.5), Ink::Ink, "CM", Side::BelowRight)
         .figure()
@@ -290,13 +243,7 @@ fn mohr(p: &Parameters) -> Result<Figure> {
         .note(0.5, 0.19, Ink::Ink, "square, corner", Side::AboveLeft)
         .curve(circle(long, Ink::Energy))
         .note(0.06, -0.032, Ink::Energy, "rectangle", Side::Below)
-        .dot(
-            1.0 / 12.0,
-            0.0,
-            Ink::Body,
-            "square, centre",
-            Side::AboveRight,
-        )
+        .dot(1.0 / 12.0, 0.0, Ink::Body, "square, centre", Side::AboveRight)
         .curve(Curve::new([(xx, 0.0), (xx, xy)], Ink::Frame).thin())
         .curve(Curve::new([(xx, 0.0), (ax, ay)], Ink::Frame).thin())
         .dot(xx, xy, Ink::Ink, "$0$", Side::AboveRight)
@@ -322,20 +269,19 @@ fn parallel() -> Result<Figure> {
     Panel::new("parallel", alt)
         .x(Axis::linear("place of the axis / $a$").range(-half, half))
         .y(Axis::linear("$I_{zz}/Ma^2$").range(0.0, 1.4))
-        .curve(
-            Curve::of(times(-half, half, 120), exact, Ink::Ink).label_at(
-                "$I_{CM}+Md^2$",
-                0.25,
-                0.22,
-                Side::BelowRight,
-            ),
-        )
+        .curve(Curve::of(times(-half, half, 120), exact, Ink::Ink).label_at(
+            "$I_{CM}+Md^2$",
+            0.25,
+            0.22,
+            Side::BelowRight,
+        ))
         .curve(Curve::of(times(-half, half, 9), summed, Ink::Body).dots())
-        .curve(
-            Curve::of(times(-half, 0.15, 60), wrong, Ink::Wrong)
-                .dashed()
-                .label_at("wrong: from the corner", -0.1, wrong(-0.1), Side::AboveLeft),
-        )
+        .curve(Curve::of(times(-half, 0.15, 60), wrong, Ink::Wrong).dashed().label_at(
+            "wrong: from the corner",
+            -0.1,
+            wrong(-0.1),
+            Side::AboveLeft,
+        ))
         .upright(0.0, Ink::Frame, "CM")
         .ring(-half, 2.0 / 3.0, Ink::Ink, "corner", Side::Right)
         .figure()
@@ -365,9 +311,7 @@ fn two_plates([a, b]: [f64; 2], angle: f64) -> Sketch {
         }
         let (start, end) = (at(-0.25 - back), at(0.25 + front));
         drawn =
-            drawn
-                .arrow_along([start, end], Ink::Velocity)
-                .dot(through, Ink::Ink, "", Side::Below);
+            drawn.arrow_along([start, end], Ink::Velocity).dot(through, Ink::Ink, "", Side::Below);
     }
     drawn
 }
@@ -383,11 +327,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (shape, unit) = match a == b {
         true => ("A square plate".into(), "M a^2"),
         false => (
-            format!(
-                "A plate of {} m by {} m",
-                short(p.width, 3),
-                short(p.height, 3)
-            ),
+            format!("A plate of {} m by {} m", short(p.width, 3), short(p.height, 3)),
             "M a^2, a the longer edge,",
         ),
     };

@@ -71,10 +71,7 @@ fn points(row: &Row) -> Vec<(f64, DesignVector)> {
         }
     }
     let mass: f64 = points.iter().map(|(m, _)| m).sum();
-    points
-        .into_iter()
-        .map(|(m, place)| (m / mass, place))
-        .collect()
+    points.into_iter().map(|(m, place)| (m / mass, place)).collect()
 }
 
 /// Radius, inner radius and length; semi-axes or edges; radius of the tube.
@@ -133,41 +130,26 @@ fn rows() -> [Row; 12] {
 /// number; the solid's moments damaged by a relative amount.
 fn difference(row: &Row, damage: f64) -> Result<(f64, usize)> {
     let points = points(row);
-    let sums = MassProperties::of_points(&points)?
-        .about_centre_of_mass()
-        .matrix();
+    let sums = MassProperties::of_points(&points)?.about_centre_of_mass().matrix();
     let solid = row.solid.clone()?.about_centre_of_mass().matrix();
     let mut off = 0.0_f64;
     for i in 0..3 {
         for j in 0..3 {
             let error = (sums[i][j] - solid[i][j] * (1.0 + damage)).abs();
-            off = if error > off || error.is_nan() {
-                error
-            } else {
-                off
-            };
+            off = if error > off || error.is_nan() { error } else { off };
         }
     }
-    Ok((
-        off / diagonal(row.solid.as_ref().map_err(Clone::clone)?)[0],
-        points.len(),
-    ))
+    Ok((off / diagonal(row.solid.as_ref().map_err(Clone::clone)?)[0], points.len()))
 }
 
 /// For the tests: each solid's name and how far its points are off.
 pub fn points_of(damage: f64) -> Result<Vec<(&'static str, f64)>> {
-    rows()
-        .iter()
-        .map(|row| Ok((row.name, difference(row, damage)?.0)))
-        .collect()
+    rows().iter().map(|row| Ok((row.name, difference(row, damage)?.0))).collect()
 }
 
 /// The solids of the library, their moments, and how far the points are off.
 pub fn table(_: &Parameters) -> Result<Table> {
-    let mut table = Table::new(
-        "solids",
-        ["solid", "I_1", "I_2", "I_3", "points", "off by / eps"],
-    )?;
+    let mut table = Table::new("solids", ["solid", "I_1", "I_2", "I_3", "points", "off by / eps"])?;
     for row in rows() {
         let (off, count) = difference(&row, 0.0)?;
         let [one, two, three] = row.formulas.map(String::from);
@@ -247,14 +229,9 @@ pub fn strip(p: &Parameters, report: &mut Report) -> Result<()> {
     let exact = 1.0 + 0.75 * (TUBE / R) * (TUBE / R);
     let (cut, _) = agreed(equal_angles, p.tolerance)?;
     report.add(
-        claim(
-            "torus",
-            "I_3/(M R^2) of a torus whose tube is two fifths of R",
-            exact,
-            "-",
-        )
-        .against("slices at equal angles", cut)
-        .within(2.0 * p.tolerance),
+        claim("torus", "I_3/(M R^2) of a torus whose tube is two fifths of R", exact, "-")
+            .against("slices at equal angles", cut)
+            .within(2.0 * p.tolerance),
     )?;
     let rules: [(&str, Rule); 2] = [
         ("solve: slices at equal angles", equal_angles),
@@ -271,23 +248,13 @@ pub fn strip(p: &Parameters, report: &mut Report) -> Result<()> {
                         move || Ok(agreed(rule, requested)?),
                         move |(value, _)| Ok((value / exact - 1.0).abs()),
                     );
-                    (
-                        (value / exact - 1.0).abs(),
-                        format!("{slices} slices"),
-                        Some(again),
-                    )
+                    ((value / exact - 1.0).abs(), format!("{slices} slices"), Some(again))
                 }
                 Err(Error::NotDelivered { best, .. }) => (best, "refused".into(), None),
                 Err(other) => return Err(other.into()),
             };
             let (method, requested) = (method.into(), Some(requested));
-            report.add(Price {
-                method,
-                requested,
-                delivered,
-                work,
-                again,
-            })?;
+            report.add(Price { method, requested, delivered, work, again })?;
         }
     }
     report.set_closed_form(ClosedForm::new(|part| Ok(1.0 + 0.75 * part * part)));

@@ -8,13 +8,7 @@ use models::plank::PlankState;
 /// All figures of the page.
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {
     let solved = solve(p)?;
-    Ok(vec![
-        setup()?,
-        strobe(&solved)?,
-        rates(p)?,
-        forces(p)?.figure()?,
-        durations(p)?,
-    ])
+    Ok(vec![setup()?, strobe(&solved)?, rates(p)?, forces(p)?.figure()?, durations(p)?])
 }
 
 /// Foot and top of a plank of length `l` whose middle is above the origin.
@@ -43,29 +37,12 @@ fn setup() -> Result<Figure> {
         .bar(foot, top, 0.035, Ink::Body)
         .angle(foot, 0.3, (FRAC_PI_2 - theta, FRAC_PI_2), r"$\theta$")
         .dot(middle, Ink::Ink, "CM", Side::Right)
-        .arrow(
-            middle,
-            (0.0, middle.1 - 0.27),
-            Ink::Force,
-            "$mg$",
-            Side::Right,
-        )
+        .arrow(middle, (0.0, middle.1 - 0.27), Ink::Force, "$mg$", Side::Right)
         .arrow(foot, (foot.0, 0.2), Ink::Force, "$N$", Side::Left)
-        .arrow(
-            (foot.0 - 0.06, 0.04),
-            (foot.0 - 0.26, 0.04),
-            Ink::Ink,
-            "",
-            Side::Above,
-        )
+        .arrow((foot.0 - 0.06, 0.04), (foot.0 - 0.26, 0.04), Ink::Ink, "", Side::Above)
         .dimension((0.5, 0.0), (0.5, middle.1), "$y$", Side::Right)
         .curve(line(middle, (0.56, middle.1)))
-        .text(
-            (0.5 * top.0, 0.5 * (middle.1 + top.1)),
-            "$l/2$",
-            Ink::Ink,
-            Side::AboveLeft,
-        )
+        .text((0.5 * top.0, 0.5 * (middle.1 + top.1)), "$l/2$", Ink::Ink, Side::AboveLeft)
         .figure()
 }
 
@@ -78,11 +55,8 @@ fn strobe(solved: &Solved) -> Result<Figure> {
     let mut sketch = floor("strobe", alt, l);
     for t in times(0.4 * end, end, 12) {
         let strength = if t == end { 1.0 } else { 0.45 };
-        sketch = sketch.curve(
-            Curve::new(ends(l, exact.at(t)?.theta), Ink::Body)
-                .width(1.6)
-                .faint(strength),
-        );
+        sketch = sketch
+            .curve(Curve::new(ends(l, exact.at(t)?.theta), Ink::Body).width(1.6).faint(strength));
     }
     let top = Curve::new(times(0.0, FRAC_PI_2, 60).map(|a| ends(l, a)[1]), Ink::Frame).dotted();
     let middles = sampled(times(0.4 * end, end, 12), |t| Ok((0.0, exact.at(t)?.y_cm)))?;
@@ -104,26 +78,24 @@ fn rates(p: &Parameters) -> Result<Figure> {
     let all = || times(0.0, FRAC_PI_2, 120);
     let run = Plank::smooth(p).fall(1e-9, 1e-6, 0.0)?;
     let end = run.end_time();
-    let dots = sampled(times(end - 2.2 * unit, end, 14), |t| {
-        Ok(run.at(t).map(|s| (s.q[2], s.v[2]))?)
-    })?;
+    let dots =
+        sampled(times(end - 2.2 * unit, end, 14), |t| Ok(run.at(t).map(|s| (s.q[2], s.v[2]))?))?;
     let held = |a: f64| (6.0_f64).sqrt() / unit * sin(0.5 * a);
     Panel::new("rates", alt)
         .x(Axis::angle(r"$\theta$ / rad").range(0.0, FRAC_PI_2))
         .y(Axis::linear(r"$\dot\theta$ / (rad/s)").range(0.0, 2.0 / unit))
-        .curve(
-            Curve::of(times(0.0, 0.78, 2), |a| growth(p) * a, Ink::Frame)
-                .dotted()
-                .label_at("small angles", 0.62, 1.52 / unit, Side::AboveLeft),
-        )
-        .curve(
-            Curve::of(all(), |a| rate_from_upright(p, a), Ink::Ink).label_at(
-                "foot free",
-                1.25,
-                rate_from_upright(p, 1.25),
-                Side::AboveLeft,
-            ),
-        )
+        .curve(Curve::of(times(0.0, 0.78, 2), |a| growth(p) * a, Ink::Frame).dotted().label_at(
+            "small angles",
+            0.62,
+            1.52 / unit,
+            Side::AboveLeft,
+        ))
+        .curve(Curve::of(all(), |a| rate_from_upright(p, a), Ink::Ink).label_at(
+            "foot free",
+            1.25,
+            rate_from_upright(p, 1.25),
+            Side::AboveLeft,
+        ))
         .curve(Curve::new(dots, Ink::Velocity).dots())
         .curve(Curve::of(all(), held, Ink::Frame).dashed().label_at(
             "foot held",
@@ -141,16 +113,9 @@ fn forces(p: &Parameters) -> Result<Panel> {
     let (exact, end) = (&solved.exact, solved.exact.landing_time());
     let alt = "Force of the floor over the weight against time: one at first, then it falls to about a sixth, and \
                rises to a quarter at the end; it is never zero. Dots of a simulation lie on the curve.";
-    let force = Curve::sampled(
-        times(0.0, end, 200),
-        |t| Ok(exact.at(t)?.floor_force),
-        Ink::Force,
-    )?;
+    let force = Curve::sampled(times(0.0, end, 200), |t| Ok(exact.at(t)?.floor_force), Ink::Force)?;
     let dots = sampled(times(0.0, end, 16), |t| {
-        Ok((
-            t,
-            solved.run.forces(t.min(solved.run.end_time()))?[0].normal / p.gravity,
-        ))
+        Ok((t, solved.run.forces(t.min(solved.run.end_time()))?[0].normal / p.gravity))
     })?;
     Ok(Panel::new("forces", alt)
         .x(Axis::linear("$t$ / s"))
@@ -184,10 +149,7 @@ fn durations(p: &Parameters) -> Result<Figure> {
         .x(Axis::log(r"$\theta_0$ / rad"))
         .y(Axis::linear("$t_{floor}$ / s").range(0.0, 26.0 * unit))
         .curve(free.label_at("foot free", 1e-7, 7.0 * unit, Side::BelowLeft))
-        .curve(
-            held.dashed()
-                .label_at("foot held", 1e-6, 13.5 * unit, Side::AboveRight),
-        )
+        .curve(held.dashed().label_at("foot held", 1e-6, 13.5 * unit, Side::AboveRight))
         .curve(Curve::new(dots, Ink::Body).dots())
         .figure()
 }
@@ -199,35 +161,27 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let rod = Dop853::new(1e-12)?.solve(&hinged(p), 0.0, &[p.angle, 0.0], end, &[])?;
     let far = l * sin(rod.at(end)?[0].min(FRAC_PI_2));
     MovingPicture::new(0.0..=end, [0.7 * end, 0.9 * end, end], move |t| {
-        let PlankState {
-            theta,
-            y_cm,
-            floor_force,
-            ..
-        } = exact.at(t)?;
+        let PlankState { theta, y_cm, floor_force, .. } = exact.at(t)?;
         let ([foot, top], middle) = (ends(l, theta), (0.0, y_cm));
         // If the rod is first, it lies on the floor and waits.
         let held = rod.at(t)?[0].min(FRAC_PI_2);
         let (s, c) = sincos(held);
         let path = Curve::new([(0.0, 0.5 * l), middle], Ink::Ink).thin();
-        let scene = floor("scene", "", l)
-            .window((-0.75 * l, 0.8 * l), (-0.3 * l, 1.05 * l))
-            .clear((-0.5 * l, far), (0.0, l), [10.0, 6.0, 60.0, 8.0])
-            .ghost(|sketch| {
-                sketch
-                    .curve(Curve::new([(0.0, 0.0), (l * s, l * c)], Ink::Frame).width(4.0))
-                    .ring((0.0, 0.0), Ink::Frame, "", Side::Below)
-            })
-            .curve(
-                Curve::new([(0.0, 0.5 * l), (0.0, 0.0)], Ink::Frame)
-                    .dashed()
-                    .thin(),
-            )
-            .curve(path)
-            .curve(Curve::new([foot, top], Ink::Body).width(4.0))
-            .dot(middle, Ink::Ink, "", Side::Left)
-            .vector(middle, (0.0, -1.0), 55.0, Ink::Force, "$mg$")
-            .vector(foot, (0.0, floor_force), 55.0, Ink::Force, "$N$");
+        let scene =
+            floor("scene", "", l)
+                .window((-0.75 * l, 0.8 * l), (-0.3 * l, 1.05 * l))
+                .clear((-0.5 * l, far), (0.0, l), [10.0, 6.0, 60.0, 8.0])
+                .ghost(|sketch| {
+                    sketch
+                        .curve(Curve::new([(0.0, 0.0), (l * s, l * c)], Ink::Frame).width(4.0))
+                        .ring((0.0, 0.0), Ink::Frame, "", Side::Below)
+                })
+                .curve(Curve::new([(0.0, 0.5 * l), (0.0, 0.0)], Ink::Frame).dashed().thin())
+                .curve(path)
+                .curve(Curve::new([foot, top], Ink::Body).width(4.0))
+                .dot(middle, Ink::Ink, "", Side::Left)
+                .vector(middle, (0.0, -1.0), 55.0, Ink::Force, "$mg$")
+                .vector(foot, (0.0, floor_force), 55.0, Ink::Force, "$N$");
         let alt = format!(
             "The plank {t:.2} s after its release, {:.0} degrees from the vertical, its middle straight below where it \
              was. The floor pushes with {floor_force:.2} of the weight. Faintly, the rod whose foot is held, at {:.0} degrees. Below, the force \

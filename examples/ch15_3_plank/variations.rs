@@ -45,10 +45,7 @@ fn rough_start(p: &Parameters) -> f64 {
 
 /// The fall on a rough floor from there.
 pub fn rubbing(p: &Parameters, mu: f64) -> rotation_dynamics::Result<Fall> {
-    let plank = Plank {
-        mu,
-        ..Plank::smooth(p)
-    };
+    let plank = Plank { mu, ..Plank::smooth(p) };
     plank.fall(1e-8, rough_start(p), 0.0)
 }
 
@@ -99,31 +96,19 @@ pub fn effects(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<(
     let number = 1.5 * drag * l * l;
     let windy = |part: f64| -> Result<f64> {
         let drag = part * drag;
-        let windy = Plank {
-            drag,
-            ..Plank::smooth(p)
-        }
-        .fall(1e-8, p.angle, 0.0)?;
+        let windy = Plank { drag, ..Plank::smooth(p) }.fall(1e-8, p.angle, 0.0)?;
         Ok(1.0 - windy.event("arrives")?.before.v[2] / exact.landing().omega)
     };
     // What has more drag than this floats down like a leaf, and all of the rate is lost.
     let slower = if number < 30.0 { windy(1.0)? } else { 1.0 };
     // Predicted from a tenth of the effect, as the linear response to it.
-    let blown = if number < 30.0 {
-        (10.0 * windy(0.1)?).min(1.0)
-    } else {
-        1.0
-    };
+    let blown = if number < 30.0 { (10.0 * windy(0.1)?).min(1.0) } else { 1.0 };
     let time = |mu: f64| Ok::<_, rotation_dynamics::Error>(rubbing(p, mu)?.event("arrives")?.t);
     let slides = time(0.0)?;
     let rubbed = time(0.01)? / slides - 1.0;
     let response = 10.0 * (time(0.001)? / slides - 1.0);
     let start = rough_start(p);
-    let of = if start > p.angle {
-        "of t_floor from 1e-4 rad"
-    } else {
-        "of t_floor"
-    };
+    let of = if start > p.angle { "of t_floor from 1e-4 rad" } else { "of t_floor" };
     kit::effect_card! { report,
         "square-cut foot of a wooden plank": "h/l" = thickness / l, costs atan2(thickness, l), "rad to tip over";
     }?;

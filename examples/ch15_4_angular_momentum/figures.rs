@@ -35,9 +35,7 @@ fn dumbbell() -> Result<Figure> {
                left, moves towards the reader, the lower one away. Both have their angular \
                momentum along the same line, which is square to the stick and leans to the right \
                of the shaft, along which Omega points.";
-    let view = View::new("dumbbell", alt)
-        .around(UP * 0.17, 1.25)
-        .size(340, 320);
+    let view = View::new("dumbbell", alt).around(UP * 0.17, 1.25).size(340, 320);
     bearings(view)
         .solid(Solid::rod(-end, end, 0.022), Ink::Body)
         .solid(Solid::ball(end, 0.12), Ink::Body)
@@ -68,12 +66,7 @@ fn components(p: &Parameters) -> Result<Figure> {
     let end = along(z, 0.95);
     Sketch::new("components", alt)
         .window((-0.95, 1.4), (-0.75, 1.2))
-        .bar(
-            (-0.75 * end.0, -0.75 * end.1),
-            (0.75 * end.0, 0.75 * end.1),
-            0.24,
-            Ink::Body,
-        )
+        .bar((-0.75 * end.0, -0.75 * end.1), (0.75 * end.0, 0.75 * end.1), 0.24, Ink::Body)
         .curve(side(o, along(z, 1.15), Ink::Body))
         .text(along(z, 1.15), "$z$", Ink::Body, Side::Left)
         .curve(side(o, along(y, 1.45), Ink::Body))
@@ -122,10 +115,6 @@ fn angles() -> Result<Figure> {
 fn by_grains(height: f64, tilt: f64) -> f64 {
     let place = move |t, grain| euler(t, tilt, 0.0).to_space(grain);
     let grains = swarm::cylinder(1.0, 1.0, height);
-    let body = Swarm {
-        grains,
-        place,
-        step: step(1.0),
-    };
+    let body = Swarm { grains, place, step: step(1.0) };
     angle(body.angular_momentum(SpaceVector::zero()), UP)
 }

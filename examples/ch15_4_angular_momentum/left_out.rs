@@ -38,9 +38,7 @@ pub fn whirled(shaft: &Shaft, p: &Parameters, off: f64) -> f64 {
     let off = BodyVector::new(off, 0.0, 0.0);
     let moment = |t: f64| {
         let attitude = shaft.attitude(t);
-        let places = grains
-            .iter()
-            .map(|(mass, place)| attitude.to_space(*place + off) * *mass);
+        let places = grains.iter().map(|(mass, place)| attitude.to_space(*place + off) * *mass);
         places.fold(SpaceVector::zero(), |sum, place| sum + place)
     };
     let h = step(shaft.rate);
@@ -80,22 +78,12 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let inertia = shaft.i1 * s * s + shaft.i3 * c * c;
     let air = dragged(p, 1.2 * 1.2);
     let (slowing, unit) = (air / inertia, inertia * p.rate * p.rate);
-    let breeze = if slowing < 0.1 {
-        Some(blown(&shaft, p, 1.2 * 1.2)?)
-    } else {
-        None
-    };
+    let breeze = if slowing < 0.1 { Some(blown(&shaft, p, 1.2 * 1.2)?) } else { None };
     let (off, speed) = (1e-4, p.wheel_radius * p.wheel_rate.abs());
     let resisted = 0.005 * p.gravity / (1.5 * speed);
     // In a second; a wheel that is hardly slowed down, or stops, tells nothing.
     let rolled = if (1e-9..0.1).contains(&resisted) {
-        Some(hoop::lost(
-            0.5,
-            [p.wheel_radius, speed],
-            0.005,
-            p.gravity,
-            1.0,
-        )?)
+        Some(hoop::lost(0.5, [p.wheel_radius, speed], 0.005, p.gravity, 1.0)?)
     } else {
         None
     };

@@ -34,14 +34,8 @@ pub fn scene(p: &Parameters, shaft: &Shaft, t: f64, alt: &str) -> View {
     let tip = momentum(t);
     let path = times(0.0, TAU / shaft.rate, 90).map(momentum);
     let torque = attitude.to_space(shaft.torque()) * (0.9 * size / shaft.rate.abs());
-    let [from, to] = if shaft.rate < 0.0 {
-        [1.35, 1.0]
-    } else {
-        [1.0, 1.35]
-    };
-    let view = View::new("scene", alt)
-        .around(UP * 0.17, 1.25)
-        .size(340, 320);
+    let [from, to] = if shaft.rate < 0.0 { [1.35, 1.0] } else { [1.0, 1.35] };
+    let view = View::new("scene", alt).around(UP * 0.17, 1.25).size(340, 320);
     let view = cylinder(bearings(view), p, attitude.to_space(ALONG))
         .dashed(path, Ink::Momentum)
         .arrow(UP * from, UP * to, Ink::Velocity, r"$\Omega$", Side::Right)
@@ -100,14 +94,10 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
         "tau_Y [N m]",
         "tau_Z [N m]",
     ];
-    Trajectory::sampled(
-        columns,
-        times(0.0, 1.6 * TAU / shaft.rate.abs(), 200),
-        |t| {
-            let attitude = shaft.attitude(t);
-            let [momentum, torque] =
-                [shaft.momentum(), shaft.torque()].map(|v| attitude.to_space(v).to_array());
-            Ok([&[t], &momentum[..], &torque[..]].concat())
-        },
-    )
+    Trajectory::sampled(columns, times(0.0, 1.6 * TAU / shaft.rate.abs(), 200), |t| {
+        let attitude = shaft.attitude(t);
+        let [momentum, torque] =
+            [shaft.momentum(), shaft.torque()].map(|v| attitude.to_space(v).to_array());
+        Ok([&[t], &momentum[..], &torque[..]].concat())
+    })
 }

@@ -57,9 +57,7 @@ pub fn earth() -> Result<Figure> {
                along the normal z. The Earth's own points along its axis s, 23 degrees from z. A \
                dashed arrow along z on the Earth is marked as wrong.";
     let (sun, earth, (s, c)) = ((0.0, 0.0), (2.6, 0.0), sincos(0.409));
-    let wrong = Curve::new([earth, (2.6, 1.25)], Ink::Wrong)
-        .dashed()
-        .arrow(1.0);
+    let wrong = Curve::new([earth, (2.6, 1.25)], Ink::Wrong).dashed().arrow(1.0);
     Sketch::new("earth", alt)
         .window((-0.55, 4.1), (-1.05, 1.9))
         .curve(Curve::new([sun, earth], Ink::Frame).thin().dashed())
@@ -67,24 +65,10 @@ pub fn earth() -> Result<Figure> {
         .disc(sun, 0.24, Ink::Energy, 0.8)
         .disc(earth, 0.5, Ink::Body, 0.35)
         .arrow_along([sun, (0.0, 1.6)], Ink::Momentum)
-        .text(
-            (0.0, 1.6),
-            "orbital $L$, along $z$",
-            Ink::Momentum,
-            Side::Right,
-        )
-        .curve(
-            Curve::new([(2.6 - 0.85 * s, -0.85 * c), earth], Ink::Frame)
-                .thin()
-                .dashed(),
-        )
+        .text((0.0, 1.6), "orbital $L$, along $z$", Ink::Momentum, Side::Right)
+        .curve(Curve::new([(2.6 - 0.85 * s, -0.85 * c), earth], Ink::Frame).thin().dashed())
         .arrow_along([earth, (2.6 + 1.3 * s, 1.3 * c)], Ink::Momentum)
-        .text(
-            (2.6 + 1.3 * s, 1.3 * c),
-            "own $L$, along $s$",
-            Ink::Momentum,
-            Side::Above,
-        )
+        .text((2.6 + 1.3 * s, 1.3 * c), "own $L$, along $s$", Ink::Momentum, Side::Above)
         .curve(wrong)
         .text((2.6, 1.0), "wrong: third term", Ink::Wrong, Side::Left)
         .text((0.0, -0.3), "Sun", Ink::Ink, Side::Below)
@@ -96,12 +80,7 @@ pub fn earth() -> Result<Figure> {
 pub fn runner() -> Result<Figure> {
     let at = |out: f64, up: f64| SpaceVector::new(0.0, out, up);
     let (hinge, hub, contact) = (at(0.0, 0.0), at(1.05, 0.0), at(1.05, -0.6));
-    let scale = Runner {
-        mass: 1.0,
-        radius: 0.6,
-        shaft: 1.05,
-        rate: 1.0,
-    };
+    let scale = Runner { mass: 1.0, radius: 0.6, shaft: 1.05, rate: 1.0 };
     let [along, up] = scale.momentum().map(|l| 0.75 * l);
     // Where the wheel has come from and where it goes.
     let track = times(0.6, 2.5, 30).map(|turn| {
@@ -121,13 +100,7 @@ pub fn runner() -> Result<Figure> {
         .solid(Solid::disc(hub, at(1.0, 0.0), 0.6, 0.07), Ink::Body)
         .line(track, Ink::Frame)
         .arrow(hinge, at(along, up), Ink::Momentum, "$L$", Side::Left)
-        .arrow(
-            at(0.0, 0.45),
-            at(0.0, 1.0),
-            Ink::Velocity,
-            r"$\Omega$",
-            Side::Right,
-        )
+        .arrow(at(0.0, 0.45), at(0.0, 1.0), Ink::Velocity, r"$\Omega$", Side::Right)
         .arrow(at(1.09, 0.0), at(1.09, -0.4), Ink::Force, "", Side::Left)
         .text(at(1.09, -0.2), "$Mg$", Ink::Ink, Side::Right)
         .arrow(at(1.05, -1.03), contact, Ink::Force, "", Side::Right)
@@ -145,11 +118,7 @@ pub fn plate() -> Result<Figure> {
     Sketch::new("plate", alt)
         .window((-1.25, 1.6), (-0.5, 1.75))
         .block((0.5, 0.5), (1.0, 1.0), 0.0, Ink::Body)
-        .curve(
-            Curve::new([(0.0, -0.1), (0.0, 1.7)], Ink::Frame)
-                .thin()
-                .dashed(),
-        )
+        .curve(Curve::new([(0.0, -0.1), (0.0, 1.7)], Ink::Frame).thin().dashed())
         .curve(Curve::new([o, (1.5, 0.0)], Ink::Frame).thin().dashed())
         .text((1.5, 0.0), "$x$", Ink::Frame, Side::Below)
         .text((0.0, 1.7), "$y$", Ink::Frame, Side::Left)

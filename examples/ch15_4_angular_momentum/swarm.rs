@@ -67,9 +67,7 @@ pub fn ball(mass: f64, radius: f64) -> Vec<Grain> {
 
 /// How fast a vector changes, by its values at eight times nearby, `step` apart.
 pub fn rate(of: impl Fn(f64) -> SpaceVector, t: f64, step: f64) -> SpaceVector {
-    let pairs = [0.8, -0.2, 4.0 / 105.0, -1.0 / 280.0]
-        .into_iter()
-        .zip(1..=4);
+    let pairs = [0.8, -0.2, 4.0 / 105.0, -1.0 / 280.0].into_iter().zip(1..=4);
     let differences = pairs.map(|(weight, k)| {
         let away = f64::from(k) * step;
         (of(t + away) - of(t - away)) * (weight / step)
@@ -120,9 +118,7 @@ impl<F: Fn(f64, BodyVector) -> SpaceVector> Swarm<F> {
 
     fn velocities(&self) -> impl Iterator<Item = (f64, SpaceVector)> {
         let velocity = move |grain| rate(move |t| (self.place)(t, grain), 0.0, self.step);
-        self.grains
-            .iter()
-            .map(move |&(mass, grain)| (mass, velocity(grain)))
+        self.grains.iter().map(move |&(mass, grain)| (mass, velocity(grain)))
     }
 }
 

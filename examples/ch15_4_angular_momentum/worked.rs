@@ -29,19 +29,12 @@ pub fn rolling(p: &Parameters) -> Swarm<impl Fn(f64, BodyVector) -> SpaceVector>
     let (radius, rate) = (p.wheel_radius, p.wheel_rate);
     let place = move |t, grain: BodyVector| {
         let (s, c) = sincos(rate * t);
-        let turned = SpaceVector::new(
-            c * grain.x() + s * grain.y(),
-            c * grain.y() - s * grain.x(),
-            0.0,
-        );
+        let turned =
+            SpaceVector::new(c * grain.x() + s * grain.y(), c * grain.y() - s * grain.x(), 0.0);
         SpaceVector::new(radius * rate * t, radius, 0.0) + turned
     };
     let grains = cylinder(p.wheel_mass, radius, 0.0);
-    Swarm {
-        grains,
-        place,
-        step: step(rate),
-    }
+    Swarm { grains, place, step: step(rate) }
 }
 
 /// A coin that rolls round another of its size: once round the orbit it turns twice.
@@ -53,11 +46,7 @@ pub fn coin(p: &Parameters) -> Swarm<impl Fn(f64, BodyVector) -> SpaceVector> {
         centre + euler(2.0 * rate * t, 0.0, 0.0).to_space(grain)
     };
     let grains = cylinder(p.coin_mass, radius, 0.0);
-    Swarm {
-        grains,
-        place,
-        step: step(2.0 * rate),
-    }
+    Swarm { grains, place, step: step(2.0 * rate) }
 }
 
 /// A uniform ball that goes round the Sun and turns. SI units; days of 86400 s.
@@ -68,11 +57,7 @@ pub struct Earth {
 }
 
 /// The Earth: mass, mean distance from the Sun, mean radius.
-pub const EARTH: Earth = Earth {
-    mass: 5.9722e24,
-    distance: 1.495978707e11,
-    radius: 6.371e6,
-};
+pub const EARTH: Earth = Earth { mass: 5.9722e24, distance: 1.495978707e11, radius: 6.371e6 };
 
 impl Earth {
     /// Once round in a year of 365.25 days, rad/s.
@@ -114,13 +99,7 @@ impl Earth {
             SpaceVector::new(far * c, far * s, 0.0) + SpaceVector::from_array(grain.to_array())
         };
         let (grains, step) = (ball(self.mass, self.radius), step(Self::ORBIT));
-        Swarm {
-            grains,
-            place,
-            step,
-        }
-        .angular_momentum(ORIGIN)
-        .z()
+        Swarm { grains, place, step }.angular_momentum(ORIGIN).z()
     }
 }
 /// A disc that rolls at the end of a level shaft, whose other end is hinged on a vertical rod.
@@ -136,17 +115,9 @@ pub struct Runner {
 impl Runner {
     /// L about the hinge: along the shaft (rho) and along the vertical.
     pub fn momentum(&self) -> [f64; 2] {
-        let Self {
-            mass,
-            radius,
-            shaft,
-            rate,
-        } = *self;
+        let Self { mass, radius, shaft, rate } = *self;
         let along = -0.5 * mass * radius * shaft * rate;
-        [
-            along,
-            mass * (shaft * shaft + 0.25 * radius * radius) * rate,
-        ]
+        [along, mass * (shaft * shaft + 0.25 * radius * radius) * rate]
     }
 
     /// The force of the floor.
@@ -169,11 +140,7 @@ pub fn runner(r: Runner) -> Swarm<impl Fn(f64, BodyVector) -> SpaceVector> {
     let place =
         move |t, grain| euler(r.rate * t - FRAC_PI_2, FRAC_PI_2, spin * t).to_space(grain + out);
     let grains = cylinder(r.mass, r.radius, 0.0);
-    Swarm {
-        grains,
-        place,
-        step: step(r.rate + spin),
-    }
+    Swarm { grains, place, step: step(r.rate + spin) }
 }
 
 /// The runner of these parameters.
@@ -191,11 +158,7 @@ pub fn on_shaft(p: &Parameters) -> Swarm<impl Fn(f64, BodyVector) -> SpaceVector
     let (tilt, rate) = (p.tilt, p.rate);
     let place = move |t, grain| euler(rate * t, tilt, 0.0).to_space(grain);
     let grains = cylinder(p.mass, p.radius, p.height);
-    Swarm {
-        grains,
-        place,
-        step: step(rate),
-    }
+    Swarm { grains, place, step: step(rate) }
 }
 
 /// A square plate that turns about an edge, which is the Y axis; its corner is the origin.

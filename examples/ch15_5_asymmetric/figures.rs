@@ -28,9 +28,7 @@ fn polhodes(moments: [f64; 3]) -> Result<Figure> {
                curves surround the ends of axes 1 and 3. Two great circles that cross at the ends \
                of axis 2 part them; near these ends the curves are hyperbolas.";
     let mut view = sphere(
-        View::new("polhodes", alt)
-            .camera(camera())
-            .around(SpaceVector::zero(), 1.3),
+        View::new("polhodes", alt).camera(camera()).around(SpaceVector::zero(), 1.3),
         separatrices(moments),
     );
     for about in [0, 2] {
@@ -60,30 +58,18 @@ fn rolling(tumble: Tumble) -> Result<Figure> {
     let at = motion.kinematics(now);
     // Lengths in the height of the plane above the centre.
     let scale = 1.0 / tumble.height();
-    let axes = tumble
-        .moments
-        .map(|i| (tumble.momentum() * scale / i).sqrt());
+    let axes = tumble.moments.map(|i| (tumble.momentum() * scale / i).sqrt());
     let surface = |i: u32, j: u32| {
-        let ((s, c), (sj, cj)) = (
-            sincos(PI * f64::from(i) / 14.0),
-            sincos(TAU * f64::from(j) / 24.0),
-        );
+        let ((s, c), (sj, cj)) =
+            (sincos(PI * f64::from(i) / 14.0), sincos(TAU * f64::from(j) / 24.0));
         let place = BodyVector::new(c * axes[0], s * cj * axes[1], s * sj * axes[2]);
         at.attitude.to_space(place)
     };
     let face = |i: u32, j: u32| {
-        vec![
-            surface(i, j),
-            surface(i + 1, j),
-            surface(i + 1, j + 1),
-            surface(i, j + 1),
-        ]
+        vec![surface(i, j), surface(i + 1, j), surface(i + 1, j + 1), surface(i, j + 1)]
     };
-    let solid = Solid::new(
-        (0..14)
-            .flat_map(|i| (0..24).map(move |j| (i, j)))
-            .map(|(i, j)| face(i, j)),
-    );
+    let solid =
+        Solid::new((0..14).flat_map(|i| (0..24).map(move |j| (i, j))).map(|(i, j)| face(i, j)));
     let polhode = sampled(times(0.0, 2.0 * flips, 120), |t| {
         let rates = BodyVector::from_array(tumble.rates(t)?) * (scale * 1.01);
         Ok(at.attitude.to_space(rates))
@@ -103,20 +89,8 @@ fn rolling(tumble: Tumble) -> Result<Figure> {
         .line(polhode, Ink::Ink)
         .line(rim, Ink::Frame)
         .line(plane, Ink::Velocity)
-        .arrow(
-            SpaceVector::zero(),
-            contact(now)?,
-            Ink::Velocity,
-            r"$\Omega$",
-            Side::Right,
-        )
-        .arrow(
-            SpaceVector::zero(),
-            top * 1.55,
-            Ink::Momentum,
-            "$L$",
-            Side::Above,
-        )
+        .arrow(SpaceVector::zero(), contact(now)?, Ink::Velocity, r"$\Omega$", Side::Right)
+        .arrow(SpaceVector::zero(), top * 1.55, Ink::Momentum, "$L$", Side::Above)
         .figure()
 }
 
@@ -130,10 +104,7 @@ fn herpolhode(tumble: Tumble) -> Result<Figure> {
         let [x, y, _] = at.attitude.to_space(at.angular_velocity).to_array();
         Ok((x, y))
     })?;
-    let rims = [
-        tumble.across(tumble.start),
-        tumble.across(tumble.rates(0.5 * flips)?),
-    ];
+    let rims = [tumble.across(tumble.start), tumble.across(tumble.rates(0.5 * flips)?)];
     let most = rims[0].max(rims[1]);
     let axis = |label| Axis::linear(label).range(-1.1 * most, 1.1 * most);
     let panel = Panel::new("herpolhode", alt)
@@ -143,12 +114,10 @@ fn herpolhode(tumble: Tumble) -> Result<Figure> {
         .curve(Curve::new(curve, Ink::Velocity).width(1.2));
     let circle =
         |radius: f64| times(0.0, TAU, 90).map(move |turn| (radius * cos(turn), radius * sin(turn)));
-    let panel = rims.into_iter().fold(panel, |panel, rim| {
-        panel.curve(Curve::new(circle(rim), Ink::Frame).thin().dashed())
-    });
-    panel
-        .dot(0.0, 0.0, Ink::Momentum, "$L$", Side::Right)
-        .figure()
+    let panel = rims
+        .into_iter()
+        .fold(panel, |panel, rim| panel.curve(Curve::new(circle(rim), Ink::Frame).thin().dashed()));
+    panel.dot(0.0, 0.0, Ink::Momentum, "$L$", Side::Right).figure()
 }
 
 /// L along the middle axis against time, for three starts.
@@ -167,9 +136,7 @@ fn flips(p: &Parameters, tumble: Tumble) -> Result<Figure> {
     let pace = small_motions(tumble.moments, p.rate)[1];
     for (k, (aside, label)) in starts.into_iter().enumerate() {
         let tumble = moved(aside);
-        let curve = sampled(times(0.0, end / unit, 300), |t| {
-            Ok((pace * t, tip(&tumble, t)?[1]))
-        })?;
+        let curve = sampled(times(0.0, end / unit, 300), |t| Ok((pace * t, tip(&tumble, t)?[1])))?;
         let curve = Curve::new(curve, Ink::Momentum).faint([1.0, 0.75, 0.5][k]);
         let curve = [curve.clone(), curve.clone().dashed(), curve.dotted()][k].clone();
         let first = 0.5 * tumble.between_flips()?;
@@ -195,10 +162,8 @@ fn waiting(p: &Parameters, tumble: Tumble) -> Result<Figure> {
         Ok(growth * Tumble::new(tumble.moments, p.rate, aside, about).between_flips()?)
     };
     let asides = || times(-9.0, 0.17, 120).map(|x| pow(10.0, x));
-    let lines = [
-        (0, "off towards axis 1", Side::BelowLeft),
-        (2, "off towards axis 3", Side::AboveRight),
-    ];
+    let lines =
+        [(0, "off towards axis 1", Side::BelowLeft), (2, "off towards axis 3", Side::AboveRight)];
     let mut panel = Panel::new("waiting", alt)
         .x(Axis::log("off by / rad").range(1e-9, 1.5))
         .y(Axis::linear(r"time between flips, times $\lambda$").range(0.0, 50.0));
@@ -237,24 +202,12 @@ fn naive_sphere() -> Result<Figure> {
     })?;
     let moments = true_book.moments;
     let wrong = naive_run().map(|(_, tip)| on_sphere(tip));
-    let view = View::new("naive_sphere", alt)
-        .camera(camera())
-        .around(SpaceVector::zero(), 1.3);
+    let view = View::new("naive_sphere", alt).camera(camera()).around(SpaceVector::zero(), 1.3);
     sphere(view, separatrices(moments))
         .trace(wrong, Ink::Wrong)
         .trace(curve, Ink::Momentum)
-        .text(
-            on_sphere([-0.62, 0.62, 0.3]),
-            "wrong: Euler",
-            Ink::Wrong,
-            Side::Centre,
-        )
-        .text(
-            on_sphere([0.0, 0.42, 0.9]),
-            "true",
-            Ink::Momentum,
-            Side::Centre,
-        )
+        .text(on_sphere([-0.62, 0.62, 0.3]), "wrong: Euler", Ink::Wrong, Side::Centre)
+        .text(on_sphere([0.0, 0.42, 0.9]), "true", Ink::Momentum, Side::Centre)
         .figure()
 }
 
@@ -263,11 +216,8 @@ fn naive_angle() -> Result<Figure> {
                and stays positive. The naive one, sixty steps a second, swings ever wider and is below \
                zero after four seconds.";
     let (true_book, end) = (book(), 5.0);
-    let right = Curve::sampled(
-        times(0.0, end, 300),
-        |t| Ok(tip(&true_book, t)?[2]),
-        Ink::Momentum,
-    )?;
+    let right =
+        Curve::sampled(times(0.0, end, 300), |t| Ok(tip(&true_book, t)?[2]), Ink::Momentum)?;
     let wrong = naive_run().map(|(t, tip)| (t, tip[2]));
     Panel::new("naive_angle", alt)
         .x(Axis::linear("$t$ / s").range(0.0, end))

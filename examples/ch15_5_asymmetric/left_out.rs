@@ -65,19 +65,10 @@ fn sooner(p: &Parameters, tumble: &Tumble, aim: f64) -> Result<([f64; 2], Work)>
     let slope = (off(-step).between_flips()? - off(step).between_flips()?) / (2.0 * step);
     let (thrown, method) = (off(aim), Dop853::new(1e-15)?);
     let flip = |count| {
-        method.zero(
-            &euler(thrown.moments),
-            thrown.start,
-            count,
-            1e4 / thrown.pace(),
-            |y| y[1],
-        )
+        method.zero(&euler(thrown.moments), thrown.start, count, 1e4 / thrown.pace(), |y| y[1])
     };
     let ((first, _), (second, cost)) = (flip(1)?, flip(2)?);
-    Ok((
-        [slope * aim, tumble.between_flips()? - (second.t - first.t)],
-        cost,
-    ))
+    Ok(([slope * aim, tumble.between_flips()? - (second.t - first.t)], cost))
 }
 
 /// The angle by which the gradient of gravity turns L from one flip to the next, with L at 45
@@ -137,9 +128,7 @@ pub fn add(p: &Parameters, tumble: Tumble, report: &mut Report) -> Result<()> {
     let ([shift, shifted], thrown) = sooner(p, &tumble, aim)?;
     // Where air would take most of it, there is no second flip to speak of.
     let wait = tumble.between_flips()?;
-    let blown = (slowed * wait < 0.5)
-        .then(|| taken(p, &tumble))
-        .transpose()?;
+    let blown = (slowed * wait < 0.5).then(|| taken(p, &tumble)).transpose()?;
     // Paper creaks: quality factor 20, bending at 50 Hz.
     let bending = p.rate / 314.0;
     let heated = bending * bending * p.rate / 20.0;

@@ -16,11 +16,7 @@ impl Naive {
     /// The page's run: the book, so many steps a second.
     pub fn of_the_page(steps: f64) -> Self {
         let Tumble { moments, start, .. } = book();
-        Self {
-            moments,
-            rates: start,
-            step: 1.0 / steps,
-        }
+        Self { moments, rates: start, step: 1.0 / steps }
     }
 }
 
@@ -54,11 +50,7 @@ fn crossing(steps: f64) -> f64 {
     let start = [third * r - first * p, third * r + first * p, q];
     let next = |&[u, v, q]: &[f64; 3]| {
         let x = growth * q / steps;
-        Some([
-            u * (1.0 + x),
-            v * (1.0 - x),
-            q + slope * (v * v - u * u) / steps,
-        ])
+        Some([u * (1.0 + x), v * (1.0 - x), q + slope * (v * v - u * u) / steps])
     };
     let run = successors(Some(start), next);
     let kept = run.take_while(|[u, v, _]| u * v > 0.0).take(100_000);
@@ -69,21 +61,15 @@ fn crossing(steps: f64) -> f64 {
 /// each step multiplies by 1 - x^2; the third rate is what they leave.
 fn crossing_by_side(steps: f64) -> f64 {
     let Naive { moments, rates, .. } = Naive::of_the_page(steps);
-    let ([i1, i2, i3], [p, q, r]) = (
-        moments.map(DoubleDouble::from),
-        rates.map(DoubleDouble::from),
-    );
+    let ([i1, i2, i3], [p, q, r]) =
+        (moments.map(DoubleDouble::from), rates.map(DoubleDouble::from));
     let (first, third) = (i1 * (i2 - i1), i3 * (i3 - i2));
     let shrinks = (i2 - i1) * (i3 - i2) / (i1 * i3 * steps * steps);
     let start = [p, q, third * r.square() - first * p.square()];
     let next = |&[p, q, side]: &[DoubleDouble; 3]| {
         let r = ((side + first * p.square()) / third).sqrt();
         let [to_p, to_q] = [(i2 - i3) / i1 * q * r, (i3 - i1) / i2 * r * p];
-        Some([
-            p + to_p / steps,
-            q + to_q / steps,
-            side * (1.0 - shrinks * q.square()),
-        ])
+        Some([p + to_p / steps, q + to_q / steps, side * (1.0 - shrinks * q.square())])
     };
     let run = successors(Some(start), next);
     let kept = run.take_while(|[.., side]| *side > 0.0).take(100_000);
@@ -94,9 +80,7 @@ fn crossing_by_side(steps: f64) -> f64 {
 fn crossing_rounded(steps: f64) -> f64 {
     let moments = book().moments;
     let run = Naive::of_the_page(steps);
-    let kept = run
-        .take_while(|rates| side(moments, *rates) > 0.0)
-        .take(100_000);
+    let kept = run.take_while(|rates| side(moments, *rates) > 0.0).take(100_000);
     (kept.count() as f64 + 1.0) / steps
 }
 

@@ -43,23 +43,13 @@ pub fn separatrices([i1, i2, i3]: [f64; 3]) -> [Vec<SpaceVector>; 2] {
 pub fn sphere(view: View, separatrices: [Vec<SpaceVector>; 2]) -> View {
     let (right, up) = (
         SpaceVector::new(-sin(EYE.0), cos(EYE.0), 0.0),
-        SpaceVector::new(
-            -sin(EYE.1) * cos(EYE.0),
-            -sin(EYE.1) * sin(EYE.0),
-            cos(EYE.1),
-        ),
+        SpaceVector::new(-sin(EYE.1) * cos(EYE.0), -sin(EYE.1) * sin(EYE.0), cos(EYE.1)),
     );
     let outline = times(0.0, TAU, 90).map(|turn| right * cos(turn) + up * sin(turn));
-    let axes = [
-        (0, "$1$", Side::Above),
-        (1, "$2$", Side::BelowLeft),
-        (2, "$3$", Side::Right),
-    ];
+    let axes = [(0, "$1$", Side::Above), (1, "$2$", Side::BelowLeft), (2, "$3$", Side::Right)];
     let view = separatrices
         .into_iter()
-        .fold(view.line(outline, Ink::Frame), |view, curve| {
-            view.trace(curve, Ink::Ink)
-        });
+        .fold(view.line(outline, Ink::Frame), |view, curve| view.trace(curve, Ink::Ink));
     axes.into_iter().fold(view, |view, (axis, label, side)| {
         let out = on_sphere(unit(axis).to_array());
         view.arrow(out, out * 1.3, Ink::Body, label, side)
@@ -73,17 +63,8 @@ fn book(view: View, p: &Parameters, attitude: &Attitude, centre: SpaceVector) ->
         |x: f64, y: f64, z: f64| centre + attitude.to_space(BodyVector::new(x, y, z)) * size;
     let edge = |i: usize, length: f64| attitude.to_space(unit(i)) * (length * size);
     let (a, b, c) = (0.5 * p.length, 0.5 * p.width, 0.5 * p.thickness);
-    let edges = [
-        edge(0, p.length),
-        edge(1, p.width),
-        edge(2, p.thickness.max(0.02 * p.length)),
-    ];
-    let title = |x: f64| {
-        [
-            place(x * a, -0.6 * b, c * 1.02),
-            place(x * a, 0.6 * b, c * 1.02),
-        ]
-    };
+    let edges = [edge(0, p.length), edge(1, p.width), edge(2, p.thickness.max(0.02 * p.length))];
+    let title = |x: f64| [place(x * a, -0.6 * b, c * 1.02), place(x * a, 0.6 * b, c * 1.02)];
     view.solid(Solid::cuboid(centre, edges), Ink::Body)
         .line(title(0.6), Ink::Paper)
         .line(title(0.4), Ink::Paper)
@@ -99,9 +80,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .x(Axis::linear("$t$ / s"))
         .y(Axis::linear("$L_2/L$").range(-1.0, 1.0).step(1.0))
         .curve(Curve::new(along, Ink::Momentum));
-    let polhode = sampled(times(0.0, 2.0 * flips, 160), |t| {
-        Ok(on_sphere(tip(&tumble, t)?))
-    })?;
+    let polhode = sampled(times(0.0, 2.0 * flips, 160), |t| Ok(on_sphere(tip(&tumble, t)?)))?;
     let aside = SpaceVector::new(sin(EYE.0), -cos(EYE.0), 0.0) * 2.35;
     let draw = move |t: f64| {
         let (now, attitude) = (tip(&tumble, t)?, motion.attitude(t));
@@ -112,10 +91,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              passes close by both ends of axis 2; below, the component of L along axis 2.",
             rotation_dynamics::math::acos(now[1].clamp(-1.0, 1.0)).to_degrees()
         );
-        let view = View::new("scene", &alt)
-            .camera(camera())
-            .around(aside * 0.5, 1.42)
-            .size(340, 200);
+        let view =
+            View::new("scene", &alt).camera(camera()).around(aside * 0.5, 1.42).size(340, 200);
         let view = sphere(view, separatrices(tumble.moments))
             .trace(polhode.iter().copied(), Ink::Momentum)
             .dot(on_sphere(now), Ink::Momentum, "", Side::Right);
@@ -126,11 +103,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
                 aside + axis * 0.95,
                 Ink::Body,
                 "$2$",
-                if axis.z() < 0.0 {
-                    Side::Left
-                } else {
-                    Side::Right
-                },
+                if axis.z() < 0.0 { Side::Left } else { Side::Right },
             );
         Stack::frame(&alt, view, &graph, t)
     };

@@ -29,14 +29,8 @@ pub struct Attractor {
     pub mass: f64,
 }
 
-pub const SUN: Attractor = Attractor {
-    period: 365.256_363,
-    mass: 1.0,
-};
-pub const MOON: Attractor = Attractor {
-    period: 27.321_661,
-    mass: 0.012_150_5,
-};
+pub const SUN: Attractor = Attractor { period: 365.256_363, mass: 1.0 };
+pub const MOON: Attractor = Attractor { period: 27.321_661, mass: 0.012_150_5 };
 
 impl Attractor {
     /// sqrt(G m/r^3) of what attracts: the mean motion if it has all of the mass, 1/s.

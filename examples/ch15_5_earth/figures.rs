@@ -8,13 +8,7 @@ use kit::{Figure, MovingPicture, Result, times};
 use rotation_dynamics::math::{cos, hypot, sincos, tan};
 
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {
-    Ok(vec![
-        among_stars(p)?,
-        trails()?,
-        periods(p)?,
-        path(p)?,
-        year(p)?,
-    ])
+    Ok(vec![among_stars(p)?, trails()?, periods(p)?, path(p)?, year(p)?])
 }
 
 /// A circle of this radius about the origin.
@@ -40,27 +34,13 @@ fn among_stars(p: &Parameters) -> Result<Figure> {
     let (s, c) = sincos(spread);
     Sketch::new("among_stars", &alt)
         .window((-reach, reach), (-1.15 * theta, 1.15 * theta))
-        .curve(
-            Curve::new(circle(theta, 0.0, TAU), Ink::Frame)
-                .thin()
-                .dashed(),
-        )
+        .curve(Curve::new(circle(theta, 0.0, TAU), Ink::Frame).thin().dashed())
         .curve(Curve::new([(0.0, 0.0), (theta * c, theta * s)], Ink::Frame).thin())
         .arrow_along(circle(theta, spread + 0.3, spread + 1.4), Ink::Body)
         .dot((theta * c, theta * s), Ink::Body, "$z$", Side::Right)
         .dot((0.0, 0.0), Ink::Momentum, r"$L$", Side::Above)
-        .ring(
-            (-apart * c, -apart * s),
-            Ink::Velocity,
-            r"$\Omega$",
-            Side::Left,
-        )
-        .text(
-            (0.5 * theta * c, 0.5 * theta * s),
-            r"$\theta$",
-            Ink::Frame,
-            Side::Below,
-        )
+        .ring((-apart * c, -apart * s), Ink::Velocity, r"$\Omega$", Side::Left)
+        .text((0.5 * theta * c, 0.5 * theta * s), r"$\theta$", Ink::Frame, Side::Below)
         .figure()
 }
 
@@ -68,26 +48,14 @@ fn among_stars(p: &Parameters) -> Result<Figure> {
 fn trails() -> Result<Figure> {
     let alt = "Arcs of stars about the pole of the sky, the same on two nights. The horizon lies \
                lower on the second night, by twice alpha, and so the pole stands higher.";
-    let stars = [
-        (0.18, 0.4),
-        (0.33, 2.0),
-        (0.48, 5.0),
-        (0.62, 3.4),
-        (0.74, 1.1),
-        (0.86, 4.3),
-    ];
+    let stars = [(0.18, 0.4), (0.33, 2.0), (0.48, 5.0), (0.62, 3.4), (0.74, 1.1), (0.86, 4.3)];
     let sky = Sketch::new("trails", alt)
         .window((-1.3, 1.3), (-1.55, 1.0))
         .dot((0.0, 0.0), Ink::Velocity, "pole", Side::Right)
         .curve(Curve::new([(-1.2, -1.05), (1.2, -1.05)], Ink::Body))
         .curve(Curve::new([(-1.2, -1.35), (1.2, -1.35)], Ink::Body).dashed())
         .text((-1.2, -1.05), "horizon", Ink::Body, Side::AboveRight)
-        .text(
-            (-1.2, -1.35),
-            "half a period later",
-            Ink::Body,
-            Side::BelowRight,
-        )
+        .text((-1.2, -1.35), "half a period later", Ink::Body, Side::BelowRight)
         .dimension((1.1, -1.35), (1.1, -1.05), r"$2\alpha$", Side::Right);
     let trail = |sky: Sketch, (radius, from): (f64, f64)| {
         sky.curve(Curve::new(circle(radius, from, from + 1.3), Ink::Ink))
@@ -98,10 +66,8 @@ fn trails() -> Result<Figure> {
 /// The period, one cause after the other, in solar days.
 fn periods(p: &Parameters) -> Result<Figure> {
     let days = p.day / 86_400.0;
-    let computed = [
-        ("rigid", days / flattening(p)?),
-        ("mantle yields", days * yielding::period(p)?),
-    ];
+    let computed =
+        [("rigid", days / flattening(p)?), ("mantle yields", days * yielding::period(p)?)];
     // The rounded values are those of the literature that the page names.
     let known = [("and fluid core", 392.0), ("and oceans: observed", 433.0)];
     let alt = format!(
@@ -112,16 +78,10 @@ fn periods(p: &Parameters) -> Result<Figure> {
     let rows = computed.iter().chain(&known).zip([4.0, 3.0, 2.0, 1.0]);
     let axes = Panel::new("periods", &alt)
         .x(Axis::linear("period / d").range(280.0, 480.0))
-        .y(Axis::linear("")
-            .range(0.5, 4.5)
-            .ticks(Vec::<(f64, &str)>::new()));
+        .y(Axis::linear("").range(0.5, 4.5).ticks(Vec::<(f64, &str)>::new()));
     let row = |panel: Panel, ((name, period), y): (&(&str, f64), f64)| {
         let ink = if y > 2.5 { Ink::Body } else { Ink::Frame };
-        let side = if *period > 400.0 {
-            Side::Left
-        } else {
-            Side::Right
-        };
+        let side = if *period > 400.0 { Side::Left } else { Side::Right };
         match y > 2.5 {
             true => panel.dot(*period, y, ink, name, side),
             false => panel.ring(*period, y, ink, name, side),
@@ -164,10 +124,7 @@ fn year(p: &Parameters) -> Result<Figure> {
     let at: Vec<f64> = times(0.0, YEAR, 24).skip(1).collect();
     let seconds: Vec<f64> = at.iter().map(|d| d * day).collect();
     let moved = equinoxes::year(p, &seconds, 1e-7)?;
-    let dots = at
-        .iter()
-        .zip(moved)
-        .map(|(&d, [round, _])| (d, round / ARCSEC));
+    let dots = at.iter().zip(moved).map(|(&d, [round, _])| (d, round / ARCSEC));
     Panel::new("year", alt)
         .x(Axis::linear("days from an equinox").range(0.0, 365.25))
         .y(Axis::linear(r"$\psi$ / arcsec").range(-17.0, 0.0))

@@ -21,10 +21,8 @@ pub fn fluid_love_number(p: &Parameters) -> f64 {
 /// k_2/k_s: the part of the bulge that follows the pole.
 fn following(p: &Parameters) -> Result<f64> {
     let part = p.love / fluid_love_number(p);
-    from_to(0.0, 0.999_999_999_9).check(
-        "k_2/k_s, the part of the bulge that follows the pole,",
-        part,
-    )
+    from_to(0.0, 0.999_999_999_9)
+        .check("k_2/k_s, the part of the bulge that follows the pole,", part)
 }
 
 /// The circuit of the pole, in turns of the Earth: that of a rigid body with A + k_2/k_s (C - A)
@@ -56,11 +54,7 @@ pub fn simulated(p: &Parameters, step: f64) -> Result<f64> {
     };
     let law = move |_, l: &[f64; 3]| {
         let w = rates(*l);
-        [
-            l[1] * w[2] - l[2] * w[1],
-            l[2] * w[0] - l[0] * w[2],
-            l[0] * w[1] - l[1] * w[0],
-        ]
+        [l[1] * w[2] - l[2] * w[1], l[2] * w[0] - l[0] * w[2], l[0] * w[1] - l[1] * w[0]]
     };
     let earth = ode(law).scaled(move |_| [p.a * tilt, p.a * tilt, p.c]);
     let (back, _) =

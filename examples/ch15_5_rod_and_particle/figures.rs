@@ -38,22 +38,10 @@ fn impulses() -> Result<Figure> {
     Sketch::new("impulses", alt)
         .window((-1.25, 0.75), (-0.72, 0.68))
         .bar((0.0, -0.5), (0.0, 0.5), 0.05, Ink::Body)
-        .arrow_to(
-            (0.0, 0.0),
-            (-0.4, 0.0),
-            Ink::Force,
-            "hinge $J_h$",
-            Side::Above,
-        )
+        .arrow_to((0.0, 0.0), (-0.4, 0.0), Ink::Force, "hinge $J_h$", Side::Above)
         .arrow_to((0.03, -0.5), (0.43, -0.5), Ink::Force, "$J$", Side::Right)
         .disc((-0.5, -0.5), 0.045, Ink::Ink, 0.8)
-        .arrow_to(
-            (-0.55, -0.5),
-            (-0.95, -0.5),
-            Ink::Force,
-            "$-J$",
-            Side::Above,
-        )
+        .arrow_to((-0.55, -0.5), (-0.95, -0.5), Ink::Force, "$-J$", Side::Above)
         .ring((0.0, 0.0), Ink::Ink, "", Side::Right)
         .figure()
 }
@@ -81,25 +69,14 @@ fn masses() -> Result<Figure> {
             0.97,
             Side::Below,
         ))
-        .curve(
-            over(|a, _| 1.0 - a.energies[1] / a.energies[0])
-                .dashed()
-                .label_at("lost", 0.06, 0.85, Side::Right),
-        )
-        .dot(
-            1.0,
-            0.5 * equal.angular_velocity,
-            Ink::Ink,
-            "3/4",
-            Side::AboveLeft,
-        )
-        .dot(
-            1.0,
-            1.0 - equal.energies[1] / equal.energies[0],
-            Ink::Ink,
-            "1/4",
-            Side::BelowLeft,
-        )
+        .curve(over(|a, _| 1.0 - a.energies[1] / a.energies[0]).dashed().label_at(
+            "lost",
+            0.06,
+            0.85,
+            Side::Right,
+        ))
+        .dot(1.0, 0.5 * equal.angular_velocity, Ink::Ink, "3/4", Side::AboveLeft)
+        .dot(1.0, 1.0 - equal.energies[1] / equal.energies[0], Ink::Ink, "1/4", Side::BelowLeft)
         .figure()
 }
 
@@ -108,10 +85,7 @@ const APPROACH: f64 = 0.8;
 
 /// Momenta and energy over the particle's at the start, which stay 1 if they are kept.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let (scene, blow) = (
-        scene(p, true),
-        Blow::new(scene(p, true), p.tolerance, APPROACH, END)?,
-    );
+    let (scene, blow) = (scene(p, true), Blow::new(scene(p, true), p.tolerance, APPROACH, END)?);
     let columns = [
         "t [s]",
         "angle [rad]",
@@ -121,18 +95,11 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
         "P_y [kg m/s]",
         "T [J]",
     ];
-    Trajectory::sampled(
-        columns,
-        times(-APPROACH * scene.unit(), END * scene.unit(), 500),
-        |t| {
-            let state = blow.at(t)?;
-            let ([px, py], l) = (
-                scene.momentum(&state),
-                scene.angular_momentum(&state, [0.0, 0.0]),
-            );
-            Ok([t, state.q[2], state.v[2], l, px, py, scene.energy(&state)])
-        },
-    )
+    Trajectory::sampled(columns, times(-APPROACH * scene.unit(), END * scene.unit(), 500), |t| {
+        let state = blow.at(t)?;
+        let ([px, py], l) = (scene.momentum(&state), scene.angular_momentum(&state, [0.0, 0.0]));
+        Ok([t, state.q[2], state.v[2], l, px, py, scene.energy(&state)])
+    })
 }
 
 /// The blow, with what is kept and what is not.
@@ -172,11 +139,7 @@ pub fn moving(p: &Parameters) -> Result<MovingPicture> {
         );
         let pushed = (0.45 * l * px / start.abs(), 0.45 * l * py / start.abs());
         let end = (particle.0 + pushed.0, particle.1 + pushed.1);
-        let across = if start < 0.0 {
-            (-0.75 * l, l)
-        } else {
-            (-l, 0.75 * l)
-        };
+        let across = if start < 0.0 { (-0.75 * l, l) } else { (-l, 0.75 * l) };
         let mut scene = Sketch::new("scene", &alt)
             .window(across, (-0.72 * l, 0.72 * l))
             .bar(up(-0.5), up(0.5), 0.05 * l, Ink::Body)

@@ -73,18 +73,12 @@ impl Mechanism<5, 3> for Strike {
         let free = if self.hinged { 0.0 } else { 1.0 };
         let across = [free * c, free * s, -up, -c, -s];
         let lengthwise = [free * s, -free * c, front, -s, c];
-        let [bias, bias_along] = [
-            -square * front - 2.0 * v[2] * along,
-            2.0 * v[2] * to - square * up,
-        ];
+        let [bias, bias_along] =
+            [-square * front - 2.0 * v[2] * along, 2.0 * v[2] * to - square * up];
         // A rod at rest has not been hit; one that turns has the particle on it.
         if v[2] == 0.0 {
             let none = |name| Contact::joint(name, 0.0, [0.0; 5], 0.0);
-            [
-                Contact::new("particle", front, across, bias),
-                none("across"),
-                none("along"),
-            ]
+            [Contact::new("particle", front, across, bias), none("across"), none("along")]
         } else {
             [
                 Contact::new("particle", 1.0 + q[2], [0.0, 0.0, 1.0, 0.0, 0.0], 0.0),
@@ -152,18 +146,9 @@ impl Strike {
     fn mirrored(&self, MechanismState { q, v }: MechanismState<5>) -> MechanismState<5> {
         let sense = self.speed.signum();
         let odd = |all: [f64; 5]| {
-            core::array::from_fn(|k| {
-                if k == 1 || k == 4 {
-                    all[k]
-                } else {
-                    sense * all[k]
-                }
-            })
+            core::array::from_fn(|k| if k == 1 || k == 4 { all[k] } else { sense * all[k] })
         };
-        MechanismState {
-            q: odd(q),
-            v: odd(v),
-        }
+        MechanismState { q: odd(q), v: odd(v) }
     }
 
     /// The time in which the particle comes as far as the rod is long, s.
@@ -195,13 +180,7 @@ impl Blow {
         let hit = motion.event("particle bounces")?.clone();
         let seen = |state| strike.mirrored(state);
         let (before, after, impact) = (seen(hit.before), seen(hit.after), hit.t);
-        Ok(Self {
-            strike,
-            before,
-            after,
-            impact,
-            motion,
-        })
+        Ok(Self { strike, before, after, impact, motion })
     }
 
     /// The state at `t` (s), counted from the impact.

@@ -49,10 +49,7 @@ pub fn view(name: &str, alt: &str, top: Top, t: f64) -> Result<View> {
         .around(UP * 0.66, if thin { 0.8 } else { 0.92 })
         .size(340, 300)
         .dashed(path, Ink::Body)
-        .solid(
-            Solid::cone(UP * cos(between), ORIGIN, sin(between)),
-            Ink::Frame,
-        )
+        .solid(Solid::cone(UP * cos(between), ORIGIN, sin(between)), Ink::Frame)
         .solid(body, Ink::Body)
         .line(rim, Ink::Body)
         .line([centre + lift, at + lift], Ink::Ink)
@@ -70,11 +67,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let line = |slope: f64, ink| Curve::of(times(0.0, end, 2), |t| slope * t / round, ink);
     // Whole turns, as long as there are few of them.
     let counted = Axis::linear("turns");
-    let counted = if turns < 4.0 {
-        counted.step(1.0)
-    } else {
-        counted
-    };
+    let counted = if turns < 4.0 { counted.step(1.0) } else { counted };
     let graph = Panel::new("graph", "")
         .x(Axis::linear("$t$ / s"))
         .y(counted)

@@ -67,24 +67,9 @@ fn order(name: &str, top: Top) -> Result<Figure> {
         .arrow(o, omega, Ink::Velocity, "", Side::Right)
         .text(at(theta, 1.24), "$z$", Ink::Body, Side::Right)
         .text(at(0.0, 1.24), "$L$", Ink::Momentum, Side::Above)
-        .text(
-            p,
-            r"$\Omega_P$",
-            Ink::Velocity,
-            if thin { Side::Left } else { Side::Right },
-        )
-        .text(
-            s,
-            r"$\Omega_S$",
-            Ink::Velocity,
-            if thin { Side::Right } else { Side::BelowLeft },
-        )
-        .text(
-            omega,
-            r"$\Omega$",
-            Ink::Velocity,
-            if thin { Side::Above } else { Side::Left },
-        )
+        .text(p, r"$\Omega_P$", Ink::Velocity, if thin { Side::Left } else { Side::Right })
+        .text(s, r"$\Omega_S$", Ink::Velocity, if thin { Side::Right } else { Side::BelowLeft })
+        .text(omega, r"$\Omega$", Ink::Velocity, if thin { Side::Above } else { Side::Left })
         .angle(o, radii.0, arc(0.0, theta), r"$\theta$")
         .angle(o, radii.1, arc(theta, wide), r"$\alpha$")
         .figure()
@@ -124,19 +109,8 @@ fn positions(name: &str, top: Top, part: f64) -> Result<Figure> {
         view = view
             .solid(Solid::disc(centre, axis, radius, 2.0 * half), Ink::Body)
             .dashed([centre, centre + up * (half + 0.5)], Ink::Momentum)
-            .text(
-                centre + up * (half + 0.5),
-                first("$L$"),
-                Ink::Momentum,
-                Side::Above,
-            )
-            .arrow(
-                face,
-                face + axis * 0.34,
-                Ink::Body,
-                first("$z$"),
-                Side::Left,
-            )
+            .text(centre + up * (half + 0.5), first("$L$"), Ink::Momentum, Side::Above)
+            .arrow(face, face + axis * 0.34, Ink::Body, first("$z$"), Side::Left)
             .line([face, end], Ink::Ink)
             .dot(end, Ink::Ink, first("$P$"), Side::Right)
             .text(centre - up * low, &turns, Ink::Frame, Side::Centre);
@@ -153,10 +127,9 @@ fn turns(bodies: [Top; 2]) -> Result<Figure> {
         .x(Axis::linear("turns of the axis about $L$").range(0.0, 2.0))
         .y(Axis::linear("turns of $OP$").range(0.0, 4.0))
         .curve(Curve::new([(0.0, 0.0), (2.0, 2.0)], Ink::Frame).dotted());
-    for (top, name, side) in [
-        (bodies[0], "cylinder", Side::AboveLeft),
-        (bodies[1], "disc", Side::BelowRight),
-    ] {
+    for (top, name, side) in
+        [(bodies[0], "cylinder", Side::AboveLeft), (bodies[1], "disc", Side::BelowRight)]
+    {
         let slope = top.line_turns();
         let stepped = Stepped::new(top)?;
         let run = stepped.until(2.0 * top.round())?;
@@ -170,14 +143,12 @@ fn turns(bodies: [Top; 2]) -> Result<Figure> {
             }
         }
         panel = panel
-            .curve(
-                Curve::of(times(0.0, 2.0, 2), |x| slope * x, Ink::Ink).label_at(
-                    name,
-                    1.1,
-                    1.1 * slope,
-                    side,
-                ),
-            )
+            .curve(Curve::of(times(0.0, 2.0, 2), |x| slope * x, Ink::Ink).label_at(
+                name,
+                1.1,
+                1.1 * slope,
+                side,
+            ))
             .curve(Curve::new(dots, Ink::Body).dots());
     }
     panel.figure()
@@ -189,29 +160,16 @@ fn wobbles() -> Result<Figure> {
                one at the square root of three, a half at three, and ever fewer for rods. Simulated \
                dots lie on the curve.";
     let shape = |h: f64| {
-        Top {
-            i1: (3.0 + h * h) / 12.0,
-            i3: 0.5,
-            omega_y: 0.0,
-            omega_z: 1.0,
-        }
-        .tilted(0.025)
+        Top { i1: (3.0 + h * h) / 12.0, i3: 0.5, omega_y: 0.0, omega_z: 1.0 }.tilted(0.025)
     };
     let dots = [0.0, 0.5, 1.0, 1.4, 2.2, 3.0, 4.0, 5.0];
-    let counted = Curve::sampled(
-        dots,
-        |h| Ok(1.0 / Stepped::new(shape(h))?.line_turns()?),
-        Ink::Body,
-    )?;
+    let counted =
+        Curve::sampled(dots, |h| Ok(1.0 / Stepped::new(shape(h))?.line_turns()?), Ink::Body)?;
     let balance = 3.0_f64.sqrt();
     Panel::new("wobbles", alt)
         .x(Axis::linear("height over radius, $H/R$").range(0.0, 5.0))
         .y(Axis::linear("wobbles in a turn of $OP$").range(0.0, 2.0))
-        .curve(Curve::of(
-            times(0.0, 5.0, 200),
-            |h| 1.0 / shape(h).line_turns(),
-            Ink::Ink,
-        ))
+        .curve(Curve::of(times(0.0, 5.0, 200), |h| 1.0 / shape(h).line_turns(), Ink::Ink))
         .curve(counted.dots())
         .upright(balance, Ink::Frame, r"$\sqrt{3}$")
         .note(0.25, 1.15, Ink::Frame, "flat", Side::Right)
@@ -225,11 +183,7 @@ fn in_body(name: &str, top: Top) -> Result<Figure> {
     let alt = format!(
         "On the body's axes the part of the angular velocity across the axis z goes round a circle \
          of radius {size}, {}; simulated dots lie on it.",
-        if thin {
-            "clockwise"
-        } else {
-            "counterclockwise"
-        },
+        if thin { "clockwise" } else { "counterclockwise" },
     );
     let circle = |turn: f64| (size * sin(turn), size * cos(turn));
     let whole = if thin { TAU } else { -TAU };

@@ -53,9 +53,7 @@ fn pitching(radius: f64) -> f64 {
 /// The same, as it is on a disc that flies along X: its direction is across flight and axis.
 fn front_edge(moment: f64) -> impl Effect {
     let forward = SpaceVector::new(1.0, 0.0, 0.0);
-    Torque::on_space("air", move |_, _, state| {
-        state.attitude.axis().cross(&forward) * moment
-    })
+    Torque::on_space("air", move |_, _, state| state.attitude.axis().cross(&forward) * moment)
 }
 
 /// Adds the card of effects.

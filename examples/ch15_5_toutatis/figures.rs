@@ -34,12 +34,8 @@ fn off_by_day(study: &Study) -> Result<Figure> {
     let alt = "Angle between computed and measured attitude on seventeen days of December 1992: dots between one and sixteen \
                degrees without a trend for the published start, rings a little lower for the fitted one.";
     let panel = Panel::new("off_by_day", alt)
-        .x(Axis::linear("day of December 1992")
-            .range(1.0, 20.0)
-            .step(5.0))
-        .y(Axis::linear("attitude off by / deg")
-            .range(0.0, 18.0)
-            .step(5.0))
+        .x(Axis::linear("day of December 1992").range(1.0, 20.0).step(5.0))
+        .y(Axis::linear("attitude off by / deg").range(0.0, 18.0).step(5.0))
         .curve(Curve::new(over(&study.misses), Ink::Body).dots().label_at(
             "published",
             9.0,
@@ -48,12 +44,8 @@ fn off_by_day(study: &Study) -> Result<Figure> {
         ));
     let panel = over(&study.fitted_misses)
         .into_iter()
-        .fold(panel, |panel, (x, y)| {
-            panel.ring(x, y, Ink::Ink, "", Side::Above)
-        });
-    panel
-        .note(13.6, 8.4, Ink::Ink, "rings: fitted", Side::Right)
-        .figure()
+        .fold(panel, |panel, (x, y)| panel.ring(x, y, Ink::Ink, "", Side::Above));
+    panel.note(13.6, 8.4, Ink::Ink, "rings: fitted", Side::Right).figure()
 }
 
 /// How far off the angular velocity is, in direction and in length.
@@ -64,19 +56,12 @@ fn spin_by_day(study: &Study) -> Result<Figure> {
         let space = |v: BodyVector| found.attitude.to_space(v);
         angle_between(space(found.angular_velocity), space(day.angular_velocity))
     };
-    let points = study
-        .december
-        .iter()
-        .map(|day| (december(day.t), direction(day)));
+    let points = study.december.iter().map(|day| (december(day.t), direction(day)));
     let alt = "Angle between computed and measured angular velocity on seventeen days of December 1992: all but two dots \
                lie at five degrees or below, those of 7 and 14 December above twenty.";
     Panel::new("spin_by_day", alt)
-        .x(Axis::linear("day of December 1992")
-            .range(1.0, 20.0)
-            .step(5.0))
-        .y(Axis::linear("angular velocity off by / deg")
-            .range(0.0, 26.0)
-            .step(5.0))
+        .x(Axis::linear("day of December 1992").range(1.0, 20.0).step(5.0))
+        .y(Axis::linear("angular velocity off by / deg").range(0.0, 26.0).step(5.0))
         .curve(Curve::new(points, Ink::Velocity).dots())
         .figure()
 }
@@ -105,17 +90,9 @@ fn forecast(p: &Parameters, study: &Study) -> Result<Figure> {
     let sd = study.deviation_of_period(0)?;
     let days = times(0.0, 3.8, 38).map(|x| pow(10.0, x));
     let line = |slope: f64, ink| {
-        Curve::of(
-            days.clone().filter(move |t| slope * t >= 0.1),
-            move |t| slope * t,
-            ink,
-        )
+        Curve::of(days.clone().filter(move |t| slope * t >= 0.1), move |t| slope * t, ink)
     };
-    let dots = study
-        .december
-        .iter()
-        .zip(&study.misses)
-        .map(|(day, miss)| (day.t / DAY, *miss));
+    let dots = study.december.iter().zip(&study.misses).map(|(day, miss)| (day.t / DAY, *miss));
     let alt = "Error of the attitude against days after the epoch, both logarithmic. Three rising lines: the fit to December, \
                the periods of 2015, and lowest the printed digits. A level line at the mean of random attitudes. The measured misses of 1992 \
                lie below ten degrees or near it, that of 2008 on the level of chance.";
@@ -144,13 +121,7 @@ fn forecast(p: &Parameters, study: &Study) -> Result<Figure> {
         .level(random, Ink::Frame, "")
         .note(1.2, random, Ink::Frame, "chance", Side::AboveRight)
         .curve(Curve::new(dots, Ink::Body).dots())
-        .dot(
-            study.last.t / DAY,
-            last_miss(study)?,
-            Ink::Body,
-            "2008",
-            Side::BelowLeft,
-        )
+        .dot(study.last.t / DAY, last_miss(study)?, Ink::Body, "2008", Side::BelowLeft)
         .figure()
 }
 
@@ -174,9 +145,8 @@ fn passing(p: &Parameters, study: &Study) -> Result<Figure> {
         let scene = Scene::new(start.body()?).with(tide(path, begin)?);
         let clock: Vec<f64> = ends.iter().map(|t| t * DAY).collect();
         let states = scene.solve_at(&motion.state(begin), &clock, 1e-7, &Default::default())?;
-        let change = states
-            .iter()
-            .map(|state| 1e3 * (state.angular_momentum - free).norm() / free.norm());
+        let change =
+            states.iter().map(|state| 1e3 * (state.angular_momentum - free).norm() / free.norm());
         let points: Vec<_> = ends.iter().map(|t| t - 6.0).zip(change).collect();
         let label = format!("{:.0}°", path.angles[2].to_degrees());
         let curve =

@@ -26,9 +26,8 @@ impl Fit {
         for (i, slope) in slope.iter_mut().enumerate() {
             *slope = difference(&self.at, i, |at| Ok(vec![f(at)?]))?[0];
         }
-        let sum: f64 = (0..64)
-            .map(|k| slope[k / 8] * self.covariance[k / 8][k % 8] * slope[k % 8])
-            .sum();
+        let sum: f64 =
+            (0..64).map(|k| slope[k / 8] * self.covariance[k / 8][k % 8] * slope[k % 8]).sum();
         Ok(sum.sqrt())
     }
 }
@@ -46,11 +45,7 @@ fn difference(
         f(&there)
     };
     let (right, left) = (shifted(H)?, shifted(-H)?);
-    Ok(right
-        .iter()
-        .zip(left)
-        .map(|(r, l)| (r - l) / (2.0 * H))
-        .collect())
+    Ok(right.iter().zip(left).map(|(r, l)| (r - l) / (2.0 * H)).collect())
 }
 
 // ANCHOR: gauss
@@ -73,11 +68,7 @@ pub fn least_squares(
         }
         if largest(step) < 1e-9 {
             let scatter = (squares / (count - 8) as f64).sqrt();
-            return Ok(Fit {
-                at,
-                scatter,
-                covariance: covariance(&r, scatter),
-            });
+            return Ok(Fit { at, scatter, covariance: covariance(&r, scatter) });
         }
     }
     Err(kit::Error::Text {
@@ -150,11 +141,7 @@ pub fn start(at: &Unknowns, reference: &Attitude) -> Result<Start> {
     let [a, b, c, x, y, z, moment_x, moment_y] = *at;
     let attitude = reference.turned_in_space(SpaceVector::new(a, b, c))?;
     let angular_velocity = BodyVector::new(x, y, z) / DAY;
-    Ok(Start {
-        moments: [moment_x, moment_y, 1.0],
-        attitude,
-        angular_velocity,
-    })
+    Ok(Start { moments: [moment_x, moment_y, 1.0], attitude, angular_velocity })
 }
 
 /// The scatter of each unknown when one day after the other is left out (the jackknife).

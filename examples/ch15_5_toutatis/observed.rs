@@ -17,18 +17,12 @@ const DATA: &str = include_str!("toutatis.csv");
 
 /// The measured days, in order; the last is the one of 2008.
 pub fn observed() -> Result<Vec<Observed>> {
-    let rows = DATA
-        .lines()
-        .filter(|line| line.starts_with(|c: char| c.is_ascii_digit()));
+    let rows = DATA.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit()));
     rows.map(|row| {
         let mut cells = row.split(',');
         let date = cells.next().unwrap_or("");
-        let mut number = || {
-            cells
-                .next()
-                .and_then(|cell| cell.trim().parse().ok())
-                .unwrap_or(f64::NAN)
-        };
+        let mut number =
+            || cells.next().and_then(|cell| cell.trim().parse().ok()).unwrap_or(f64::NAN);
         let [alpha, beta, gamma, x, y, z] = [0; 6].map(|_| number());
         Ok(Observed {
             date,
@@ -54,9 +48,7 @@ pub fn rates(degrees: [f64; 3]) -> BodyVector {
 /// Seconds since the year 0 of a date like `1992-11-09T17:49:47`.
 pub fn seconds(date: &str) -> f64 {
     let number = |from: usize, to: usize| {
-        date.get(from..to)
-            .and_then(|s| s.parse::<f64>().ok())
-            .unwrap_or(f64::NAN)
+        date.get(from..to).and_then(|s| s.parse::<f64>().ok()).unwrap_or(f64::NAN)
     };
     let (year, month, day) = (number(0, 4), number(5, 7), number(8, 10));
     // March is the first month of a year that ends with its leap day.

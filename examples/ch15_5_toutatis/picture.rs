@@ -26,54 +26,32 @@ const LOBES: [(f64, f64); 11] = [
 /// A point of its surface on its own axes.
 fn surface((height, width): (f64, f64), turn: f64) -> BodyVector {
     let (s, c) = sincos(turn);
-    BodyVector::new(
-        HALF_AXES[0] * width * c,
-        HALF_AXES[1] * width * s,
-        HALF_AXES[2] * height,
-    )
+    BodyVector::new(HALF_AXES[0] * width * c, HALF_AXES[1] * width * s, HALF_AXES[2] * height)
 }
 
 /// The body in this attitude.
 fn body(attitude: &Attitude) -> Solid {
     const SIDES: u32 = 14;
     let at = |ring: usize, i: u32| {
-        attitude.to_space(surface(
-            LOBES[ring],
-            TAU * f64::from(i % SIDES) / f64::from(SIDES),
-        ))
+        attitude.to_space(surface(LOBES[ring], TAU * f64::from(i % SIDES) / f64::from(SIDES)))
     };
     let rings = 0..LOBES.len() - 1;
     let face = |(ring, i): (usize, u32)| match ring {
         0 => vec![at(0, 0), at(1, i + 1), at(1, i)],
         9 => vec![at(9, i), at(9, i + 1), at(10, 0)],
-        _ => vec![
-            at(ring, i),
-            at(ring, i + 1),
-            at(ring + 1, i + 1),
-            at(ring + 1, i),
-        ],
+        _ => vec![at(ring, i), at(ring, i + 1), at(ring + 1, i + 1), at(ring + 1, i)],
     };
-    Solid::new(
-        rings
-            .flat_map(|ring| (0..SIDES).map(move |i| (ring, i)))
-            .map(face),
-    )
+    Solid::new(rings.flat_map(|ring| (0..SIDES).map(move |i| (ring, i))).map(face))
 }
 
 /// Its outline in the planes of x and y, as it was seen.
 fn ghost(view: View, attitude: &Attitude) -> View {
     let outline = |turn: f64| {
         let up = LOBES.into_iter().map(move |ring| surface(ring, turn));
-        let down = LOBES
-            .into_iter()
-            .rev()
-            .map(move |ring| surface(ring, turn + PI));
-        up.chain(down)
-            .map(|v| attitude.to_space(v) * 1.03)
-            .collect::<Vec<_>>()
+        let down = LOBES.into_iter().rev().map(move |ring| surface(ring, turn + PI));
+        up.chain(down).map(|v| attitude.to_space(v) * 1.03).collect::<Vec<_>>()
     };
-    view.dashed(outline(0.0), Ink::Ink)
-        .dashed(outline(FRAC_PI_2), Ink::Ink)
+    view.dashed(outline(0.0), Ink::Ink).dashed(outline(FRAC_PI_2), Ink::Ink)
 }
 
 /// Its attitude and angular velocity through December 1992, for `--csv`.
@@ -90,10 +68,8 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let motion = published(p)?.motion()?;
     Trajectory::sampled(columns, times(0.0, 40.0 * DAY, 800), |t| {
         let found = motion.kinematics(t);
-        let (angles, [x, y, z]) = (
-            found.attitude.euler_angles(),
-            found.angular_velocity.to_array(),
-        );
+        let (angles, [x, y, z]) =
+            (found.attitude.euler_angles(), found.angular_velocity.to_array());
         Ok([t, angles.phi, angles.theta, angles.zeta, x, y, z])
     })
 }
@@ -114,10 +90,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let line = sampled(times(from, to, 300), |t| {
             Ok((december(t), motion.angular_velocity(t)[i] * per_day))
         });
-        let seen: Vec<_> = days
-            .iter()
-            .map(|day| (december(day.t), day.angular_velocity[i] * per_day))
-            .collect();
+        let seen: Vec<_> =
+            days.iter().map(|day| (december(day.t), day.angular_velocity[i] * per_day)).collect();
         line.map(|line| (line, seen))
     };
     let ((x, seen_x), (y, seen_y)) = (rate(0)?, rate(1)?);

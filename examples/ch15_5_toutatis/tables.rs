@@ -9,11 +9,7 @@ pub fn phases(path: Path) -> impl Iterator<Item = Path> {
     (0..24).map(move |i| {
         let angles = [0.0, 0.0, PI * f64::from(i % 6) / 6.0];
         let when = path.when + f64::from(i / 6) * 2.0 * DAY;
-        Path {
-            angles,
-            when,
-            ..path
-        }
+        Path { angles, when, ..path }
     })
 }
 
@@ -73,10 +69,8 @@ pub fn rounding(p: &Parameters, study: &Study) -> Result<Shift> {
     let motion = study.start.motion()?;
     let (free, momentum) = (motion.attitude(study.last.t), motion.angular_momentum());
     let each = by_rounding(p, study.last.t)?;
-    let each = each
-        .iter()
-        .map(|there| shift(&free, there, momentum))
-        .collect::<Result<Vec<_>>>()?;
+    let each =
+        each.iter().map(|there| shift(&free, there, momentum)).collect::<Result<Vec<_>>>()?;
     let square = |i: usize| each.iter().map(|shift| shift[i] * shift[i]).sum::<f64>();
     Ok([0, 1, 2].map(|i| square(i).sqrt()))
 }
@@ -115,10 +109,7 @@ fn days(study: &Study) -> Result<Table> {
         let found = motion.kinematics(day.t);
         let space = |v: BodyVector| found.attitude.to_space(v);
         let (w, seen) = (found.angular_velocity, day.angular_velocity);
-        let after = study
-            .fitted_misses
-            .get(i)
-            .map_or("-".into(), |miss| format!("{miss:.1}"));
+        let after = study.fitted_misses.get(i).map_or("-".into(), |miss| format!("{miss:.1}"));
         table.push([
             day.date[..10].to_string(),
             format!("{:.2} d", day.t / DAY),
@@ -133,13 +124,7 @@ fn days(study: &Study) -> Result<Table> {
 }
 
 fn unknowns_table(study: &Study) -> Result<Table> {
-    let columns = [
-        "quantity",
-        "published",
-        "fitted",
-        "by the curvature",
-        "by leaving a day out",
-    ];
+    let columns = ["quantity", "published", "fitted", "by the curvature", "by leaving a day out"];
     let mut table = Table::new("fit", columns)?;
     let guess = unknowns(&study.printed)?;
     let loose = jackknife(&study.december, &study.printed, study.fit.at)?;
@@ -169,12 +154,8 @@ fn unknowns_table(study: &Study) -> Result<Table> {
 
 /// What moves the attitude of 2008, in degrees, beside what it was off by.
 fn ledger(p: &Parameters, study: &Study, moved: &Moved) -> Result<Table> {
-    let columns = [
-        "not known or left out",
-        "how large",
-        "azimuth about L",
-        "angle about the long axis",
-    ];
+    let columns =
+        ["not known or left out", "how large", "azimuth about L", "angle about the long axis"];
     let mut table = Table::new("ledger", columns)?;
     let (start, last) = (study.start, study.last);
     let [spin, precession] = start.periods()?;
@@ -182,21 +163,14 @@ fn ledger(p: &Parameters, study: &Study, moved: &Moved) -> Result<Table> {
     let worth = |period: f64, error: f64| 360.0 * study.turns_lost(period, error);
     let degrees = |x: f64| format!("{} deg", supported_digits(x, 0.004 * x));
     let motion = start.motion()?;
-    let [off, spin_off] = off_about(
-        &motion.attitude(last.t),
-        &last.attitude,
-        motion.angular_momentum(),
-    )?;
+    let [off, spin_off] =
+        off_about(&motion.attitude(last.t), &last.attitude, motion.angular_momentum())?;
     let published = 0.03 * DAY;
     let fitted = format!("{:.3} and {:.3} d", b / DAY, a / DAY);
     let mut row = |what: &str, size: &str, [azimuth, spin]: [f64; 2]| {
         table.push([what.into(), size.into(), degrees(azimuth), degrees(spin)])
     };
-    row(
-        "periods, fitted to December 1992",
-        &fitted,
-        [worth(precession, b), worth(spin, a)],
-    )?;
+    row("periods, fitted to December 1992", &fitted, [worth(precession, b), worth(spin, a)])?;
     row(
         "periods, published in 2015",
         "0.03 d",
@@ -207,11 +181,7 @@ fn ledger(p: &Parameters, study: &Study, moved: &Moved) -> Result<Table> {
         "half of its last digits",
         [moved.digits[1], moved.digits[2]],
     )?;
-    row(
-        "tide of the Sun since 1992",
-        "orbit by Kepler",
-        [moved.sun[1], moved.sun[2]],
-    )?;
+    row("tide of the Sun since 1992", "orbit by Kepler", [moved.sun[1], moved.sun[2]])?;
     row(
         "tide of the Earth, December 1992",
         "0.0242 au, worst phase",
@@ -222,11 +192,7 @@ fn ledger(p: &Parameters, study: &Study, moved: &Moved) -> Result<Table> {
         &format!("{} au, worst phase", short(p.closest / AU, 3)),
         [moved.own[1], moved.own[2]],
     )?;
-    row(
-        "the miss of 2008 itself",
-        "observed",
-        [off.abs(), spin_off.abs()],
-    )?;
+    row("the miss of 2008 itself", "observed", [off.abs(), spin_off.abs()])?;
     Ok(table)
 }
 
@@ -249,23 +215,14 @@ fn flybys(p: &Parameters, study: &Study) -> Result<Table> {
         let one = onward.rate_period();
         let after = [one, one * TAU / onward.precession_per_period().abs()];
         let rate = |i: usize| format!("{:.4} deg/d", (360.0 / after[i] - 360.0 / before[i]) * DAY);
-        let turn = angle_between(
-            changed.after.angular_momentum,
-            changed.free.angular_momentum,
-        );
+        let turn = angle_between(changed.after.angular_momentum, changed.free.angular_momentum);
         table.push([
             format!("{:.0} deg", path.angles[2].to_degrees()),
             format!("{:.2e}", changed.momentum()),
             format!("{turn:.3} deg"),
             rate(0),
             rate(1),
-            format!(
-                "{:.1} deg",
-                changed
-                    .in_2008(&start, path, end)?
-                    .angle_to(&free)
-                    .to_degrees()
-            ),
+            format!("{:.1} deg", changed.in_2008(&start, path, end)?.angle_to(&free).to_degrees()),
         ])?;
     }
     Ok(table)

@@ -74,11 +74,7 @@ impl Changed {
         let (begin, motion) = (path.when - HALF, start.motion()?);
         let scene = Scene::new(start.body()?).with(tide(path, begin)?);
         let solved = scene.solve(&motion.state(begin), 2.0 * HALF, tolerance)?;
-        Ok(Self {
-            after: solved.state,
-            work: solved.work,
-            free: motion.state(path.when + HALF),
-        })
+        Ok(Self { after: solved.state, work: solved.work, free: motion.state(path.when + HALF) })
     }
 
     /// The same by Euler's equations: less sure, and five times faster.
@@ -123,10 +119,7 @@ pub fn under_the_sun(start: &Start, end: f64) -> Result<Attitude> {
     let from = start.motion()?.state(0.0);
     let steps = Resolution::Steps((end / (1.5 * DAY)) as u64);
     let problem = Problem::new(scene, from, end, from);
-    Ok(problem
-        .run(Method::GaussLegendre16, Variables::Space, steps)?
-        .0
-        .attitude)
+    Ok(problem.run(Method::GaussLegendre16, Variables::Space, steps)?.0.attitude)
 }
 
 /// By how much (rad) the tide along a path between two times turns the attitude at `end`, to

@@ -2,6 +2,7 @@
 
 use super::*;
 use core::f64::consts::TAU;
+use rotation_dynamics::planar::contact::MechanismState;
 
 /// Two discs on an axle, the upper one so high above the lower, turned by these angles.
 fn discs(height: f64, [upper, lower]: [f64; 2]) -> View {
@@ -28,9 +29,9 @@ fn turning(view: View, z: f64, radius: f64, angle: f64, label: &str) -> View {
 }
 
 figures! { p: &Parameters;
-    /// Two thick discs on one upright axle, the upper one a little above the lower. An arrow
-    /// shows that the upper disc turns counterclockwise seen from above at Omega 1, another
-    /// that the lower one turns clockwise at Omega 2.
+    /// Two thick discs on one upright axle, the upper one a little above the lower. An arrow shows that the
+    /// upper disc turns counterclockwise seen from above at Omega 1, another that the lower one turns clockwise
+    /// at Omega 2.
     setup: {
         let view = turning(discs(0.55, [0.9, 0.2]), 0.8, 0.98, 1.3, r"$\Omega_1$");
         turning(view, 0.0, 1.13, -0.9, r"$\Omega_2$")
@@ -38,9 +39,9 @@ figures! { p: &Parameters;
             .text(SpaceVector::new(-0.3, 1.15, 0.05), "$I_2$", Ink::Body, Side::Right)
     };
 
-    /// The slip, as a part of the first one, against time over that of dry friction. Dry: a
-    /// straight line that ends at one. Weaker at high speed: a line that bends down and
-    /// ends a little earlier. Oil: a curve that comes down ever more slowly and never ends.
+    /// The slip, as a part of the first one, against time over that of dry friction. Dry: a straight line that
+    /// ends at one. Weaker at high speed: a line that bends down and ends a little earlier. Oil: a curve that
+    /// comes down ever more slowly and never ends.
     laws: {
         let (a, p) = (Answer::new(p), &p.but(|p| p.tolerance = 1e-9));
         let slip = |law: &'static str, left: f64, end: f64| {
@@ -57,9 +58,9 @@ figures! { p: &Parameters;
             .curve(Curve::new(oil, Ink::Frame).dashed().label_at("oil", 1.6, 0.2, Side::AboveRight))
     };
 
-    /// The slip against time from the release. Dropped from no height it falls on a straight line
-    /// to zero. Dropped from higher up it stays level, falls at once at the impact onto the same line,
-    /// and goes on along it.
+    /// The slip against time from the release. Dropped from no height it falls on a straight line to zero.
+    /// Dropped from higher up it stays level, falls at once at the impact onto the same line, and goes on along
+    /// it.
     fall: {
         let a = Answer::new(p);
         let slip = |panel: Panel, (part, ink): (f64, Ink)| {
@@ -77,8 +78,8 @@ figures! { p: &Parameters;
         [(0.0, Ink::Ink), (0.08, Ink::Body)].into_iter().try_fold(panel, slip)?
     };
 
-    /// The slip near the time at which it ends. Located: a line that reaches zero and stays there. With the sign of
-    /// the slip and equal steps: it jumps from one side of zero to the other at every step.
+    /// The slip near the time at which it ends. Located: a line that reaches zero and stays there. With the
+    /// sign of the slip and equal steps: it jumps from one side of zero to the other at every step.
     chatter: {
         let a = Answer::new(p);
         let slips = chattering(p, 301, 2.0 * a.time);

@@ -2,6 +2,7 @@
 
 use super::*;
 use core::f64::consts::{PI, TAU};
+use rotation_dynamics::planar::contact::MechanismState;
 
 /// A gear with this many teeth, the first at `turn`.
 fn gear(sketch: Sketch, (x, y): (f64, f64), radius: f64, teeth: u32, turn: f64) -> Sketch {
@@ -15,10 +16,12 @@ fn gear(sketch: Sketch, (x, y): (f64, f64), radius: f64, teeth: u32, turn: f64) 
     });
     let (s, c) = sincos(turn);
     let spoke = [(x, y), (x + 0.8 * radius * c, y + 0.8 * radius * s)];
-    sketch
-        .body(outline, Ink::Body, 0.2)
-        .curve(Curve::new(spoke, Ink::Body).thin())
-        .dot((x, y), Ink::Ink, "", Side::Above)
+    sketch.body(outline, Ink::Body, 0.2).curve(Curve::new(spoke, Ink::Body).thin()).dot(
+        (x, y),
+        Ink::Ink,
+        "",
+        Side::Above,
+    )
 }
 
 /// A with 24 teeth about the origin and B with 12 that mesh, B's axis in this direction.
@@ -29,8 +32,8 @@ fn meshed(sketch: Sketch, arm: f64) -> Sketch {
 }
 
 figures! { p: &Parameters;
-    /// A large gear A on the left and a smaller gear B on the right, whose teeth mesh. A has the
-    /// radius R1 and turns counterclockwise at Omega 1. Both axes are held by the ground.
+    /// A large gear A on the left and a smaller gear B on the right, whose teeth mesh. A has the radius R1 and
+    /// turns counterclockwise at Omega 1. Both axes are held by the ground.
     setup: meshed(Sketch::within((-1.3, 2.3), (-1.3, 1.45)), 0.0)
         .turn((0.0, 0.0), 1.18, (1.2, 2.0), Ink::Velocity)
         .text((-0.2, 1.2), r"$\Omega_1$", Ink::Velocity, Side::Above)
@@ -57,9 +60,9 @@ figures! { p: &Parameters;
         .dot((0.0, 0.0), Ink::Ink, "$A$", Side::Above)
         .dot((1.5, 0.0), Ink::Ink, "$B$", Side::Right);
 
-    /// Angular momentum of both over that of A, against the ratio of radii. For gears of one mass and for
-    /// gears of one thickness it is zero at the ratio one, negative below and rises towards one above,
-    /// for those of one thickness faster. Dots: particles.
+    /// Angular momentum of both over that of A, against the ratio of radii. For gears of one mass and for gears
+    /// of one thickness it is zero at the ratio one, negative below and rises towards one above, for those of
+    /// one thickness faster. Dots: particles.
     momentum: {
         let of = |power: i32| move |r: f64| 1.0 - r.powi(power);
         let simulated = |power: i32| {
@@ -77,8 +80,8 @@ figures! { p: &Parameters;
             .curve(simulated(-3)?.dots())
     };
 
-    /// Rates against time while B is set going. Driven: A stays, B falls on a straight line to minus twice
-    /// that rate. Not driven: A falls to half, B to minus what A had, and sooner.
+    /// Rates against time while B is set going. Driven: A stays, B falls on a straight line to minus twice that
+    /// rate. Not driven: A falls to half, B to minus what A had, and sooner.
     rates: {
         let time = time(p);
         let (run, free) = (spun_up(p, true, 1e-9)?, spun_up(p, false, 1e-9)?);
@@ -92,8 +95,8 @@ figures! { p: &Parameters;
             .curve(of(&free, 1, Ink::Frame)?.dashed().label_at("$B$", 1.0 * time, -loose * ratio(p), Side::Above))
     };
 
-    /// The other reading: an arm turns about the axis of A at omega and carries the axis of B, so
-    /// that B runs round A like a planet. Faint: where B was.
+    /// The other reading: an arm turns about the axis of A at omega and carries the axis of B, so that B runs
+    /// round A like a planet. Faint: where B was.
     planet: meshed(Sketch::within((-1.3, 2.3), (-1.2, 2.1)).ghost(|s| gear(s, (1.5, 0.0), 0.5, 12, PI / 12.0)), 0.75)
         .curve(Curve::new([(0.0, 0.0), (1.5 * cos(0.75), 1.5 * sin(0.75))], Ink::Ink).width(4.0))
         .turn((0.0, 0.0), 2.1, (0.1, 0.6), Ink::Velocity)
@@ -145,9 +148,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .text((-0.5 * a, 0.5 * a), "$A$", Ink::Body, Side::Centre)
             .text((a + b, 0.55 * b), "$B$", Ink::Body, Side::Centre);
         // Side by side, to be told apart.
-        let arrow = |scene: Sketch, x: f64, speed: f64| match speed.abs() > 0.05 * rim.abs() {
-            true => scene.arrow_along([(x, 0.0), (x, 0.9 * a * speed / rim.abs())], Ink::Velocity),
-            false => scene,
+        let arrow = |scene: Sketch, x: f64, speed: f64| {
+            let all = [(x, 0.0), (x, 0.9 * a * speed / rim.abs())];
+            scene.only_if(speed.abs() > 0.05 * rim.abs(), |s| s.arrow_along(all, Ink::Velocity))
         };
         let scene = arrow(scene, 0.98 * a, a * v[0]);
         Ok((alt, arrow(scene, 1.02 * a, -b * v[1])))

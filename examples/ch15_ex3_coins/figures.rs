@@ -18,9 +18,8 @@ fn coin(sketch: Sketch, r: f64, orbit: f64) -> Sketch {
 }
 
 figures! { _: &Parameters;
-    /// A fixed coin of the radius R1 and a smaller one of the radius R2 that touches it from
-    /// outside. The line of centres has turned by an angle from the level; faint is where the
-    /// small coin was at the start.
+    /// A fixed coin of the radius R1 and a smaller one of the radius R2 that touches it from outside. The line
+    /// of centres has turned by an angle from the level; faint is where the small coin was at the start.
     setup: {
         let (r, orbit, o) = (0.6, 0.7, (0.0, 0.0));
         let middle: (f64, f64) = place(r, orbit, 0.0, 0.0).into();
@@ -45,9 +44,9 @@ figures! { _: &Parameters;
             .dot((c, s), Ink::Ink, "", Side::Right)
     };
 
-    /// Turns in a circuit against R1/R2. Outside: a straight line from 1 that rises by 1 for
-    /// each unit; inside: a straight line two below it, which starts at zero for equal radii
-    /// and counts turns backward. Dots: simulated.
+    /// Turns in a circuit against R1/R2. Outside: a straight line from 1 that rises by 1 for each unit; inside:
+    /// a straight line two below it, which starts at zero for equal radii and counts turns backward. Dots:
+    /// simulated.
     turns: {
         let ratio = Sweep::over("$R_1/R_2$", 0.0, 5.0);
         let turns = |sign: f64| move |x: f64| Ok(rolled(sign / x, TAU, 1e-9)?.end_time() / TAU);
@@ -60,9 +59,8 @@ figures! { _: &Parameters;
             .curve(within.simulated(turns(-1.0))?)
     };
 
-    /// A coin rolls inside a ring of one and a half times its radius. A point of its rim draws
-    /// three arches within the ring; while the coin goes round to the left, its arrow turns to
-    /// the right.
+    /// A coin rolls inside a ring of one and a half times its radius. A point of its rim draws three arches
+    /// within the ring; while the coin goes round to the left, its arrow turns to the right.
     inside: {
         let (r, o) = (-2.0 / 3.0, (0.0, 0.0));
         let ring = times(0.0, TAU, 120).map(|t| (sincos(t).1, sincos(t).0));
@@ -95,11 +93,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let sense = rate.signum();
     let line = |turns: f64| Curve::new([(0.0, 0.0), (end, sense * turns)], Ink::Body);
     let [low, high] = [net.min(0.0), net.max(1.0)];
-    let (low, high) = if rate < 0.0 {
-        (-high, -low)
-    } else {
-        (low, high)
-    };
+    let (low, high) = if rate < 0.0 { (-high, -low) } else { (low, high) };
     let turns = Axis::linear("turns").range(low, high);
     let graph = Panel::over_axes("$t$ / s", turns)
         .curve(line(net).label("coin"))

@@ -5,15 +5,12 @@ use rotation_dynamics::planar::contact::MechanismState;
 
 /// The rod at these ends, with the particle on the first.
 fn drawn(sketch: Sketch, [low, high]: [(f64, f64); 2]) -> Sketch {
-    sketch
-        .bar(low, high, 0.035, Ink::Body)
-        .disc(low, 0.045, Ink::Ink, 0.8)
+    sketch.bar(low, high, 0.035, Ink::Body).disc(low, 0.045, Ink::Ink, 0.8)
 }
 
 figures! { _: &Parameters, a = ratio(1.0), rest = a.centre + a.velocity / a.angular_velocity;
-    /// Seen from above: a rod of length l and mass M lies upright in the picture, free on a
-    /// smooth table; its middle is marked. A particle of mass M comes from the left with
-    /// the velocity v towards its lower end.
+    /// Seen from above: a rod of length l and mass M lies upright in the picture, free on a smooth table; its
+    /// middle is marked. A particle of mass M comes from the left with the velocity v towards its lower end.
     setup: Sketch::within((-1.25, 0.75), (-0.72, 0.68))
         .bar((0.0, -0.5), (0.0, 0.5), 0.05, Ink::Body)
         .dot((0.0, 0.0), Ink::Body, "middle", Side::Left)
@@ -23,10 +20,10 @@ figures! { _: &Parameters, a = ratio(1.0), rest = a.centre + a.velocity / a.angu
         .text((0.0, 0.5), "$M$", Ink::Body, Side::Above)
         .dimension((0.5, -0.5), (0.5, 0.5), "$l$", Side::Right);
 
-    /// The rod just after the impact with arrows for the velocities along it: at the particle
-    /// four fifths of v to the right, at the centre of mass one half, at the middle one
-    /// fifth, nothing at a point a sixth of the length beyond the middle, and two fifths
-    /// to the left at the far end. The tips of the arrows lie on a straight line.
+    /// The rod just after the impact with arrows for the velocities along it: at the particle four fifths of v
+    /// to the right, at the centre of mass one half, at the middle one fifth, nothing at a point a sixth of the
+    /// length beyond the middle, and two fifths to the left at the far end. The tips of the arrows lie on a
+    /// straight line.
     velocities: {
         let tip = |place: f64| (0.8 * a.after(place), place);
         let arrow = |sketch: Sketch, (place, label, side): (f64, &str, Side)| {
@@ -38,19 +35,13 @@ figures! { _: &Parameters, a = ratio(1.0), rest = a.centre + a.velocity / a.angu
             .curve(Curve::new([tip(-0.5), tip(0.5)], Ink::Frame).thin().dashed())
             .dot((0.0, a.centre), Ink::Body, "$S$", Side::Left)
             .ring((0.0, rest), Ink::Ink, "at rest", Side::Right);
-        let all = [
-            (-0.5, "$4v/5$", Side::Right),
-            (a.centre, "$v/2$", Side::Right),
-            (0.0, "$v/5$", Side::Right),
-            (0.5, "$-2v/5$", Side::Left),
-        ];
-        all.into_iter().fold(sketch, arrow)
+        let all = [(-0.5, "$4v/5$"), (a.centre, "$v/2$"), (0.0, "$v/5$")].map(|(at, label)| (at, label, Side::Right));
+        all.into_iter().chain([(0.5, "$-2v/5$", Side::Left)]).fold(sketch, arrow)
     };
 
-    /// Paths of four points of the rod from the impact on. The centre of mass runs straight.
-    /// The particle makes low waves about it, the point that was at rest makes cusps on a
-    /// line, the far end makes loops. A circle about the centre of mass through the point
-    /// at rest touches that line.
+    /// Paths of four points of the rod from the impact on. The centre of mass runs straight. The particle makes
+    /// low waves about it, the point that was at rest makes cusps on a line, the far end makes loops. A circle
+    /// about the centre of mass through the point at rest touches that line.
     paths: {
         let radius = a.velocity / a.angular_velocity;
         let (last, end) = (0.6 * TAU / a.angular_velocity, 1.06 * TAU / a.angular_velocity);

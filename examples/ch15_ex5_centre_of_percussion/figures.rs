@@ -9,8 +9,8 @@ fn drawn(sketch: Sketch, from: (f64, f64), to: (f64, f64)) -> Sketch {
 }
 
 figures! { p: &Parameters;
-    /// A level bat of length l. The hands hold it at the left, at the distance p from the end of the
-    /// handle. The ball comes from below at the distance d from that end and pushes the bat upward with the impulse J.
+    /// A level bat of length l. The hands hold it at the left, at the distance p from the end of the handle.
+    /// The ball comes from below at the distance d from that end and pushes the bat upward with the impulse J.
     setup: drawn(Sketch::within((-0.15, 1.15), (-0.45, 0.38)), (0.0, 0.0), (1.0, 0.0))
         .ring((0.12, 0.0), Ink::Ink, "", Side::Above)
         .text((0.12, 0.05), "hands", Ink::Ink, Side::Above)
@@ -22,8 +22,8 @@ figures! { p: &Parameters;
         .dimension((0.0, -0.38), (1.0, -0.38), "$l$", Side::Below)
         .dimension((0.0, 0.24), (0.12, 0.24), "$p$", Side::Above);
 
-    /// Impulse of the hands over that of the ball against the place of the blow: a straight line from minus one at
-    /// the hands through minus a quarter at the middle and zero at two thirds of the length to one half at
+    /// Impulse of the hands over that of the ball against the place of the blow: a straight line from minus one
+    /// at the hands through minus a quarter at the middle and zero at two thirds of the length to one half at
     /// the tip. Dots: simulated impacts.
     hands: {
         let p = &p.but(|p| p.hands = 0.0);
@@ -36,9 +36,9 @@ figures! { p: &Parameters;
             .note(0.76, 0.15, Ink::Force, "they push forward", Side::AboveLeft)
     };
 
-    /// Velocity along a free bat just after the blow, for three places of it. Struck in the middle all
-    /// points move alike; struck at two thirds the end of the handle is at rest; struck at the tip that end
-    /// moves backward at twice J/m.
+    /// Velocity along a free bat just after the blow, for three places of it. Struck in the middle all points
+    /// move alike; struck at two thirds the end of the handle is at rest; struck at the tip that end moves
+    /// backward at twice J/m.
     free: {
         let profile = |x: f64| move |s: f64| 1.0 + 12.0 * (x - 0.5) * (s - 0.5);
         let line = |x: f64, ink| Curve::of(times(0.0, 1.0, 2), profile(x), ink);
@@ -50,8 +50,8 @@ figures! { p: &Parameters;
     };
 
     /// The shape of the slowest bending of a free rod: its ends move one way, its middle the other. It crosses
-    /// zero at about a quarter of the length from each end; the right crossing lies farther out than the
-    /// point at two thirds.
+    /// zero at about a quarter of the length from each end; the right crossing lies farther out than the point
+    /// at two thirds.
     bending: Panel::over_axes(Axis::linear("place on the bat, over $l$").range(0.0, 1.0), Axis::linear("bending").range(-2.0, 2.0))
         .level(0.0, Ink::Frame, "")
         .curve(Curve::of(times(0.0, 1.0, 160), shape, Ink::Body))
@@ -110,11 +110,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         };
         // The hands are where they are; the bat lies farther back the farther in they hold it.
         let back = p.hands / length;
-        let high = if sense < 0.0 {
-            (-0.5, 0.35)
-        } else {
-            (-0.35, 0.5)
-        };
+        let high = if sense < 0.0 { (-0.5, 0.35) } else { (-0.35, 0.5) };
         let ball_at = (q[3] / length, sense * (q[4] / length - 0.075));
         let scene = Sketch::within((-0.12 - back, 1.15 - back), high);
         let scene = drawn(scene, on(-p.hands), on(length - p.hands))

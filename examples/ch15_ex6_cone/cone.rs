@@ -18,14 +18,10 @@ pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 /// What the particles of a cone that moves about its vertex add up to.
 #[derive(Debug, Clone, Copy)]
 pub struct Sums {
-    /// Sum of r x m v, about the vertex.
-    pub angular_momentum: SpaceVector,
-    /// Sum of m v^2/2.
-    pub kinetic_energy: f64,
-    /// Sum of m a: the force that the motion needs.
-    pub force: SpaceVector,
-    /// Sum of r x m a: its moment about the vertex.
-    pub moment: SpaceVector,
+    pub angular_momentum: SpaceVector, // of r x m v, about the vertex
+    pub kinetic_energy: f64,           // of m v^2/2
+    pub force: SpaceVector,            // of m a: what the motion needs
+    pub moment: SpaceVector,           // of r x m a, about the vertex
 }
 
 impl Parameters {
@@ -55,12 +51,8 @@ impl Parameters {
         const SECOND: [f64; 7] = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0]; // over 180 h^2
         let attitudes: Result<Vec<Attitude>> = (-3..=3).map(|k| at(f64::from(k) * h)).collect();
         let (attitudes, zero) = (attitudes?, SpaceVector::zero());
-        let mut sums = Sums {
-            angular_momentum: zero,
-            kinetic_energy: 0.0,
-            force: zero,
-            moment: zero,
-        };
+        let mut sums =
+            Sums { angular_momentum: zero, kinetic_energy: 0.0, force: zero, moment: zero };
         for (mass, place) in self.particles() {
             let places = attitudes.iter().map(|attitude| attitude.to_space(place));
             let places: Vec<SpaceVector> = places.collect();
@@ -159,8 +151,7 @@ pub fn drawn(view: View, half_angle: f64, vertex: SpaceVector, attitude: &Attitu
     let place = |x: f64, z: f64| vertex + attitude.to_space(BodyVector::new(x, 0.0, z));
     let (rim, base) = (1.02 * radius, 1.005);
     let stripe = [(0.0, 0.0), (rim, 1.0), (rim, base), (0.0, base)].map(|(x, z)| place(x, z));
-    view.solid(Solid::cone(vertex + axis, vertex, radius), Ink::Body)
-        .line(stripe, Ink::Ink)
+    view.solid(Solid::cone(vertex + axis, vertex, radius), Ink::Body).line(stripe, Ink::Ink)
 }
 
 /// The directions through which a level direction turns between two azimuths, times `radius`.

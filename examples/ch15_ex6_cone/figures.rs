@@ -1,7 +1,7 @@
 //! The drawings of exercise 15.6; lengths over h. What moves is the cone of the parameters, the
 //! figures show that of the page.
 
-use super::cone::{UP, drawn, sweep};
+use super::cone::{UP, drawn, placed, sweep};
 use super::*;
 
 use kit::draw::Camera;
@@ -25,9 +25,9 @@ fn on_table(a: f64, attitude: &Attitude) -> View {
 }
 
 figures! { _: &Parameters;
-    /// A cone lies on a table. Its vertex O stays in place; the line along which it touches the
-    /// table points along rho and turns about the vertical Z at the rate Omega. Its axis rises
-    /// from the table by the half angle alpha; its height is h.
+    /// A cone lies on a table. Its vertex O stays in place; the line along which it touches the table points
+    /// along rho and turns about the vertical Z at the rate Omega. Its axis rises from the table by the half
+    /// angle alpha; its height is h.
     setup: {
         let (azimuth, o) = (1.75, SpaceVector::zero());
         let (rho, attitude) = (level(azimuth), placed(ALPHA, azimuth, 0.9)?);
@@ -46,8 +46,8 @@ figures! { _: &Parameters;
             .dot(o, Ink::Ink, "$O$", Side::Below)
     };
 
-    /// The side of the cone, laid out flat: a sector of a circle, less than half of it. Faint
-    /// sectors of the same size follow it round the circle; two and a half fill it.
+    /// The side of the cone, laid out flat: a sector of a circle, less than half of it. Faint sectors of the
+    /// same size follow it round the circle; two and a half fill it.
     sector: {
         let angle = TAU * sin(ALPHA);
         let outline = |from: f64, to: f64| {
@@ -67,9 +67,9 @@ figures! { _: &Parameters;
             .dot((0.0, 0.0), Ink::Ink, "$O$", Side::Left)
     };
 
-    /// The cone in the upright plane through its axis, lying on the table. From the vertex O
-    /// omega points along the table, away from the cone; the angular momentum points up and
-    /// away. The weight acts below the middle of the cone, the force of the table farther out.
+    /// The cone in the upright plane through its axis, lying on the table. From the vertex O omega points along
+    /// the table, away from the cone; the angular momentum points up and away. The weight acts below the middle
+    /// of the cone, the force of the table farther out.
     vectors: {
         let (slant, w) = (1.0 / cos(ALPHA), 0.3 * 25.0 / 9.80665);
         let (o, top) = ((0.0, 0.0), (slant * cos(2.0 * ALPHA), slant * sin(2.0 * ALPHA)));
@@ -78,22 +78,22 @@ figures! { _: &Parameters;
         Sketch::within((-1.0, 1.5), (-0.62, 1.1))
             .wall((-0.95, 0.0), (1.45, 0.0))
             .body([o, (slant, 0.0), top], Ink::Body, 0.2)
-            .curve(Curve::new([o, (cos(ALPHA), sin(ALPHA))], Ink::Body) .thin() .dashed())
+            .curve(Curve::new([o, (cos(ALPHA), sin(ALPHA))], Ink::Body).thin().dashed())
             .angle(o, 0.45, (0.0, ALPHA), r"$\alpha$")
             .arrow_to(o, (-0.7, 0.0), Ink::Velocity, r"$\omega$", Side::Above)
             .arrow_to(o, (lx, lz), Ink::Momentum, "$L$", Side::Above)
             .arrow_to(cm, (cm.0, cm.1 - 0.55), Ink::Force, "$Mg$", Side::Left)
             .arrow_to((d, 0.0), (d, 0.62), Ink::Force, "$N$", Side::Right)
             .dimension((0.0, -0.48), (d, -0.48), "$d$", Side::Below)
-            .curve(Curve::new([(d, 0.0), (d, -0.48)], Ink::Frame) .thin() .dotted())
+            .curve(Curve::new([(d, 0.0), (d, -0.48)], Ink::Frame).thin().dotted())
             .dot(cm, Ink::Ink, "", Side::Above)
             .dot(o, Ink::Ink, "$O$", Side::BelowLeft)
     };
 
-    /// The square of the rate at which a cone tips or slips, as h Omega^2 over g, against its
-    /// half angle. Tipping falls steeply from slender cones to a wide bottom near 0.4 rad and
-    /// rises to more than 6. For a coefficient of friction of 0.3 slipping runs below it
-    /// everywhere; for 1 the two run close together from 0.25 to 1.2 rad.
+    /// The square of the rate at which a cone tips or slips, as h Omega^2 over g, against its half angle.
+    /// Tipping falls steeply from slender cones to a wide bottom near 0.4 rad and rises to more than 6. For a
+    /// coefficient of friction of 0.3 slipping runs below it everywhere; for 1 the two run close together from
+    /// 0.25 to 1.2 rad.
     regimes: {
         let angle = Axis::linear(r"$\alpha$ / rad").range(0.0, 1.5);
         let axes = Panel::over_axes(angle, Axis::linear(r"$h\Omega^2/g$").range(0.0, 7.0));
@@ -140,9 +140,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let lowest = borne(&p, 0.0) * cos(a);
     let share = Axis::linear(r"$d\,\cos\,\alpha/h$").range(lowest.min(0.5), 1.05);
     let outward = Curve::of(times(0.0, END, 120), |t| borne(&p, t) * cos(a), Ink::Force);
-    let graph = Panel::over_axes("$t$ / s", share)
-        .level(1.0, Ink::Frame, "rim")
-        .curve(outward);
+    let graph = Panel::over_axes("$t$ / s", share).level(1.0, Ink::Frame, "rim").curve(outward);
     let [l, l_page] = [a, ALPHA].map(|a| hypot(angular_momentum(a)[0], angular_momentum(a)[1]));
     let swift = size(a) * (sped_up(&page, END).0 / sped_up(&p, END).0.abs());
     let strong = swift * (l_page / l);

@@ -1,7 +1,7 @@
 //! The drawings of exercise 15.7; lengths over h. What moves is the cone of the parameters, the
 //! figures show that of the page.
 
-use super::cone::{drawn, sweep};
+use super::cone::{drawn, placed, sweep};
 use super::*;
 use kit::draw::Camera;
 
@@ -29,9 +29,9 @@ fn on_post(a: f64, attitude: &Attitude) -> View {
 }
 
 figures! { _: &Parameters;
-    /// A cone with a level axis; its vertex O is held at the top of a post, its rim stands on
-    /// the table. The post is as high as the radius of the base. The axis points along rho and
-    /// turns about the vertical Z at the rate Omega.
+    /// A cone with a level axis; its vertex O is held at the top of a post, its rim stands on the table. The
+    /// post is as high as the radius of the base. The axis points along rho and turns about the vertical Z at
+    /// the rate Omega.
     setup: {
         let (azimuth, radius) = (1.75, tan(ALPHA));
         let (rho, vertex) = (level(azimuth), UP * radius);
@@ -43,8 +43,8 @@ figures! { _: &Parameters;
             .dot(vertex, Ink::Ink, "$O$", Side::Left)
     };
 
-    /// The same from the side: the axis of the cone is level, at the height h tan alpha of the
-    /// post; its length is h, and the lowest line of its side makes the angle alpha with it.
+    /// The same from the side: the axis of the cone is level, at the height h tan alpha of the post; its length
+    /// is h, and the lowest line of its side makes the angle alpha with it.
     side: {
         let (r, o) = (tan(ALPHA), (0.0, tan(ALPHA)));
         Sketch::within((-0.75, 1.35), (-0.3, 1.3))
@@ -58,10 +58,10 @@ figures! { _: &Parameters;
             .dot(o, Ink::Ink, "$O$", Side::Above)
     };
 
-    /// The cone in the upright plane through its axis. A dashed line leads from the lowest
-    /// point of the rim to the vertex O on its post; omega points on along it, up and away from
-    /// the cone, and is the sum of Omega upward and a spin along the axis. The angular momentum
-    /// points steeper. The weight acts at three quarters of the axis, the table at the rim.
+    /// The cone in the upright plane through its axis. A dashed line leads from the lowest point of the rim to
+    /// the vertex O on its post; omega points on along it, up and away from the cone, and is the sum of Omega
+    /// upward and a spin along the axis. The angular momentum points steeper. The weight acts at three quarters
+    /// of the axis, the table at the rim.
     vectors: {
         let r = tan(ALPHA);
         let (o, contact) = ((0.0, r), (1.0, 0.0));
@@ -71,7 +71,7 @@ figures! { _: &Parameters;
             .wall((-1.0, 0.0), (1.4, 0.0))
             .curve(Curve::new([(0.0, 0.0), o], Ink::Frame).width(3.0))
             .body([o, contact, (1.0, 2.0 * r)], Ink::Body, 0.2)
-            .curve(Curve::new([contact, (along, r + up)], Ink::Ink) .thin() .dashed())
+            .curve(Curve::new([contact, (along, r + up)], Ink::Ink).thin().dashed())
             .curve(Curve::new([(along, r), (along, r + up), (0.0, r + up)], Ink::Frame).thin().dotted())
             .arrow_to(o, (0.0, r + up), Ink::Velocity, r"$\Omega$", Side::Right)
             .arrow_to(o, (along, r), Ink::Velocity, "spin", Side::Below)
@@ -84,9 +84,9 @@ figures! { _: &Parameters;
             .dot(o, Ink::Ink, "$O$", Side::BelowLeft)
     };
 
-    /// Two cones seen from the side. One lies on the table, and omega points along its lowest
-    /// line; the other has a level axis, and omega points along its lowest line too, which is
-    /// aslant now. The second omega is the longer one, in proportion 1 to cos alpha.
+    /// Two cones seen from the side. One lies on the table, and omega points along its lowest line; the other
+    /// has a level axis, and omega points along its lowest line too, which is aslant now. The second omega is
+    /// the longer one, in proportion 1 to cos alpha.
     two_cones: {
         let (slant, scale) = (1.0 / cos(ALPHA), 0.36);
         let lying = |turn: f64, vertex: (f64, f64)| {

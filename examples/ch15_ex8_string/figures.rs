@@ -36,9 +36,8 @@ fn wound(of: impl Fn(f64, f64) -> f64) -> impl Fn(f64) -> Result<f64> {
 }
 
 figures! { _: &Parameters;
-    /// A smooth table with a hole in its middle. A particle m circles about the hole on a
-    /// string of the length r0 with the speed u; the string goes down through the hole, where
-    /// a hand pulls it with the speed s.
+    /// A smooth table with a hole in its middle. A particle m circles about the hole on a string of the length
+    /// r0 with the speed u; the string goes down through the hole, where a hand pulls it with the speed s.
     setup: {
         let at = |x: f64, y: f64, z: f64| SpaceVector::new(x, y, z);
         let circle = |from, to| times(from, to, 60).map(move |t| at(cos(t), sin(t), 0.0));
@@ -56,27 +55,27 @@ figures! { _: &Parameters;
             .dot(m, Ink::Body, "$m$", Side::Below)
     };
 
-    /// Kinetic energy over that at the start against the length of string that is left. Through
-    /// a hole it rises as one over the square of the length, to sixteen at a quarter. On a post
-    /// it stays at one. Dots: simulated.
+    /// Kinetic energy over that at the start against the length of string that is left. Through a hole it rises
+    /// as one over the square of the length, to sixteen at a quarter. On a post it stays at one. Dots:
+    /// simulated.
     energy: lengths().panel(Axis::linear("$K/K_0$").range(0.0, 16.0))
         .curve(lengths().exact(|r| 1.0 / (r * r) + PULL * PULL).label_at("hole", 0.4, 7.5, Side::Right))
         .curve(lengths().exact(|_| 1.0).label_at("post", 0.36, 1.0, Side::Above))
         .curve(lengths().simulated(pulled(|energy, _| 2.0 * energy))?)
         .curve(lengths().simulated(wound(|energy, _| 2.0 * energy))?);
 
-    /// Angular momentum about the hole, or the post, over that at the start against the length
-    /// of string that is left. Through a hole it stays at one, on a post it falls in proportion
-    /// to the length. Dots: simulated.
+    /// Angular momentum about the hole, or the post, over that at the start against the length of string that
+    /// is left. Through a hole it stays at one, on a post it falls in proportion to the length. Dots:
+    /// simulated.
     momentum: lengths().panel(Axis::linear("$L/L_0$").range(0.0, 1.2))
         .curve(lengths().exact(|_| 1.0).label_at("hole", 0.5, 1.0, Side::Above))
         .curve(lengths().exact(|r| r).label_at("post", 0.6, 0.6, Side::BelowRight))
         .curve(lengths().simulated(pulled(|_, momentum| momentum))?)
         .curve(lengths().simulated(wound(|_, momentum| momentum))?);
 
-    /// A piece of the inward spiral of the particle. Its velocity leans a little inward from
-    /// the direction at right angles to the string, and the pull of the string, towards the
-    /// hole, makes with it an angle of less than a right angle.
+    /// A piece of the inward spiral of the particle. Its velocity leans a little inward from the direction at
+    /// right angles to the string, and the pull of the string, towards the hole, makes with it an angle of less
+    /// than a right angle.
     power: {
         let a = Answer { pull: 0.35 };
         let (o, m) = ((0.0, 0.0), place(a, 0.8));
@@ -98,9 +97,9 @@ figures! { _: &Parameters;
             .weight(m, 0.035, "$m$")
     };
 
-    /// From the place where the pull ends the particle flies straight on and the string is
-    /// slack. The flight is a chord of the circle with the radius r; where it meets the circle
-    /// the string is taut again, and the particle goes on along the circle.
+    /// From the place where the pull ends the particle flies straight on and the string is slack. The flight is
+    /// a chord of the circle with the radius r; where it meets the circle the string is taut again, and the
+    /// particle goes on along the circle.
     stop: {
         let (a, end) = (Answer { pull: 0.5 }, 1.0);
         let (start, turned) = (a.angle(end), 2.0 * atan2(0.5, a.across(end)));
@@ -145,22 +144,12 @@ impl Whole {
         let rest = (4.0 * r * a.pull / (a.pull * a.pull + 1.0 / (r * r))).max(TAU * r * r);
         let held = Pulled::held(run.at(end)?, p.tolerance, rest)?;
         let last = end + rest;
-        Ok(Self {
-            run,
-            held,
-            end,
-            last,
-        })
+        Ok(Self { run, held, end, last })
     }
 
     /// Place, velocity and tension.
     fn at(&self, t: f64) -> Result<([f64; 2], [f64; 2], f64)> {
-        let held = t > self.end;
-        let (run, t) = if held {
-            (&self.held, t - self.end)
-        } else {
-            (&self.run, t)
-        };
+        let (run, t) = if t > self.end { (&self.held, t - self.end) } else { (&self.run, t) };
         let MechanismState { q, v } = run.at(t)?;
         Ok(([q[0], q[1]], [v[0], v[1]], run.tension(t)?))
     }

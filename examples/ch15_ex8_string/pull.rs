@@ -1,62 +1,11 @@
-//! A particle on a table, on a string through a hole: Newton's law in the plane, with the string
-//! as what cannot be longer than it is. Mass, first radius and first speed are 1.
+//! A motion of the particle on its string. Mass, first radius and first speed are 1.
 
-use core::f64::consts::TAU;
+use super::physics::*;
 use kit::{sampled, times};
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, Work};
-use rotation_dynamics::math::{atan2, hypot, sincos};
-use rotation_dynamics::planar::contact::{
-    Contact, ContactMotion, Mechanism, MechanismState, motion,
-};
-
-/// The string on the table: a knot at the hole lets no more of it out, a hand takes it in.
-#[derive(Debug, Clone, Copy)]
-pub struct Pull {
-    /// How much of it the knot leaves.
-    pub knot: f64,
-    /// How much the hand leaves when the clock shows zero.
-    pub hand: f64,
-    /// Speed of the hand.
-    pub speed: f64,
-    /// Radius of the hole.
-    pub hole: f64,
-}
-
-// ANCHOR: string
-/// Coordinates: the particle, and a clock.
-impl Mechanism<3, 2> for Pull {
-    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
-        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-    }
-
-    fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
-        [0.0; 3]
-    }
-
-    fn contacts(&self, MechanismState { q, v }: &MechanismState<3>) -> [Contact<3>; 2] {
-        let ([x, y, clock], r) = (*q, hypot(q[0], q[1]));
-        let across = (x * v[1] - y * v[0]) / r;
-        // Taut when the length that is left is the distance from the middle of the hole.
-        let taut = |name, left: f64| {
-            let inward = [-x / r, -y / r, 0.0];
-            Contact::new(name, left - r, inward, -across * across / r)
-        };
-        let hand = taut("hand", self.hand - self.speed * clock);
-        [taut("knot", self.knot), hand.rising(self.speed, 0.0)]
-    }
-    // ANCHOR_END: string
-
-    fn end(&self, MechanismState { q, .. }: &MechanismState<3>) -> Option<(&'static str, f64)> {
-        Some(("edge", hypot(q[0], q[1]) - self.hole))
-    }
-
-    fn scale(&self, MechanismState { q, .. }: &MechanismState<3>) -> MechanismState<3> {
-        let r = hypot(q[0], q[1]);
-        let (q, v) = ([r, r, 1.0], [1.0 / r, 1.0 / r, 1.0]);
-        MechanismState { q, v }
-    }
-}
+use rotation_dynamics::math::{atan2, sincos};
+use rotation_dynamics::planar::contact::{ContactMotion, MechanismState, motion};
 
 /// How long the particle circles before the hand pulls.
 pub const BEFORE: f64 = 0.5;
@@ -72,25 +21,14 @@ impl Pulled {
     pub fn new(speed: f64, hole: f64, step: f64, end: f64) -> Result<Self> {
         let (s, c) = sincos(BEFORE);
         let (q, v) = ([c, -s, -BEFORE], [s, c, 1.0]);
-        let (knot, hand) = (1.0, 1.0);
-        let pull = Pull {
-            knot,
-            hand,
-            speed,
-            hole,
-        };
+        let pull = Pull { knot: 1.0, hand: 1.0, speed, hole };
         Self::of(pull, MechanismState { q, v }, step, BEFORE, end)
     }
 
     /// The motion from this state on when the string is held, for a while.
     pub fn held(start: MechanismState<3>, step: f64, end: f64) -> Result<Self> {
         // The hand is out of reach, the hole too.
-        let pull = Pull {
-            knot: radius(&start),
-            hand: 2.0,
-            speed: 0.0,
-            hole: 0.0,
-        };
+        let pull = Pull { knot: radius(&start), hand: 2.0, speed: 0.0, hole: 0.0 };
         Self::of(pull, start, step, 0.0, end)
     }
 
@@ -140,29 +78,4 @@ impl Pulled {
     pub fn work(&self) -> Work {
         self.motion.work()
     }
-}
-
-/// Distance from the middle of the hole.
-pub fn radius(MechanismState { q, .. }: &MechanismState<3>) -> f64 {
-    hypot(q[0], q[1])
-}
-
-/// Velocity away from the hole.
-pub fn outward(MechanismState { q, v }: &MechanismState<3>) -> f64 {
-    (q[0] * v[0] + q[1] * v[1]) / hypot(q[0], q[1])
-}
-
-/// Velocity at right angles to the string.
-pub fn across(MechanismState { q, v }: &MechanismState<3>) -> f64 {
-    (q[0] * v[1] - q[1] * v[0]) / hypot(q[0], q[1])
-}
-
-/// Kinetic energy.
-pub fn energy(MechanismState { v, .. }: &MechanismState<3>) -> f64 {
-    0.5 * (v[0] * v[0] + v[1] * v[1])
-}
-
-/// The direction of the string at a state, between 0 and a turn.
-pub fn direction(MechanismState { q, .. }: &MechanismState<3>) -> f64 {
-    atan2(q[1], q[0]).rem_euclid(TAU)
 }

@@ -1,16 +1,17 @@
 //! The drawings of exercise 15.9; lengths in l.
 
-use super::hit::{Plane, places};
 use super::*;
 use rotation_dynamics::planar::contact::MechanismState;
 
 /// A dumbbell with its masses here, in l; `radius` is theirs.
 fn dumbbell(sketch: Sketch, [lower, upper]: [Plane; 2], radius: f64) -> Sketch {
     let [lower, upper] = [lower, upper].map(|[x, y]| (x, y));
-    sketch
-        .string(lower, upper, "", Side::Right)
-        .disc(lower, radius, Ink::Body, 0.6)
-        .disc(upper, radius, Ink::Body, 0.2)
+    sketch.string(lower, upper, "", Side::Right).disc(lower, radius, Ink::Body, 0.6).disc(
+        upper,
+        radius,
+        Ink::Body,
+        0.2,
+    )
 }
 
 fn ball(sketch: Sketch, [x, y]: Plane, radius: f64) -> Sketch {
@@ -40,9 +41,8 @@ fn nearest_simulated(restitution: f64) -> Result<f64> {
 }
 
 figures! { p: &Parameters;
-    /// Seen from above: a dumbbell of two masses m/2 at the ends of a stick of the length l lies
-    /// upright in the picture. A ball of the mass m comes from the left with the velocity v0
-    /// towards the lower mass.
+    /// Seen from above: a dumbbell of two masses m/2 at the ends of a stick of the length l lies upright in the
+    /// picture. A ball of the mass m comes from the left with the velocity v0 towards the lower mass.
     setup: {
         let sketch = Sketch::within((-1.15, 0.6), (-0.25, 1.2));
         let sketch = ball(dumbbell(sketch, [[0.0, 0.0], [0.0, 1.0]], 0.07), [-0.75, 0.0], 0.07);
@@ -55,9 +55,9 @@ figures! { p: &Parameters;
             .dimension((-0.2, 0.0), (-0.2, 1.0), "$l$", Side::Left)
     };
 
-    /// Just after the hit: the lower mass moves to the right at four thirds of v0, the middle
-    /// of the stick at two thirds, the upper mass rests, and the ball follows at one third. The
-    /// tips of the arrows of the dumbbell lie on a straight line through the upper mass.
+    /// Just after the hit: the lower mass moves to the right at four thirds of v0, the middle of the stick at
+    /// two thirds, the upper mass rests, and the ball follows at one third. The tips of the arrows of the
+    /// dumbbell lie on a straight line through the upper mass.
     velocities: {
         let tip = |v: f64, y: f64| (0.6 * v, y);
         let ends = Curve::new([tip(4.0 / 3.0, 0.0), (0.0, 1.0)], Ink::Frame).thin().dashed();
@@ -73,9 +73,9 @@ figures! { p: &Parameters;
             .text((-0.3, 0.5), r"$\Omega$", Ink::Velocity, Side::Left)
     };
 
-    /// A turn of the dumbbell. Each mass describes a cycloid with its cusps on the line through
-    /// the place of the upper one; the middle of the stick runs straight. Faint: the dumbbell
-    /// and the ball at three later times. The ball is always behind the middle of the stick.
+    /// A turn of the dumbbell. Each mass describes a cycloid with its cusps on the line through the place of
+    /// the upper one; the middle of the stick runs straight. Faint: the dumbbell and the ball at three later
+    /// times. The ball is always behind the middle of the stick.
     paths: {
         let sketch = Sketch::within((-0.3, 3.55), (-0.25, 1.25))
             .curve(Curve::new([(-0.2, 1.0), (3.45, 1.0)], Ink::Frame).thin())
@@ -90,9 +90,8 @@ figures! { p: &Parameters;
         ball(dumbbell(sketch, [[0.0, 0.0], [0.0, 1.0]], 0.06), [0.0, 0.0], 0.05)
     };
 
-    /// Distance of the ball from each mass in the first turn and a half. From the struck mass
-    /// it grows, with a dip. To the other it falls from one to less than a third after a third
-    /// of a turn, and grows again.
+    /// Distance of the ball from each mass in the first turn and a half. From the struck mass it grows, with a
+    /// dip. To the other it falls from one to less than a third after a third of a turn, and grows again.
     clear: {
         let distance = |k: usize| move |turns: f64| {
             let all = elastic(TAU * turns);
@@ -103,9 +102,8 @@ figures! { p: &Parameters;
             .curve(Curve::of(times(0.0, 1.4, 200), distance(2), Ink::Body).dashed().label_at("other mass", 0.9, 1.93, Side::Above))
     };
 
-    /// The least distance of the ball from the other mass against the coefficient of
-    /// restitution, for small masses: it falls to zero at one half and rises again on either
-    /// side. Dots: simulated.
+    /// The least distance of the ball from the other mass against the coefficient of restitution, for small
+    /// masses: it falls to zero at one half and rises again on either side. Dots: simulated.
     again: {
         let near = |e: f64| least(|x| to_upper(Answer::new(e, 0.0), 0.0, x), 1.0, 4.5);
         restitutions().panel(Axis::linear("least distance$/l$").range(0.0, 1.2))
@@ -113,9 +111,9 @@ figures! { p: &Parameters;
             .curve(restitutions().simulated(nearest_simulated)?.label("simulated"))
     };
 
-    /// The hit and what follows if half of the relative velocity is returned. Ball and middle of
-    /// the stick run level; the other mass comes round from behind and hits the ball, which then
-    /// runs ahead, while the dumbbell goes on slower.
+    /// The hit and what follows if half of the relative velocity is returned. Ball and middle of the stick run
+    /// level; the other mass comes round from behind and hits the ball, which then runs ahead, while the
+    /// dumbbell goes on slower.
     second: {
         let reach = scene(p)?.reach.min(0.4);
         let (run, radius) = (halved(reach, 1e-9)?, 0.5 * reach);
@@ -183,10 +181,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let far = to * run.after.v[0].max(run.after.v[1]);
     let (ball_radius, knob) = (p.ball / l, p.knob / l);
     let stills = [-0.5, 0.337 * to, 0.5 * to].map(|t| t * unit);
-    let rise =
-        " Those of the masses rise and fall in turn, each down to zero; that of the ball stays.";
-    let alone = p.slant == 0.0 && run.later().next().is_none();
-    let told = if alone { rise } else { "" };
+    let told = match p.slant == 0.0 && run.later().next().is_none() {
+        true => {
+            " Those of the masses rise and fall in turn, each down to zero; that of the ball stays."
+        }
+        false => "",
+    };
     MovingPicture::above(graph, from * unit..=to * unit, stills, move |t| {
         let now = (t / unit).clamp(from, to);
         let q = run.at(now)?.q;

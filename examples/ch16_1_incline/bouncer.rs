@@ -25,17 +25,10 @@ impl Mechanism<3, 1> for Bouncer {
         self.0.force(ball)
     }
     fn contacts(&self, ball: &MechanismState<3>) -> [Contact<3>; 1] {
-        self.0
-            .contacts(ball)
-            .map(|rim| rim.restitution(RESTITUTION))
+        self.0.contacts(ball).map(|rim| rim.restitution(RESTITUTION))
     }
     fn scale(&self, _: &MechanismState<3>) -> MechanismState<3> {
-        let Roller {
-            gravity,
-            slope,
-            radius,
-            ..
-        } = self.0;
+        let Roller { gravity, slope, radius, .. } = self.0;
         let (t, down) = (2.0 * self.rests(), (gravity * radius).sqrt());
         let along = down + gravity * sin(slope) * t;
         MechanismState {

@@ -10,10 +10,7 @@ fn frictions() -> Sweep {
 
 fn with(p: &Parameters, part: f64) -> Roller {
     let body = Roller::new(p);
-    Roller {
-        mu: part * body.needed(),
-        ..body
-    }
+    Roller { mu: part * body.needed(), ..body }
 }
 
 /// A slope that is neither flat nor steep, whatever the parameters.
@@ -125,11 +122,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     Trajectory::sampled(columns.split(", "), times(0.0, end, 200), |t| {
         let (MechanismState { q, v }, [force]) = (run.at(t)?, run.forces(t)?);
         let moving = [t, q[0], -q[2], v[0], -p.radius * v[2]];
-        Ok([
-            &moving[..],
-            &[p.mass * force.tangential, p.mass * force.normal],
-        ]
-        .concat())
+        Ok([&moving[..], &[p.mass * force.tangential, p.mass * force.normal]].concat())
     })
 }
 
@@ -138,77 +131,53 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (r, weight, v, slope) = (p.radius, p.gravity, p.speed, p.angle);
     let ((run, end), (s, c)) = (motion(p)?, sincos(p.angle));
     let first = run.forces(0.0)?[0].tangential;
-    let velocity = Curve::sampled(
-        times(0.0, end, 80),
-        |t| Ok(run.at(t)?.v[0] / v),
-        Ink::Velocity,
-    )?;
-    let friction = |t| {
-        Ok(if first > 0.0 {
-            run.forces(t)?[0].tangential / first
-        } else {
-            0.0
-        })
-    };
+    let velocity = Curve::sampled(times(0.0, end, 80), |t| Ok(run.at(t)?.v[0] / v), Ink::Velocity)?;
+    let friction = |t| Ok(if first > 0.0 { run.forces(t)?[0].tangential / first } else { 0.0 });
     let friction = Curve::sampled(times(0.0, end, 80), friction, Ink::Force)?;
     let graph = Panel::over_axes("$t$ / s", Axis::linear("over the first").range(-1.0, 1.25))
         .level(0.0, Ink::Frame, "")
         .curve(velocity.label_at(r"$\dot x$", 0.7 * end, -0.4, Side::AboveRight))
         .curve(friction.label_at("$F$", 0.7 * end, 1.0, Side::Below));
     let length = -0.5 * v * v / Roller::new(p).acceleration() + 6.0 * r;
-    MovingPicture::above(
-        graph,
-        0.0..=end,
-        [0.08 * end, 0.5 * end, 0.92 * end],
-        move |t| {
-            let (
-                MechanismState {
-                    q: [x, _, turn],
-                    v: [vx, ..],
-                },
-                [force],
-            ) = (run.at(t)?, run.forces(t)?);
-            let along = |d: f64, up: f64| (d * c - up * s, d * s + up * c);
-            let (contact, middle) = (along(x + 3.0 * r, 0.0), along(x + 3.0 * r, r));
-            let way = match vx / v {
-                rate if rate > 0.01 => "on its way up",
-                rate if rate < -0.01 => "on its way down",
-                _ => "at rest for an instant at its highest place",
-            };
-            let alt = format!(
-                "The body {t:.2} s after its start, {way}. Its weight pulls down, the slope pushes, and \
+    MovingPicture::above(graph, 0.0..=end, [0.08 * end, 0.5 * end, 0.92 * end], move |t| {
+        let (MechanismState { q: [x, _, turn], v: [vx, ..] }, [force]) =
+            (run.at(t)?, run.forces(t)?);
+        let along = |d: f64, up: f64| (d * c - up * s, d * s + up * c);
+        let (contact, middle) = (along(x + 3.0 * r, 0.0), along(x + 3.0 * r, r));
+        let way = match vx / v {
+            rate if rate > 0.01 => "on its way up",
+            rate if rate < -0.01 => "on its way down",
+            _ => "at rest for an instant at its highest place",
+        };
+        let alt = format!(
+            "The body {t:.2} s after its start, {way}. Its weight pulls down, the slope pushes, and \
              the friction at the point of contact points up the slope. Below, velocity and friction."
+        );
+        let (push, rub) = (force.normal / weight, force.tangential / weight);
+        let wide = (length * c).max(0.4 * (length * s + 4.0 * r));
+        // From the start to the highest place; the arrows have a size of their own.
+        let (foot, top) = (along(3.0 * r, 0.0), along(length - 3.0 * r, 2.3 * r));
+        let scene = Sketch::within((-0.5 * r, wide), (-1.5 * r, length * s + 2.5 * r))
+            .high(311)
+            .clear((foot.0, top.0), (foot.1, top.1), [50.0 * c + 12.0, 90.0 * c + 16.0, 60.0, 60.0])
+            .incline((0.0, 0.0), length, slope)
+            .roller(middle, r, slope + FRAC_PI_2 + turn, Ink::Body)
+            .vector(middle, (0.0, -1.0), 60.0, Ink::Force, "$mg$")
+            .vector(contact, (-s * push, c * push), 60.0, Ink::Force, "$N$")
+            .vector(contact, (c * rub, s * rub), 180.0, Ink::Force, "")
+            .text(
+                along(x + 4.2 * r, 0.45 * r),
+                if rub > 0.0 { "$F$" } else { "" },
+                Ink::Force,
+                Side::Centre,
+            )
+            .vector(
+                along(x + 3.0 * r, 2.3 * r),
+                (c * vx / v, s * vx / v),
+                40.0,
+                Ink::Velocity,
+                r"$\dot x$",
             );
-            let (push, rub) = (force.normal / weight, force.tangential / weight);
-            let wide = (length * c).max(0.4 * (length * s + 4.0 * r));
-            // From the start to the highest place; the arrows have a size of their own.
-            let (foot, top) = (along(3.0 * r, 0.0), along(length - 3.0 * r, 2.3 * r));
-            let scene = Sketch::within((-0.5 * r, wide), (-1.5 * r, length * s + 2.5 * r))
-                .high(311)
-                .clear(
-                    (foot.0, top.0),
-                    (foot.1, top.1),
-                    [50.0 * c + 12.0, 90.0 * c + 16.0, 60.0, 60.0],
-                )
-                .incline((0.0, 0.0), length, slope)
-                .roller(middle, r, slope + FRAC_PI_2 + turn, Ink::Body)
-                .vector(middle, (0.0, -1.0), 60.0, Ink::Force, "$mg$")
-                .vector(contact, (-s * push, c * push), 60.0, Ink::Force, "$N$")
-                .vector(contact, (c * rub, s * rub), 180.0, Ink::Force, "")
-                .text(
-                    along(x + 4.2 * r, 0.45 * r),
-                    if rub > 0.0 { "$F$" } else { "" },
-                    Ink::Force,
-                    Side::Centre,
-                )
-                .vector(
-                    along(x + 3.0 * r, 2.3 * r),
-                    (c * vx / v, s * vx / v),
-                    40.0,
-                    Ink::Velocity,
-                    r"$\dot x$",
-                );
-            Ok((alt, scene))
-        },
-    )
+        Ok((alt, scene))
+    })
 }

@@ -24,21 +24,13 @@ pub fn rotor(p: &Parameters) -> Result<Stepped> {
     let gravity = |g| GravityAtLever::new(rotor.mass * g, rotor.length);
     // A disc of the rotor's mass and moment.
     let radius = (2.0 * rotor.i3 / rotor.mass).sqrt();
-    let added = Added {
-        nodes: p.friction,
-        dry: p.bearing,
-        ..Added::default()
-    }
-    .in_air(p.air, radius, rotor.spin)?;
+    let added = Added { nodes: p.friction, dry: p.bearing, ..Added::default() }
+        .in_air(p.air, radius, rotor.spin)?;
     Stepped::new(body, p.gravity.map(gravity).transpose()?, added, start, 1.0)
 }
 
 /// Where it ends, and what each effect has done.
 pub fn report(p: &Parameters) -> Result<Report> {
-    let names = [
-        "bearing of the line of nodes",
-        "air on the rotor",
-        "bearings of the axle",
-    ];
+    let names = ["bearing of the line of nodes", "air on the rotor", "bearings of the axle"];
     rotor(p)?.report(["The gyroscope", "a rotor"], p.tolerance, names)
 }

@@ -43,21 +43,9 @@ fn coefficients_measured(theta: f64) -> Result<[f64; 3]> {
 }
 
 const QUANTITIES: [(&str, &str, &str); 3] = [
-    (
-        "precession",
-        "m g l/L_z",
-        "error of m g l/L_z at 60 degrees, over c/a",
-    ),
-    (
-        "frequency",
-        "L_z/I1",
-        "error of L_z/I1 at 60 degrees, over c/a",
-    ),
-    (
-        "dip",
-        "2 (c/a) sin(theta)",
-        "error of 2 (c/a) sin(theta) at 60 degrees, over c/a",
-    ),
+    ("precession", "m g l/L_z", "error of m g l/L_z at 60 degrees, over c/a"),
+    ("frequency", "L_z/I1", "error of L_z/I1 at 60 degrees, over c/a"),
+    ("dip", "2 (c/a) sin(theta)", "error of 2 (c/a) sin(theta) at 60 degrees, over c/a"),
 ];
 
 pub fn add(report: &mut Report) -> Result<()> {
@@ -65,30 +53,17 @@ pub fn add(report: &mut Report) -> Result<()> {
     let rows = sampled(ratios, |ratio| beyond_the_formulas(PI / 3.0, ratio))?;
     let (found, expected) = (coefficients_measured(PI / 3.0)?, coefficients(PI / 3.0));
     for (i, (quantity, formula, meaning)) in QUANTITIES.into_iter().enumerate() {
-        let points = ratios
-            .iter()
-            .zip(&rows)
-            .map(|(x, row)| (log(*x), log(row[i].abs())));
+        let points = ratios.iter().zip(&rows).map(|(x, row)| (log(*x), log(row[i].abs())));
         let order = format!("order in c/a of the error of {formula}");
         report.add(
-            claim(
-                format!("fast_{quantity}_order"),
-                order,
-                slope(&points.collect::<Vec<_>>()),
-                "-",
-            )
-            .within(1e-3)
-            .against("expansion in c/a", 1.0),
+            claim(format!("fast_{quantity}_order"), order, slope(&points.collect::<Vec<_>>()), "-")
+                .within(1e-3)
+                .against("expansion in c/a", 1.0),
         )?;
         report.add(
-            claim(
-                format!("fast_{quantity}_coefficient"),
-                meaning,
-                expected[i],
-                "-",
-            )
-            .within(1e-6)
-            .against("closed form at c/a = 1e-4 and -1e-4", found[i]),
+            claim(format!("fast_{quantity}_coefficient"), meaning, expected[i], "-")
+                .within(1e-6)
+                .against("closed form at c/a = 1e-4 and -1e-4", found[i]),
         )?;
     }
     let mut table = Table::new(

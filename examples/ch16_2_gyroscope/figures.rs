@@ -27,11 +27,7 @@ pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
     let mut figures = Vec::from(causes()?);
     figures.push(setup()?);
     figures.extend(valleys(nutating, below_one)?);
-    figures.extend([
-        steady.trace(camera())?,
-        nutating.trace(camera())?,
-        angles(nutating)?,
-    ]);
+    figures.extend([steady.trace(camera())?, nutating.trace(camera())?, angles(nutating)?]);
     let common = extents(below_one);
     for motion in below_one {
         figures.push(motion.trace(camera())?);
@@ -43,11 +39,7 @@ pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
 
 /// The rotor on its stand, with the angles that say where it is.
 fn setup() -> Result<Figure> {
-    let pose = Pose {
-        theta: 0.8,
-        phi: 0.8,
-        zeta: 0.9,
-    };
+    let pose = Pose { theta: 0.8, phi: 0.8, zeta: 0.9 };
     let (axis, node, origin) = (pose.axis(), pose.node(), SpaceVector::zero());
     let hub = axis * HUB;
     let level = |phi: f64| Pose { phi, ..pose }.node();
@@ -138,18 +130,8 @@ fn valleys(nutating: &Motion, below_one: &[Motion]) -> Result<Vec<Figure>> {
     let label = |motion: &Motion| format!("$\\tilde E={}$", motion.energy);
     let named = |motion: &Motion| format!("{}, ${}$", motion.name, motion.energy);
     Ok(vec![
-        valley(
-            "valley_steep",
-            (0.1, 1.9),
-            (0.2, 1.5),
-            &[(nutating, label(nutating))],
-        )?,
-        valley(
-            "valley_gentle",
-            (0.3, 2.1),
-            (-0.16, 0.4),
-            &[(loops, named(loops))],
-        )?,
+        valley("valley_steep", (0.1, 1.9), (0.2, 1.5), &[(nutating, label(nutating))])?,
+        valley("valley_gentle", (0.3, 2.1), (-0.16, 0.4), &[(loops, named(loops))])?,
         valley(
             "valley_bottom",
             (0.86, 1.22),
@@ -165,10 +147,7 @@ fn fast() -> Result<Figure> {
         let ratio = pow(10.0, exponent);
         Ok((ratio, fast::beyond_the_formulas(PI / 3.0, ratio)?))
     })?;
-    let line = |i: usize| {
-        rows.iter()
-            .map(move |(ratio, miss)| (*ratio, miss[i].abs()))
-    };
+    let line = |i: usize| rows.iter().map(move |(ratio, miss)| (*ratio, miss[i].abs()));
     let (low, high) = (rows[0].1, rows[rows.len() - 1].1);
     let alt = format!(
         "Relative error of the three formulas of the fast rotor against c/a from 0.0001 to 0.1, on logarithmic axes: \
@@ -182,11 +161,7 @@ fn fast() -> Result<Figure> {
         .x(Axis::log("$c/a$"))
         .y(Axis::log("relative error of the formula"))
         .curve(Curve::new(line(0), Ink::Velocity).label_end("precession"))
-        .curve(
-            Curve::new(line(1), Ink::Ink)
-                .dashed()
-                .label_end("frequency"),
-        )
+        .curve(Curve::new(line(1), Ink::Ink).dashed().label_end("frequency"))
         .curve(Curve::new(line(2), Ink::Body).label_end("dip"))
         .figure()
 }
@@ -208,12 +183,7 @@ fn damped_angles() -> Result<Figure> {
     Panel::new("damped_angles", &alt)
         .x(Axis::linear("$t'$"))
         .y(Axis::linear("tilt $\\theta$ / rad"))
-        .curve(
-            Curve::new(envelope(1.0), Ink::Frame)
-                .thin()
-                .dashed()
-                .label("$e^{-\\delta t'/2}$"),
-        )
+        .curve(Curve::new(envelope(1.0), Ink::Frame).thin().dashed().label("$e^{-\\delta t'/2}$"))
         .curve(Curve::new(envelope(-1.0), Ink::Frame).thin().dashed())
         .level(bottom, Ink::Frame, "bottom")
         .curve(Curve::new(line, Ink::Body).label("$\\theta$"))

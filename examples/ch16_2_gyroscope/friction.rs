@@ -33,23 +33,13 @@ pub fn add(report: &mut Report) -> Result<()> {
     let slow = 2.0 * c / (a.sqrt() + (a - 4.0 * c * cos(bottom)).sqrt());
     let rate = a.sqrt() * (b - cos(last)) / (sin(last) * sin(last));
     report.add(vec![
-        claim(
-            "damped_theta",
-            "tilt at which friction leaves the axis",
-            bottom,
-            "rad",
-        )
-        .within(1e-9)
-        .against(RUN, last)
-        .answer(GROUP),
-        claim(
-            "damped_sag",
-            "how much lower that is than the start",
-            bottom - start,
-            "rad",
-        )
-        .within(1e-9)
-        .against(RUN, last - start),
+        claim("damped_theta", "tilt at which friction leaves the axis", bottom, "rad")
+            .within(1e-9)
+            .against(RUN, last)
+            .answer(GROUP),
+        claim("damped_sag", "how much lower that is than the start", bottom - start, "rad")
+            .within(1e-9)
+            .against(RUN, last - start),
         claim("damped_precession", "dphi/dt' in the end", slow, "-")
             .within(1e-9)
             .against(RUN, rate)
@@ -65,13 +55,8 @@ pub fn add(report: &mut Report) -> Result<()> {
     let (first, final_) = (depths[0], depths[depths.len() - 1]);
     let decay = log(first.1 / final_.1) / (final_.0 - first.0);
     report.add(
-        claim(
-            "damped_decay",
-            "rate at which the nods die, per t'",
-            decay,
-            "-",
-        )
-        .within(1e-4)
-        .against("half the friction over I1", 0.5 * FRICTION),
+        claim("damped_decay", "rate at which the nods die, per t'", decay, "-")
+            .within(1e-4)
+            .against("half the friction over I1", 0.5 * FRICTION),
     )
 }

@@ -26,10 +26,7 @@ pub fn add(report: &mut Report) -> Result<()> {
     let radius = 0.06;
     let air = DiscDrag::new(radius, DiscDrag::AIR_DENSITY, DiscDrag::AIR_VISCOSITY, spin)?;
     // Ball bearing: coefficient 0.0015 at a radius of 2 mm.
-    let torques = [
-        -air.axial_torque(spin),
-        0.0015 * rotor.mass * rotor.gravity * 2e-3,
-    ];
+    let torques = [-air.axial_torque(spin), 0.0015 * rotor.mass * rotor.gravity * 2e-3];
     let bearing = CoulombBearing::new(torques[1], steady.scene.body(), &steady.start, 0.0)?;
     let (drag, fork, earth): (f64, f64, f64) = (1e-4, 2e-4, 7.292115e-5);
     // It acts on the fork; the fork cannot turn the rotor about its own axle.
@@ -84,9 +81,7 @@ pub fn add(report: &mut Report) -> Result<()> {
     let by_pivot = drag * turn / lower;
     let observed = |key: &str, meaning: &str, value: f64, estimate: f64| {
         let claim = claim(key, meaning, value, "rad").within(0.01 * estimate.abs());
-        claim
-            .against("first order in the torque", estimate)
-            .judged_within(0.05)
+        claim.against("first order in the torque", estimate).judged_within(0.05)
     };
     report.add(vec![
         observed(

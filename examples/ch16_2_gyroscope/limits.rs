@@ -54,11 +54,8 @@ fn add_slips(report: &mut Report, loops: &Motion) -> Result<()> {
     let exact = &loops.exact;
     let nod = times(0.0, exact.nutation_period(), 2000);
     let values = sampled(nod, |t| Ok(printed(exact.angles(t).theta)))?;
-    let (least, most) = values
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), x| {
-            (x.min(l), x.max(m))
-        });
+    let (least, most) =
+        values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), x| (x.min(l), x.max(m)));
     let ends = (printed(exact.theta_min()) - printed(exact.theta_max())).abs();
     report.add(
         claim(

@@ -38,11 +38,7 @@ pub fn on_stand(name: &str, alt: &str, pose: &Pose) -> View {
 /// Before and after: the torque of the weight at one moment, and where it has taken L and
 /// with it the axis of a fast rotor a little later.
 pub fn causes() -> Result<[Figure; 2]> {
-    let before = Pose {
-        theta: 0.8,
-        phi: 0.2,
-        zeta: 0.4,
-    };
+    let before = Pose { theta: 0.8, phi: 0.2, zeta: 0.4 };
     let after = Pose { phi: 1.3, ..before };
     let up = |view: View| {
         let view = view.dashed([SpaceVector::zero(), UP * 1.2], Ink::Frame);
@@ -68,12 +64,8 @@ pub fn causes() -> Result<[Figure; 2]> {
         .line(arc, Ink::Momentum)
         .dashed([SpaceVector::zero(), before.along()], Ink::Momentum);
     Ok([
-        before
-            .with_cause(up(first), HUB, 1.0, before.along())
-            .figure()?,
-        after
-            .with_cause(up(second), HUB, 1.0, after.along())
-            .figure()?,
+        before.with_cause(up(first), HUB, 1.0, before.along()).figure()?,
+        after.with_cause(up(second), HUB, 1.0, after.along()).figure()?,
     ])
 }
 

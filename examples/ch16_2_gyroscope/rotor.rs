@@ -52,11 +52,7 @@ impl Rotor {
 
     /// Where it starts.
     pub const fn tilted(&self) -> EulerAngles {
-        EulerAngles {
-            phi: 0.0,
-            theta: self.theta,
-            zeta: 0.0,
-        }
+        EulerAngles { phi: 0.0, theta: self.theta, zeta: 0.0 }
     }
 
     /// How it starts to turn: along the line of nodes, at right angles to it and the axis, and
@@ -160,20 +156,12 @@ pub fn add(report: &mut Report) -> Result<()> {
     let (s, ratio, exact) = (sin(rotor.theta), rotor.ratio(), &motion.exact);
     let nod = Nod::by_quadrature(&motion.top, motion.energy);
     let period = nod.period * motion.unit;
-    let mut table = Table::new(
-        "rotor",
-        ["quantity", "unit", "exact", "fast rotor", "formula"],
-    )?;
+    let mut table = Table::new("rotor", ["quantity", "unit", "exact", "fast rotor", "formula"])?;
     let mut add = |key: &str, meaning: &str, formula: &str, unit: &str, values: [f64; 3]| {
         let [value, other, leading] = values;
         let digits = |x| supported_digits(x, 1e-5 * value);
-        let row = [
-            meaning.to_string(),
-            unit.into(),
-            digits(value),
-            digits(leading),
-            formula.into(),
-        ];
+        let row =
+            [meaning.to_string(), unit.into(), digits(value), digits(leading), formula.into()];
         table.push(row)?;
         let claim = claim(key, meaning, value, unit).within(1e-12).answer(GROUP);
         Ok::<_, kit::Error>(claim.against("quadrature over one nod", other))
@@ -201,11 +189,7 @@ pub fn add(report: &mut Report) -> Result<()> {
         "depth of the dip",
         "2 (m g l I1/L_z^2) sin(theta)",
         "rad",
-        [
-            exact.theta_max() - exact.theta_min(),
-            nod.theta_max - nod.theta_min,
-            2.0 * ratio * s,
-        ],
+        [exact.theta_max() - exact.theta_min(), nod.theta_max - nod.theta_min, 2.0 * ratio * s],
     )?;
     report.add(rate.slip(
         weight * s / momentum,
@@ -226,10 +210,7 @@ pub fn add(report: &mut Report) -> Result<()> {
             "bisection: some L_Z holds the axis there or none",
             rotor.least_spin_by_bisection()?,
         )
-        .slip(
-            0.5 * least,
-            "the discriminant of a quadratic has a factor 4",
-        )
+        .slip(0.5 * least, "the discriminant of a quadratic has a factor 4")
         .answer(GROUP),
     )?;
     report.add(table)?;
@@ -238,37 +219,13 @@ pub fn add(report: &mut Report) -> Result<()> {
 
 /// What the motions of the page's last section do.
 fn variations() -> Result<Table> {
-    let columns = [
-        "flag",
-        "least tilt",
-        "greatest tilt",
-        "one nod",
-        "rate of precession",
-    ];
+    let columns = ["flag", "least tilt", "greatest tilt", "one nod", "rate of precession"];
     let mut table = Table::new("variations", columns)?;
     for (flag, rotor) in [
         ("none", ROTOR),
-        (
-            "--spin 628.3",
-            Rotor {
-                spin: 628.3,
-                ..ROTOR
-            },
-        ),
-        (
-            "--precession 1.8",
-            Rotor {
-                precession: 1.8,
-                ..ROTOR
-            },
-        ),
-        (
-            "--spin 60",
-            Rotor {
-                spin: 60.0,
-                ..ROTOR
-            },
-        ),
+        ("--spin 628.3", Rotor { spin: 628.3, ..ROTOR }),
+        ("--precession 1.8", Rotor { precession: 1.8, ..ROTOR }),
+        ("--spin 60", Rotor { spin: 60.0, ..ROTOR }),
     ] {
         let exact = rotor.motion()?.exact;
         let (period, digits) = (exact.nutation_period(), |x| supported_digits(x, 5e-6));

@@ -18,13 +18,7 @@ fn motion(
 
 /// The cylinder of these proportions, H/R, with M R^2 = 1.
 fn shape(proportion: f64) -> Parameters {
-    Parameters {
-        mass: 1.0,
-        radius: 1.0,
-        height: proportion,
-        rate: 1.0,
-        ..Parameters::default()
-    }
+    Parameters { mass: 1.0, radius: 1.0, height: proportion, rate: 1.0, ..Parameters::default() }
 }
 
 figures! { p: &Parameters;
@@ -135,9 +129,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (radius, half) = (p.radius, 0.5 * p.height);
     let unit = 0.55 / half.max(radius);
     let seen = attitude.clone();
-    let tilt = sampled(times(0.0, end, 240), |t| {
-        Ok((t, seen(t)?.euler_angles().theta))
-    })?;
+    let tilt = sampled(times(0.0, end, 240), |t| Ok((t, seen(t)?.euler_angles().theta)))?;
     let graph = Panel::over_axes("$t$ / s", Axis::angle(r"$\theta$ / rad"))
         .upright(turn, Ink::Frame, "let go")
         .curve(Curve::new(tilt, Ink::Body));
@@ -161,27 +153,16 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let omega = (l * (1.0 / size) - axis * ((body.i3 - body.i1) * along))
             * (0.95 / (body.i1 * body.rate.abs()));
         let view = View::of(UP * 0.18, 1.32);
-        let view = if held {
-            fork(view, now.to_space(BodyVector::new(1.0, 0.0, 0.0)))
-        } else {
-            view
-        };
+        let view =
+            if held { fork(view, now.to_space(BodyVector::new(1.0, 0.0, 0.0))) } else { view };
         let end = axis * (half * unit).max(0.02);
         let circle = if held {
-            sampled(times(0.0, turn, 60), |t| {
-                Ok(momentum(&body.held(p_rate(&body, t))?) * size)
-            })?
+            sampled(times(0.0, turn, 60), |t| Ok(momentum(&body.held(p_rate(&body, t))?) * size))?
         } else {
-            sampled(times(turn, turn + nod, 60), |t| {
-                Ok(attitude(t)?.axis() * 0.95)
-            })?
+            sampled(times(turn, turn + nod, 60), |t| Ok(attitude(t)?.axis() * 0.95))?
         };
         // Above the fork, which would hide it.
-        let foot = if held {
-            UP * 1.07_f64.copysign(body.rate)
-        } else {
-            SpaceVector::zero()
-        };
+        let foot = if held { UP * 1.07_f64.copysign(body.rate) } else { SpaceVector::zero() };
         let path = if held { Ink::Momentum } else { Ink::Body };
         let scene = view
             .solid(Solid::cylinder(-end, end, radius * unit), Ink::Body)

@@ -31,31 +31,13 @@ pub fn body(p: &Parameters) -> Result<Stepped> {
         turns.check("brake", brake)?;
     }
     let gravity = |g| GravityAtLever::new(body.mass * g, body.length);
-    let added = Added {
-        nodes: p.friction,
-        dry: p.brake,
-        ..Added::default()
-    }
-    .in_air(p.air, radius, body.spin)?;
-    Stepped::new(
-        rigid,
-        p.gravity.map(gravity).transpose()?,
-        added,
-        start,
-        SPAN,
-    )
+    let added = Added { nodes: p.friction, dry: p.brake, ..Added::default() }
+        .in_air(p.air, radius, body.spin)?;
+    Stepped::new(rigid, p.gravity.map(gravity).transpose()?, added, start, SPAN)
 }
 
 /// Where it ends, and what each effect has done.
 pub fn report(p: &Parameters) -> Result<Report> {
-    let names = [
-        "bearing of the line of nodes",
-        "air",
-        "dry friction against the spin",
-    ];
-    body(p)?.report(
-        ["The top and the bicycle wheel", "a body"],
-        p.tolerance,
-        names,
-    )
+    let names = ["bearing of the line of nodes", "air", "dry friction against the spin"];
+    body(p)?.report(["The top and the bicycle wheel", "a body"], p.tolerance, names)
 }

@@ -117,9 +117,7 @@ fn tilt() -> Axis {
 /// The greatest tilt of an upright top after a kick, against its spin.
 fn tilt_reached() -> Result<Figure> {
     let curve = |kick: f64| {
-        sampled(times(0.5, 1.5, 150), |ratio| {
-            Ok((ratio, kicked(&TOP, ratio, kick)?.theta_max()))
-        })
+        sampled(times(0.5, 1.5, 150), |ratio| Ok((ratio, kicked(&TOP, ratio, kick)?.theta_max())))
     };
     let limit = times(0.5, 1.5, 200).map(|ratio| (ratio, reach(ratio)));
     let alt = format!(
@@ -144,9 +142,7 @@ fn falls() -> Result<Figure> {
          same height, {:.2} rad, each as much later as the one before",
         reach(0.9)
     );
-    let mut panel = Panel::new("falls", &alt)
-        .x(Axis::linear("$t$ / s"))
-        .y(tilt());
+    let mut panel = Panel::new("falls", &alt).x(Axis::linear("$t$ / s")).y(tilt());
     for (kick, ink, label) in [
         (1.0, Ink::Velocity, "kick 1 rad/s"),
         (1e-2, Ink::Body, "$10^{-2}$"),

@@ -26,10 +26,7 @@ impl Hold {
     fn over(accelerations: Vec<(f64, f64)>, gravity: f64) -> Self {
         let ratios = accelerations.iter().map(|(h, z)| h / (gravity + z));
         let loads = accelerations.iter().map(|(_, z)| 1.0 + z / gravity);
-        Self {
-            grip: ratios.fold(0.0, f64::max),
-            load: loads.fold(f64::INFINITY, f64::min),
-        }
+        Self { grip: ratios.fold(0.0, f64::max), load: loads.fold(f64::INFINITY, f64::min) }
     }
 
     /// By the tilt and its rates in closed form, with (2) and (3) of the notes.
@@ -84,14 +81,9 @@ pub fn add(report: &mut Report) -> Result<()> {
         let angles = Hold::by_angles(body, &exact)?;
         let vectors = Hold::by_vectors(body, &exact)?;
         let entry = |what: &str, meaning: &str, value: f64, other: f64| {
-            claim(
-                format!("{name}_{what}"),
-                format!("{name}: {meaning}"),
-                value,
-                "-",
-            )
-            .within(1e-5)
-            .against("DOP853 on dL/dt = torque", other)
+            claim(format!("{name}_{what}"), format!("{name}: {meaning}"), value, "-")
+                .within(1e-5)
+                .against("DOP853 on dL/dt = torque", other)
         };
         report.add(vec![
             entry(
@@ -102,12 +94,7 @@ pub fn add(report: &mut Report) -> Result<()> {
             )
             .answer("What holds O")
             .judged_within(0.01),
-            entry(
-                "load",
-                "least vertical force at O over the weight",
-                angles.load,
-                vectors.load,
-            ),
+            entry("load", "least vertical force at O over the weight", angles.load, vectors.load),
         ])?;
         Ok(angles)
     };
@@ -120,15 +107,11 @@ pub fn add(report: &mut Report) -> Result<()> {
     let drilling = 3.0 * PI / 16.0 * FRICTION * TOP.mass * TOP.gravity * contact;
     let bearing = 0.0015 * WHEEL.mass * WHEEL.gravity * 5e-3;
     let names = ["top_air_lead", "top: air"];
-    let top_air = brake(report, names, &TOP, top_disc, |spin| {
-        top_disc.axial_torque(spin)
-    })?;
+    let top_air = brake(report, names, &TOP, top_disc, |spin| top_disc.axial_torque(spin))?;
     let names = ["top_drill_lead", "top: the tip drills"];
     let drill = brake(report, names, &TOP, dry(&TOP, drilling)?, |_| -drilling)?;
     let names = ["wheel_air_lead", "wheel: air"];
-    let wheel_air = brake(report, names, &WHEEL, wheel_disc, |spin| {
-        wheel_disc.axial_torque(spin)
-    })?;
+    let wheel_air = brake(report, names, &WHEEL, wheel_disc, |spin| wheel_disc.axial_torque(spin))?;
     let names = ["wheel_bearing_lead", "wheel: bearings"];
     let bearings = brake(report, names, &WHEEL, dry(&WHEEL, bearing)?, |_| -bearing)?;
 

@@ -17,23 +17,12 @@ pub fn add(report: &mut Report) -> Result<()> {
         let motion = body.motion("")?.exact;
         Ok(motion.precession_per_period() / motion.nutation_period())
     };
-    let level = Body {
-        precession: WHEEL.level_rate(),
-        ..WHEEL
-    };
-    let heavier = Body {
-        i1: 10.0 * WHEEL.i1,
-        ..level
-    };
+    let level = Body { precession: WHEEL.level_rate(), ..WHEEL };
+    let heavier = Body { i1: 10.0 * WHEEL.i1, ..level };
     let at_once = |body: Body| -> Result<f64> { Ok(body.motion("")?.exact.phi_rate(0.3)) };
     let fast = Body { spin: 1e4, ..WHEEL };
     // Hardly any spin: it swings like a pendulum about the lowest point.
-    let hanging = Body {
-        length: -WHEEL.length,
-        theta: 0.01,
-        spin: 1e-6,
-        ..WHEEL
-    };
+    let hanging = Body { length: -WHEEL.length, theta: 0.01, spin: 1e-6, ..WHEEL };
     let swing = hanging.motion("")?.exact.nutation_period();
     let small = 0.5 * TAU * (hanging.moment() / -hanging.weight_moment()).sqrt();
     let [_, beyond] = WHEEL.steady()?.after(())?;

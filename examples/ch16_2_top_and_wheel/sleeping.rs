@@ -12,12 +12,7 @@ use core::f64::consts::{LN_10, PI};
 // ANCHOR: kicked
 /// The body upright with `ratio` times the critical spin, kicked sideways at `kick` rad/s.
 pub fn kicked(body: &Body, ratio: f64, kick: f64) -> Result<HeavyTop> {
-    let upright = Body {
-        theta: 0.0,
-        spin: ratio * body.critical_spin(),
-        nutation: kick,
-        ..*body
-    };
+    let upright = Body { theta: 0.0, spin: ratio * body.critical_spin(), nutation: kick, ..*body };
     Ok(upright.motion("")?.exact)
 }
 // ANCHOR_END: kicked

@@ -48,14 +48,12 @@ impl Body {
 /// `torque` is the brake's along the axis (N m), of the spin.
 pub fn lead_by_angles(body: &Body, torque: impl Fn(f64) -> f64) -> Result<f64> {
     let (i1, weight_moment, rate) = (body.moment(), body.weight_moment(), body.steady_rate());
-    let law = ode(
-        move |_, &[theta, nutation, _, momentum, vertical]: &[f64; 5]| {
-            let ((s, c), brake) = (sincos(theta), torque(momentum / body.i3));
-            let rate = (vertical - momentum * c) / (i1 * s * s);
-            let pull = weight_moment * s - rate * s * (momentum - i1 * rate * c);
-            [nutation, pull / i1, rate, brake, brake * c]
-        },
-    )
+    let law = ode(move |_, &[theta, nutation, _, momentum, vertical]: &[f64; 5]| {
+        let ((s, c), brake) = (sincos(theta), torque(momentum / body.i3));
+        let rate = (vertical - momentum * c) / (i1 * s * s);
+        let pull = weight_moment * s - rate * s * (momentum - i1 * rate * c);
+        [nutation, pull / i1, rate, brake, brake * c]
+    })
     .scaled(size_or([1.0; 5]));
     let momentum = body.i3 * body.spin;
     let vertical = momentum * cos(body.theta) + i1 * rate * pow(sin(body.theta), 2.0);
@@ -161,9 +159,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let spins = moments.iter().map(|(t, m)| (*t, m.ratio));
     let spins = Panel::new("spin", "spin")
         .x(Axis::linear("$t$ / s"))
-        .y(Axis::linear("spin / critical")
-            .range(TO - 0.02, FROM + 0.02)
-            .step(0.1))
+        .y(Axis::linear("spin / critical").range(TO - 0.02, FROM + 0.02).step(0.1))
         .level(1.0, Ink::Frame, "")
         .curve(Curve::new(spins, Ink::Velocity).label_end("$\\omega$"));
     let stills = [0.2, 0.71, 0.81].map(|part| part * end);
@@ -180,14 +176,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
                 None => ", whose torque is too small to be drawn",
             }
         );
-        let been = path
-            .iter()
-            .take_while(|(s, _)| *s < t)
-            .map(|(_, axis)| *axis);
-        let been: Vec<_> = been
-            .chain([moment.axis])
-            .map(|axis| axis * HEIGHT)
-            .collect();
+        let been = path.iter().take_while(|(s, _)| *s < t).map(|(_, axis)| *axis);
+        let been: Vec<_> = been.chain([moment.axis]).map(|axis| axis * HEIGHT).collect();
         Stack::new("frame", &alt)
             .row_height(84)
             .scene(scene(&moment).line(been, Ink::Body))
@@ -258,12 +248,11 @@ fn scene(moment: &Moment) -> View {
     let Some(torque) = moment.torque() else {
         return view;
     };
-    view.arrow(origin, torque, Ink::Force, "torque", Side::Below)
-        .arrow(
-            momentum,
-            momentum + torque * 0.6,
-            Ink::Momentum,
-            "$\\mathrm{d}L$",
-            Side::Right,
-        )
+    view.arrow(origin, torque, Ink::Force, "torque", Side::Below).arrow(
+        momentum,
+        momentum + torque * 0.6,
+        Ink::Momentum,
+        "$\\mathrm{d}L$",
+        Side::Right,
+    )
 }

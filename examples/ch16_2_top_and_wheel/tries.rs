@@ -14,23 +14,10 @@ pub fn add(report: &mut Report) -> Result<()> {
         let nod = Nod::by_quadrature(&motion.top, motion.energy);
         Ok((motion.exact, nod, motion.unit))
     };
-    let (below, by_root, _) = solved(Body {
-        theta: 1e-6,
-        spin: 139.0,
-        ..TOP
-    })?;
-    let (pushed, pushed_by_root, _) = solved(Body {
-        precession: 0.6754,
-        ..WHEEL
-    })?;
-    let (long, long_nod, unit) = solved(Body {
-        length: 2.0 * WHEEL.length,
-        ..WHEEL
-    })?;
-    let (fast, fast_nod, _) = solved(Body {
-        spin: 2.0 * TOP.spin,
-        ..TOP
-    })?;
+    let (below, by_root, _) = solved(Body { theta: 1e-6, spin: 139.0, ..TOP })?;
+    let (pushed, pushed_by_root, _) = solved(Body { precession: 0.6754, ..WHEEL })?;
+    let (long, long_nod, unit) = solved(Body { length: 2.0 * WHEEL.length, ..WHEEL })?;
+    let (fast, fast_nod, _) = solved(Body { spin: 2.0 * TOP.spin, ..TOP })?;
     let depth = |motion: &HeavyTop| motion.theta_max() - motion.theta_min();
     let other = |nod: &Nod| nod.theta_max - nod.theta_min;
     let rate = long.precession_per_period() / long.nutation_period();

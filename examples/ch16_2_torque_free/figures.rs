@@ -34,16 +34,10 @@ fn over_time(p: &Parameters, y: Axis, which: usize, labels: [(f64, Side); 3]) ->
         let exact = |t: f64| {
             let angles = top.angles(t * top.nod())?;
             // Angles are known up to whole turns.
-            Ok(if which == 0 {
-                angles.theta
-            } else {
-                turn(angles.phi, of(t)?)
-            })
+            Ok(if which == 0 { angles.theta } else { turn(angles.phi, of(t)?) })
         };
         let dots = Curve::sampled(times(0.0, 2.0, 16), exact, Ink::Ink)?.dots();
-        panel = panel
-            .curve(curve.label_at(name, at, of(at)?, side))
-            .curve(dots);
+        panel = panel.curve(curve.label_at(name, at, of(at)?, side)).curve(dots);
     }
     Ok(panel)
 }
@@ -114,9 +108,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let columns =
         "t [s], theta [rad], phi [rad], zeta [rad], theta' [rad/s], phi' [rad/s], zeta' [rad/s]";
     let run = top.stepped(2.0 * top.nod(), p.tolerance)?;
-    Trajectory::of(&run, columns.split(", "), 200, |t, y: [f64; 6]| {
-        [&[t], &y[..]].concat()
-    })
+    Trajectory::of(&run, columns.split(", "), 200, |t, y: [f64; 6]| [&[t], &y[..]].concat())
 }
 
 /// The wide wobble: the axis circles L evenly, and nods as seen from Z.
@@ -151,20 +143,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .line([face * 1.01, rim], Ink::Ink)
             .dashed(circle.clone(), Ink::Body)
             .line(meridian, Ink::Body)
-            .arrow(
-                SpaceVector::zero(),
-                UP * 1.15,
-                Ink::Frame,
-                "$Z$",
-                Side::Right,
-            )
-            .arrow(
-                SpaceVector::zero(),
-                l * 1.2,
-                Ink::Momentum,
-                "$L$",
-                Side::Left,
-            )
+            .arrow(SpaceVector::zero(), UP * 1.15, Ink::Frame, "$Z$", Side::Right)
+            .arrow(SpaceVector::zero(), l * 1.2, Ink::Momentum, "$L$", Side::Left)
             .arrow(face, z, Ink::Body, "$z$", Side::Left);
         Ok((alt, scene))
     })

@@ -6,10 +6,8 @@ use super::*;
 /// so far below it, the heavier one on this side (-1 is left).
 fn drawn(sketch: Sketch, radius: f64, [left, right]: [f64; 2], turn: f64, side: f64) -> Sketch {
     let arc = times(0.0, PI, 40).map(|t| (radius * cos(t), radius * sin(t)));
-    let (mut first, mut second) = ((1.25 * 0.15, 0.24), (0.15, 0.18));
-    if side > 0.0 {
-        (first, second) = (second, first);
-    }
+    let (heavy, light) = ((1.25 * 0.15, 0.24), (0.15, 0.18));
+    let (first, second) = if side > 0.0 { (light, heavy) } else { (heavy, light) };
     sketch
         .wall((0.25, 0.32), (-0.25, 0.32))
         .pulley((0.0, 0.0), radius, turn, (0.0, 0.32))
@@ -22,14 +20,12 @@ fn drawn(sketch: Sketch, radius: f64, [left, right]: [f64; 2], turn: f64, side: 
 
 /// m1 = 3, m2 = 2 with g = 1, a pulley and a grip.
 fn unit(usual: Machine, pulley: f64, grip: f64) -> Machine {
-    let of = |m: &mut Machine| (m.pulley, m.grip, m.gravity) = (pulley, grip, 1.0);
-    usual.but(of)
+    Machine { pulley, grip, gravity: 1.0, ..usual }
 }
 
 figures! { _: &Parameters, usual = machine(&Parameters::default())?;
-    /// Two masses hang on a rope over a pulley that is held from above. The pulley has the
-    /// moment of inertia I and the radius R. On the left hangs m1, on the right m2; both hang
-    /// the height h below the axle.
+    /// Two masses hang on a rope over a pulley that is held from above. The pulley has the moment of inertia I
+    /// and the radius R. On the left hangs m1, on the right m2; both hang the height h below the axle.
     setup: {
         let sketch = drawn(Sketch::within((-0.7, 0.75), (-0.95, 0.45)), 0.2, [0.6, 0.6], 0.6, -1.0);
         sketch
@@ -40,29 +36,23 @@ figures! { _: &Parameters, usual = machine(&Parameters::default())?;
             .gravity((-0.6, 0.25), 0.25)
     };
 
-    /// The three bodies apart. On m1 its weight pulls downward and T1 upward, on m2 its weight
-    /// and T2, and on the rim of the pulley T1 on the left and T2 on the right, both downward;
-    /// T1 is the longer arrow, and the pulley turns to the left.
+    /// The three bodies apart. On m1 its weight pulls downward and T1 upward, on m2 its weight and T2, and on
+    /// the rim of the pulley T1 on the left and T2 on the right, both downward; T1 is the longer arrow, and the
+    /// pulley turns to the left.
     forces: {
         let sketch = Sketch::within((-0.75, 0.75), (-1.15, 0.4))
             .pulley((0.0, 0.0), 0.2, 0.6, (0.0, 0.32))
             .wall((0.25, 0.32), (-0.25, 0.32))
             .block((-0.4, -0.75), (0.2, 0.24), 0.0, Ink::Body)
             .block((0.4, -0.75), (0.16, 0.18), 0.0, Ink::Body);
-        let force = |sketch: Sketch, (from, length, label, side): ((f64, f64), f64, &str, Side)| {
-            let tip = (from.0, from.1 + length);
-            sketch.arrow_to(from, tip, Ink::Force, label, side)
-        };
-        let all = [
-            ((-0.2, 0.0), -0.26, "$T_1$", Side::Left),
-            ((0.2, 0.0), -0.23, "$T_2$", Side::Right),
-            ((-0.4, -0.63), 0.26, "$T_1$", Side::Left),
-            ((0.4, -0.66), 0.23, "$T_2$", Side::Right),
-            ((-0.4, -0.75), -0.31, "$m_1g$", Side::Left),
-            ((0.4, -0.75), -0.2, "$m_2g$", Side::Right),
+        let forces = [
+            ((-0.2, 0.0), -0.26, "$T_1$", Side::Left), ((0.2, 0.0), -0.23, "$T_2$", Side::Right),
+            ((-0.4, -0.63), 0.26, "$T_1$", Side::Left), ((0.4, -0.66), 0.23, "$T_2$", Side::Right),
+            ((-0.4, -0.75), -0.31, "$m_1g$", Side::Left), ((0.4, -0.75), -0.2, "$m_2g$", Side::Right),
         ];
-        all.into_iter()
-            .fold(sketch, force)
+        forces.into_iter().fold(sketch, |sketch, (from, length, label, side)| {
+            sketch.arrow_to(from, (from.0, from.1 + length), Ink::Force, label, side)
+        })
             .turn((0.0, 0.0), 0.27, (1.0, 2.1), Ink::Velocity)
             .text((-0.15, 0.25), r"$\alpha$", Ink::Velocity, Side::Left)
             .arrow_along([(-0.62, -0.65), (-0.62, -0.85)], Ink::Ink)
@@ -71,14 +61,14 @@ figures! { _: &Parameters, usual = machine(&Parameters::default())?;
             .text((0.6, -0.75), "$a$", Ink::Ink, Side::Right)
     };
 
-    /// Both tensions over m2 g against I/R^2 over the sum of the masses. Without a pulley they are
-    /// equal, 1.2. With a heavier one they part: the upper rises towards 1.5, the weight of m1,
-    /// the lower falls towards one, the weight of m2. Dots: from Newton's law for each body.
+    /// Both tensions over m2 g against I/R^2 over the sum of the masses. Without a pulley they are equal, 1.2.
+    /// With a heavier one they part: the upper rises towards 1.5, the weight of m1, the lower falls towards
+    /// one, the weight of m2. Dots: from Newton's law for each body.
     tensions: {
         let heavy = Sweep::over(r"$I/(m_1+m_2)R^2$", 0.0, 4.0).at([0.2, 0.6, 1.2, 2.0, 3.2]);
         let of = |x: f64| unit(usual, 5.0 * x, FIRM);
-        let exact = |k: usize| heavy.exact(move |x| 0.5 * Forces::held(&of(x)).tensions[k]);
-        let dots = |k: usize| heavy.simulated(move |x| Ok(0.5 * of(x).forces(Grip::Holds, 0.0).tensions[k]));
+        let exact = |k: usize| heavy.exact(move |x| 0.5 * of(x).closed_form().1[2 + k]);
+        let dots = |k: usize| heavy.simulated(move |x| Ok(0.5 * of(x).forces(Grip::Holds, 0.0)[2 + k]));
         heavy.panel(Axis::linear("$T/m_2g$").range(0.9, 1.6))
             .curve(exact(0).label_at("$T_1$", 2.0, 1.4, Side::Above))
             .curve(exact(1).label_at("$T_2$", 2.0, 1.07, Side::Below))
@@ -88,22 +78,21 @@ figures! { _: &Parameters, usual = machine(&Parameters::default())?;
             .level(1.0, Ink::Frame, "$m_2g$")
     };
 
-    /// Accelerations over g against the coefficient of friction, for I/R^2 equal to 2/5 of the sum of
-    /// the masses. Above a small threshold that of the masses and that of the rim are the same
-    /// and do not change. Below it the rope slips: the masses are faster the smoother the
-    /// pulley, and the rim is slower. Dots: simulated.
+    /// Accelerations over g against the coefficient of friction, for I/R^2 equal to 2/5 of the sum of the
+    /// masses. Above a small threshold that of the masses and that of the rim are the same and do not change.
+    /// Below it the rope slips: the masses are faster the smoother the pulley, and the rim is slower. Dots:
+    /// simulated.
     slip: {
         let rub = Sweep::over(r"$\mu$", 0.0, 0.08).at([0.005, 0.015, 0.025, 0.035, 0.05, 0.07]);
         let at = |mu: f64| unit(usual, 2.0, exp(mu * PI));
         let run = |k: usize| move |mu: f64| {
-            let grip = capstan(mu)?;
-            let run = at(mu).but(|m| m.grip = grip).run(0.0, 1e-9, 10.0)?;
+            let run = Machine { grip: capstan(mu)?, ..at(mu) }.run(0.0, 1e-9, 10.0)?;
             let arrives = run.transition("arrives")?;
             Ok(arrives.before[k] / arrives.t)
         };
         rub.panel(Axis::linear("acceleration$/g$").range(0.0, 0.22))
-            .curve(rub.exact(|mu| Forces::new(&at(mu)).acceleration).label_at("masses", 0.012, 0.19, Side::Right))
-            .curve(rub.exact(|mu| Forces::new(&at(mu)).rim).dashed().label_at("rim", 0.012, 0.045, Side::Right))
+            .curve(rub.exact(|mu| at(mu).closed_form().1[0]).label_at("masses", 0.012, 0.19, Side::Right))
+            .curve(rub.exact(|mu| at(mu).closed_form().1[1]).dashed().label_at("rim", 0.012, 0.045, Side::Right))
             .curve(rub.simulated(run(1))?)
             .curve(rub.simulated(run(3))?)
     };
@@ -128,43 +117,36 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let graph = Panel::over_axes("$t$ / s", "speed / (m/s)")
         .curve(speed(1)?.label_end("rope"))
         .curve(speed(3)?.dashed().label_end("rim"));
+    // So that a force also fits above a mass that has come up to the axle.
     let fitting = sampled(times(0.0, end, 300), |t| {
         let (grip, [way, ..]) = run.at(t)?;
-        let [left, right] = m.forces(grip, way).tensions;
+        let [.., left, right] = m.forces(grip, way);
         let room = |hang: f64, tension: f64| (0.41 + 0.5 * scale * hang) / tension;
         Ok(room(h + way, left).min(room(h - way, right)))
     })?;
-    // So that a force also fits above a mass that has come up to the axle.
     let usual = 0.45 / (p.m1.max(p.m2) * m.gravity);
     let force = fitting.into_iter().fold(usual, f64::min);
-    let (name, side, goes_on) = match m.masses {
-        [left, right] if left > right => ("heavier", -1.0, "rise as"),
-        [left, right] if left < right => ("heavier", 1.0, "fall as"),
-        _ => ("left", -1.0, "stay"),
-    };
-    let told = match run.transition("catches").is_ok() && Forces::new(&m).grip == Grip::Holds {
-        true => format!(": they approach each other and then {goes_on} one line"),
-        false => String::new(),
-    };
-    let stills = [0.0, 0.2 * end, 0.9 * end];
-    MovingPicture::above(graph, 0.0..=end, stills, move |t| {
+    let (side, goes_on) = if p.m1 > p.m2 { (-1.0, "rise as") } else { (1.0, "fall as") };
+    let caught = run.transition("catches").is_ok() && m.closed_form().0 == Grip::Holds;
+    let told = format!(": they approach each other and then {goes_on} one line");
+    let told = if caught { told } else { String::new() };
+    MovingPicture::above(graph, 0.0..=end, [0.0, 0.2 * end, 0.9 * end], move |t| {
         let (grip, [way, _, rim, _]) = run.at(t)?;
-        let does = ["slips", "holds"][usize::from(grip == Grip::Holds)];
-        let down = -side * way;
-        let (gone, way_gone) = (["down", "up"][usize::from(down < 0.0)], down.abs());
+        let does = if grip == Grip::Holds { "holds" } else { "slips" };
+        let gone = if side * way > 0.0 { "up" } else { "down" };
         let alt = format!(
-            "After {t:.2} s the {name} mass has gone {gone} by {way_gone:.2} m and the rope {does} on the pulley. \
-             Below, the speeds of rope and rim against time{told}."
+            "After {t:.2} s the heavier mass has gone {gone} by {:.2} m and the rope {does} on the pulley. \
+             Below, the speeds of rope and rim against time{told}.",
+            way.abs()
         );
-        let hang = [h + way, h - way].map(|y| 0.5 * scale * y);
-        let (radius, turn) = (0.16, 0.6 + rim / rim_radius);
-        let empty = Sketch::within((-1.0, 1.0), (-1.35, 0.4));
+        let (radius, hang) = (0.16, [h + way, h - way].map(|y| 0.5 * scale * y));
+        let sketch = Sketch::within((-1.0, 1.0), (-1.35, 0.4));
+        let sketch = drawn(sketch, radius, hang, 0.6 + rim / rim_radius, side);
+        let forces = m.forces(grip, way);
         let pull = |sketch: Sketch, k: usize| {
-            let (x, far) = ([-radius, radius][k] * 1.6, hang[k]);
-            let tip = (x, -far + force * m.forces(grip, way).tensions[k]);
-            sketch.arrow_along([(x, -far), tip], Ink::Force)
+            let (x, low) = ([-radius, radius][k] * 1.6, -hang[k]);
+            sketch.arrow_along([(x, low), (x, low + force * forces[2 + k])], Ink::Force)
         };
-        let sketch = drawn(empty, radius, hang, turn, side);
         Ok((alt, [0, 1].into_iter().fold(sketch, pull)))
     })
 }

@@ -14,8 +14,8 @@ fn rates() -> Sweep {
 }
 
 figures! { _: &Parameters;
-    /// A string of length l hangs from the point O of a ceiling and makes the angle theta
-    /// with the vertical. The bob of mass M at its end runs on a horizontal circle.
+    /// A string of length l hangs from the point O of a ceiling and makes the angle theta with the vertical.
+    /// The bob of mass M at its end runs on a horizontal circle.
     setup: {
         let (s, c, o) = (sin(0.62), cos(0.62), (0.0, 0.0));
         let arc = |from, to| times(from, to, 60).map(|a| (s * cos(a), 0.2 * s * sin(a) - c));
@@ -32,17 +32,17 @@ figures! { _: &Parameters;
             .weight((s, -c), 0.05, "$M$")
     };
 
-    /// Angle of rest against the rate: zero up to the threshold, where the line splits in
-    /// two that rise steeply on either side and bend towards a right angle. Zero goes on,
-    /// dashed. The simulated dots lie on the upper branch.
+    /// Angle of rest against the rate: zero up to the threshold, where the line splits in two that rise steeply
+    /// on either side and bend towards a right angle. Zero goes on, dashed. The simulated dots lie on the upper
+    /// branch.
     angle: rates().panel(Axis::angle(r"$\theta$ / rad").range(-FRAC_PI_2, FRAC_PI_2))
         .curve(rates().exact(|x| cone(q(x))).label_at("stable", 1.3, 0.95, Side::Left))
         .curve(rates().exact(|x| -cone(q(x))))
         .curve(Curve::new([(1.0, 0.0), (2.6, 0.0)], Ink::Ink).dashed().label("unstable"))
         .curve(rates().simulated(|x| settled(q(x), 1e-9))?.label("simulated"));
 
-    /// Tension over the weight against the rate: one up to the threshold, then, after a
-    /// corner, the square of the rate over the threshold, nearly seven at the right end.
+    /// Tension over the weight against the rate: one up to the threshold, then, after a corner, the square of
+    /// the rate over the threshold, nearly seven at the right end.
     reaction: {
         let at_rest = |x| Ok::<_, kit::Error>(place_and_velocity(&in_space([settled(q(x), 1e-9)?, 0.0], 1.0, 0.0)));
         let simulated = |x| Ok(tension(q(x), at_rest(x)?) / squares(q(x))[1]);
@@ -50,8 +50,8 @@ figures! { _: &Parameters;
         rates().exact_and_simulated(weights, |x| (x * x).max(1.0), simulated)?
     };
 
-    /// Effective potential against the angle for three rates. Slow: one well, at zero. At
-    /// the threshold: one well with a flat bottom. Fast: a hump at zero between two wells.
+    /// Effective potential against the angle for three rates. Slow: one well, at zero. At the threshold: one
+    /// well with a flat bottom. Fast: a hump at zero between two wells.
     potential: {
         let (x, y) = (Axis::angle(r"$\theta$ / rad").range(-2.0, 2.0), Axis::linear("$U/Mgl$"));
         let well = |panel: Panel, x: f64| {
@@ -64,9 +64,9 @@ figures! { _: &Parameters;
         [0.6, 1.0, 1.6].into_iter().fold(Panel::over_axes(x, y.range(-1.5, 0.0)), well)
     };
 
-    /// Angular frequency of small oscillations against the rate. With the plane kept
-    /// turning it falls from one to zero at the threshold and rises beyond; with the bob
-    /// left to itself it starts at two and grows slowly. Both approach the rate itself.
+    /// Angular frequency of small oscillations against the rate. With the plane kept turning it falls from one
+    /// to zero at the threshold and rises beyond; with the bob left to itself it starts at two and grows
+    /// slowly. Both approach the rate itself.
     frequencies: {
         let (low, high) = (rates().beyond(0.01), rates().beyond(1.0));
         let (kept, freed) = (low.exact(|x| x.max(1.0) * driven(q(x))), high.exact(|x| x * free(q(x))));

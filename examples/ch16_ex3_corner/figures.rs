@@ -2,20 +2,13 @@
 
 use super::*;
 use core::f64::consts::PI;
-use rotation_dynamics::planar::contact::Mode;
+use rotation_dynamics::planar::contact::{MechanismState, Mode};
 
 /// Floor and wall, with room to the right for the axis to go this far.
 fn corner(right: f64) -> Sketch {
     Sketch::within((-1.75, right + 1.6), (-1.2, 2.45))
         .wall((-1.0, 2.4), (-1.0, 0.0))
         .wall((-1.0, 0.0), (right + 1.5, 0.0))
-}
-
-/// The same in a mirror: the wall is on the right.
-fn mirrored_corner(left: f64) -> Sketch {
-    Sketch::within((-left - 1.6, 1.75), (-1.2, 2.45))
-        .wall((1.0, 0.0), (1.0, 2.4))
-        .wall((-left - 1.5, 0.0), (1.0, 0.0))
 }
 
 /// The cylinder set down, with the arrow of its sense (1 is counterclockwise).
@@ -32,22 +25,19 @@ fn problem(sense: f64) -> Sketch {
 }
 
 /// The weight and the forces `[normal, tangential]` of floor and wall on the cylinder with its
-/// axis here, drawn to the points of contact; `unit` is the length of the weight, negative in a
-/// mirror.
+/// axis here, drawn to the points of contact; `unit` is the length of the weight.
 fn pushed(sketch: Sketch, (x, y): (f64, f64), [floor, wall]: [[f64; 2]; 2], unit: f64) -> Sketch {
-    let (side, unit) = (unit.signum(), unit.abs());
-    let mirrored = |at: (f64, f64)| (x + side * (at.0 - x), at.1);
-    let arrow = |sketch: Sketch, from: (f64, f64), to: (f64, f64)| {
-        let (from, to) = (mirrored(from), mirrored(to));
-        let long = hypot(to.0 - from.0, to.1 - from.1) >= 0.02;
-        sketch.only_if(long, |s| s.arrow(from, to, Ink::Force, "", Side::Above))
-    };
-    let sketch = arrow(sketch, (x, y), (x, y - unit));
     let (low, left) = ((x, y - 1.0), (x - 1.0, y));
-    let sketch = arrow(sketch, (low.0, low.1 - unit * floor[0]), low);
-    let sketch = arrow(sketch, low, (low.0 + unit * floor[1], low.1));
-    let sketch = arrow(sketch, (left.0 - unit * wall[0], left.1), left);
-    arrow(sketch, left, (left.0, left.1 - unit * wall[1]))
+    [
+        ((x, y), (x, y - unit)),
+        ((low.0, low.1 - unit * floor[0]), low),
+        (low, (low.0 + unit * floor[1], low.1)),
+        ((left.0 - unit * wall[0], left.1), left),
+        (left, (left.0, left.1 - unit * wall[1])),
+    ]
+    .into_iter()
+    .filter(|(from, to)| hypot(to.0 - from.0, to.1 - from.1) >= 0.02)
+    .fold(sketch, |sketch, (from, to)| sketch.arrow(from, to, Ink::Force, "", Side::Above))
 }
 
 /// Coefficients of friction, logarithmically.
@@ -65,24 +55,17 @@ fn simulated(of: impl Fn(&Ride, f64) -> Result<f64>) -> Result<Curve> {
     Ok(Curve::sampled(some, dot, Ink::Body)?.dots())
 }
 
-/// The drawings are of a cylinder that stops.
-fn stops(p: &Parameters) -> Result<()> {
-    allowed! {
-        "friction": p.friction, above(0.0), "without it the cylinder spins for ever, and no stop is drawn";
-    }
-}
-
-figures! { p: &Parameters, _rubs = stops(p)?, u = units(p)?, rides = senses(p)?, rate = p.spin.abs();
-    /// A cylinder of radius R and mass M lies in the corner of a floor and a wall on its left.
-    /// It turns counterclockwise with the angular velocity Omega.
+figures! { p: &Parameters, [w, time, ..] = units(p)?, rides = senses(p)?, rate = p.spin.abs();
+    /// A cylinder of radius R and mass M lies in the corner of a floor and a wall on its left. It turns
+    /// counterclockwise with the angular velocity Omega.
     setup: problem(1.0);
 
     /// The same with the arrow reversed: the cylinder turns clockwise.
     setup_other: problem(-1.0);
 
-    /// The forces on the cylinder that turns counterclockwise. At the lowest point the floor
-    /// pushes upward and rubs to the left; at the leftmost point the wall pushes to the right,
-    /// as strongly as the floor rubs, and rubs upward. Its weight pulls at the centre.
+    /// The forces on the cylinder that turns counterclockwise. At the lowest point the floor pushes upward and
+    /// rubs to the left; at the leftmost point the wall pushes to the right, as strongly as the floor rubs, and
+    /// rubs upward. Its weight pulls at the centre.
     forces: {
         let (mu, [floor, wall]) = (0.6, Cylinder::alike(0.6).pressed());
         let sketch = corner(0.6)
@@ -100,13 +83,13 @@ figures! { p: &Parameters, _rubs = stops(p)?, u = units(p)?, rides = senses(p)?,
         ].into_iter().fold(sketch, label)
     };
 
-    /// Angular velocity against time. Pressed to the wall it falls along a straight line to
-    /// zero and stays there. The other way round it falls less steeply and stays at a third
-    /// of what it was; the velocity of the axis over R rises from zero to meet it there.
+    /// Angular velocity against time. Pressed to the wall it falls along a straight line to zero and stays
+    /// there. The other way round it falls less steeply and stays at a third of what it was; the velocity of
+    /// the axis over R rises from zero to meet it there.
     spin: {
         let [pressed, away] = &rides;
-        let end = 1.2 * pressed.event("floor sticks")?.t * u.time;
-        let read = |ride: &Ride, i: usize, t: f64| Ok(ride.at((t / u.time).min(ride.end_time()))?.v[i].abs() / u.time);
+        let end = 1.2 * pressed.event("floor sticks")?.t * time;
+        let read = |ride: &Ride, i: usize, t: f64| Ok(ride.at((t / time).min(ride.end_time()))?.v[i].abs() / time);
         let (roll, rest) = (rate * p.radius / (3.0 * p.friction * p.gravity), rate / 3.0);
         let dots = |ride, i| Ok::<_, kit::Error>(Curve::sampled(times(0.0, end, 12), |t| read(ride, i, t), Ink::Velocity)?.dots());
         Panel::over_axes("$t$ / s", Axis::linear("angular velocity / (rad/s)").range(0.0, rate))
@@ -120,9 +103,9 @@ figures! { p: &Parameters, _rubs = stops(p)?, u = units(p)?, rides = senses(p)?,
             .curve(dots(away, 2)?)
     };
 
-    /// Forces over the weight against the coefficient of friction, from 0.01 to 100. That of
-    /// the floor falls from one to zero. That of the wall rises to one half where the
-    /// coefficient is one, and falls again. The friction of the wall rises from zero to one.
+    /// Forces over the weight against the coefficient of friction, from 0.01 to 100. That of the floor falls
+    /// from one to zero. That of the wall rises to one half where the coefficient is one, and falls again. The
+    /// friction of the wall rises from zero to one.
     carried: {
         let [floor, wall] = [0, 1].map(|i| move |mu: f64| Cylinder::alike(mu).pressed()[i]);
         let rub = move |mu: f64| mu * wall(mu);
@@ -133,9 +116,9 @@ figures! { p: &Parameters, _rubs = stops(p)?, u = units(p)?, rides = senses(p)?,
             .curve(simulated(|ride, t| Ok(ride.forces(t)?[0].normal))?)
     };
 
-    /// Time to the stop against the coefficient of friction, both logarithmic: it falls, has a
-    /// flat minimum between two and three, and rises a little to one half. The dashed line of
-    /// a floor alone lies above it where the coefficient is below one, and below it beyond.
+    /// Time to the stop against the coefficient of friction, both logarithmic: it falls, has a flat minimum
+    /// between two and three, and rises a little to one half. The dashed line of a floor alone lies above it
+    /// where the coefficient is below one, and below it beyond.
     stop: {
         let floor = |mu: f64| 0.5 / mu;
         let stop = |mu| 1.0 / Cylinder::alike(mu).braking();
@@ -148,8 +131,8 @@ figures! { p: &Parameters, _rubs = stops(p)?, u = units(p)?, rides = senses(p)?,
             .ring(1.0 + SQRT_2, stop(1.0 + SQRT_2), Ink::Ink, r"$1+\sqrt{2}$", Side::Above)
     };
 
-    /// The cylinder that turns clockwise at equal times, with a spoke: at first close
-    /// together and turning fast, then, rolling, at equal distances.
+    /// The cylinder that turns clockwise at equal times, with a spoke: at first close together and turning
+    /// fast, then, rolling, at equal distances.
     away: {
         let roll = rides[1].event("floor sticks")?.t;
         let until = (1.6 * roll).min(within(p, 30.0));
@@ -163,19 +146,19 @@ figures! { p: &Parameters, _rubs = stops(p)?, u = units(p)?, rides = senses(p)?,
         sketch
     };
 
-    /// Spin near the stop, in steps. The contact solver's line falls to zero and stays; that
-    /// of the law of signs goes on as a zigzag above and below zero.
+    /// Spin near the stop, in steps. The contact solver's line falls to zero and stays; that of the law of
+    /// signs goes on as a zigzag above and below zero.
     chatter: {
-        let (w, cylinder) = (u.spin, Cylinder::alike(p.friction));
+        let cylinder = Cylinder::alike(p.friction);
         let stop = w / cylinder.braking();
         let h = stop / 97.4;
         let steps = by_sign(p.friction, w, false, 194.0 * h, 194);
-        let steps = steps.iter().zip(1..).map(|([_, spin], i)| (f64::from(i) * h * u.time, spin / u.time));
-        let near: Vec<_> = steps.filter(|(t, _)| (0.93..1.18).contains(&(t / (stop * u.time)))).collect();
-        let line = [(0.93, 0.07), (1.0, 0.0), (1.18, 0.0)].map(|(t, part)| (t * stop * u.time, part * rate));
+        let steps = steps.iter().zip(1..).map(|([_, spin], i)| (f64::from(i) * h * time, spin / time));
+        let near: Vec<_> = steps.filter(|(t, _)| (0.93..1.18).contains(&(t / (stop * time)))).collect();
+        let line = [(0.93, 0.07), (1.0, 0.0), (1.18, 0.0)].map(|(t, part)| (t * stop * time, part * rate));
         Panel::over_axes("$t$ / s", Axis::linear("angular velocity / (rad/s)"))
-            .curve(Curve::new(near, Ink::Wrong).dashed().label_at("wrong: by the sign", 1.1 * stop * u.time, 0.012 * rate, Side::Above))
-            .curve(Curve::new(line, Ink::Velocity).label_at("held", 0.96 * stop * u.time, 0.04 * rate, Side::AboveRight))
+            .curve(Curve::new(near, Ink::Wrong).dashed().label_at("wrong: by the sign", 1.1 * stop * time, 0.012 * rate, Side::Above))
+            .curve(Curve::new(line, Ink::Velocity).label_at("held", 0.96 * stop * time, 0.04 * rate, Side::AboveRight))
     };
 }
 
@@ -187,18 +170,10 @@ fn within(p: &Parameters, far: f64) -> f64 {
 /// The motion that is shown, its unit of time, and until when.
 fn shown(p: &Parameters) -> Result<(Ride, f64, f64)> {
     let [pressed, away] = senses(p)?;
-    let ride = if p.sense == "pressed" { pressed } else { away };
-    let change = match p.friction > 0.0 {
-        true => ride.event("floor sticks")?.t,
-        false => ride.end_time() / 1.25,
-    };
-    let time = units(p)?.time;
-    let room = if p.sense == "away" {
-        20.0
-    } else {
-        f64::INFINITY
-    };
-    let end = within(p, room);
+    let (is_away, [_, time, ..]) = (p.sense == "away", units(p)?);
+    let ride = if is_away { away } else { pressed };
+    let change = ride.event("floor sticks")?.t;
+    let end = within(p, if is_away { 20.0 } else { f64::INFINITY });
     Ok((ride, time, (1.25 * change).min(end) * time))
 }
 
@@ -206,8 +181,7 @@ fn shown(p: &Parameters) -> Result<(Ride, f64, f64)> {
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let side = p.spin.signum();
     let columns = "t [s], x [m], v [m/s], turned [rad], spin [rad/s], N_floor/Mg, F_floor/Mg, N_wall/Mg, F_wall/Mg";
-    let (ride, time, end) = shown(p)?;
-    let radius = p.radius;
+    let ((ride, time, end), radius) = (shown(p)?, p.radius);
     Trajectory::sampled(columns.split(", "), times(0.0, end, 250), |t| {
         let (MechanismState { q, v }, [floor, wall]) = (ride.at(t / time)?, ride.forces(t / time)?);
         let [x, v, turned, rate] = [q[0], v[0], q[2], v[2]].map(|odd| side * odd);
@@ -227,17 +201,10 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let graph = graph.curve(Curve::sampled(times(0.0, end, 200), spin, Ink::Velocity)?);
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.45 * end, end], move |t| {
         let (MechanismState { q, v }, [floor, wall]) = (ride.at(t / time)?, ride.forces(t / time)?);
-        let modes = ride.modes(t / time)?;
-        let ([x, y, turned], speed) = (q, v[2].abs() / time);
-        let room = if side > 0.0 {
-            corner(far)
-        } else {
-            mirrored_corner(far)
-        };
-        let x = side * x;
-        let scene = room.roller((x, y), 1.0, 0.25 * PI + side * turned, Ink::Body);
+        let (modes, [x, y, turned], speed) = (ride.modes(t / time)?, q, v[2].abs() / time);
+        let scene = corner(far).roller((x, y), 1.0, 0.25 * PI + turned, Ink::Body);
         let forces = [floor, wall].map(|force| [force.normal, force.tangential]);
-        let scene = pushed(scene, (x, y), forces, 0.9 * side);
+        let scene = pushed(scene, (x, y), forces, 0.9).mirrored_if(side < 0.0);
         let does = match modes {
             [Mode::Stick, Mode::Stick] => "It is at rest in the corner",
             [Mode::Stick, _] => "It rolls away from the wall",

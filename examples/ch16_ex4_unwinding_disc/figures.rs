@@ -1,7 +1,6 @@
 //! The drawings of exercise 16.4; lengths in radii, forces in weights.
 
 use super::*;
-use string::Taut;
 
 /// Where the string leaves the disc, the state, and the forces.
 type Held = (Leaves, [f64; 6], Taut);
@@ -39,9 +38,9 @@ fn roofed(x: (f64, f64), y: (f64, f64)) -> Sketch {
 }
 
 figures! { _: &Parameters, usual = Parameters::default(), d = disc(&usual)?, run = d.run(1e-12)?, end = run.transition("all unwound")?.t;
-    /// A vertical string hangs from a roof. It touches the rim of a disc of the radius R and the
-    /// mass M on its right side and is wound on it. Between the roof and the disc it has the
-    /// length l0. The disc goes down with v and turns counterclockwise with omega.
+    /// A vertical string hangs from a roof. It touches the rim of a disc of the radius R and the mass M on its
+    /// right side and is wound on it. Between the roof and the disc it has the length l0. The disc goes down
+    /// with v and turns counterclockwise with omega.
     setup: roofed((-3.6, 2.2), (-4.6, 0.5))
         .string((0.0, 0.0), (0.0, -2.4), "", Side::Right)
         .disc((-1.0, -2.4), 1.0, Ink::Body, 0.15)
@@ -54,9 +53,9 @@ figures! { _: &Parameters, usual = Parameters::default(), d = disc(&usual)?, run
         .text((-1.0, -2.6), "$M$", Ink::Body, Side::Right)
         .gravity((1.7, -2.8), 1.0);
 
-    /// The disc alone. The tension pulls upward at the right end of its horizontal radius, the
-    /// weight, three times as large, downward at its centre. The velocity of the left end of the
-    /// radius is twice that of the centre; at the right end, where the string leaves, it is zero.
+    /// The disc alone. The tension pulls upward at the right end of its horizontal radius, the weight, three
+    /// times as large, downward at its centre. The velocity of the left end of the radius is twice that of the
+    /// centre; at the right end, where the string leaves, it is zero.
     forces: Sketch::within((-2.6, 2.3), (-2.9, 2.1))
         .disc((0.0, 0.0), 1.0, Ink::Body, 0.15)
         .guide([(-1.0, 0.0), (1.0, 0.0)])
@@ -70,9 +69,9 @@ figures! { _: &Parameters, usual = Parameters::default(), d = disc(&usual)?, run
         .turn((0.0, 0.0), 1.35, (1.9, 3.0), Ink::Velocity)
         .text((-1.2, 0.75), r"$\omega$", Ink::Velocity, Side::AboveLeft);
 
-    /// The disc at the end of its string, when the knot is directly above its centre, and when
-    /// string winds up again. At first it is on the left of the string, at last on the right;
-    /// its centre goes along a narrow bow.
+    /// The disc at the end of its string, when the knot is directly above its centre, and when string winds up
+    /// again. At first it is on the left of the string, at last on the right; its centre goes along a narrow
+    /// bow.
     turn: {
         let over = run.transition("winds up")?.t;
         let path = path(&run, end - 0.3, over + 0.3, 80)?;
@@ -90,10 +89,10 @@ figures! { _: &Parameters, usual = Parameters::default(), d = disc(&usual)?, run
             .text((after.1[0] - 1.1, after.1[1] + 0.35), "3", Ink::Frame, Side::Left)
     };
 
-    /// Velocities against time. That of the centre, downward, rises evenly, falls within a tenth
-    /// of a second through zero to nearly the opposite value and rises again. That of the rim
-    /// about the centre rises with it, has a narrow peak of nearly twice its value in the turn,
-    /// and falls again. Dashed, a bounce, which reverses the velocity at once.
+    /// Velocities against time. That of the centre, downward, rises evenly, falls within a tenth of a second
+    /// through zero to nearly the opposite value and rises again. That of the rim about the centre rises with
+    /// it, has a narrow peak of nearly twice its value in the turn, and falls again. Dashed, a bounce, which
+    /// reverses the velocity at once.
     speeds: {
         let [second, speed] = [usual.radius / usual.gravity, usual.radius * usual.gravity].map(f64::sqrt);
         let of = |k: usize, unit: f64, ink| {
@@ -107,9 +106,9 @@ figures! { _: &Parameters, usual = Parameters::default(), d = disc(&usual)?, run
             .curve(Curve::new(bounce, Ink::Velocity).dashed().label_at("wrong: bounce", 0.54, -3.3, Side::Left))
     };
 
-    /// Largest tension over the weight against the length of the wound string over the radius:
-    /// a straight line that rises by four for each radius. The simulated dots, for a free
-    /// string of one and a half radii, lie a little above it.
+    /// Largest tension over the weight against the length of the wound string over the radius: a straight line
+    /// that rises by four for each radius. The simulated dots, for a free string of one and a half radii, lie a
+    /// little above it.
     peak: {
         let wound = Sweep::over("$s_0/R$", 1.0, 12.0).at([1.0, 2.0, 3.5, 5.0, 7.0, 9.0, 11.0]);
         let at = |wound| d.but(|d| d.wound = wound);
@@ -141,9 +140,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let [end, over] = ["all unwound", "winds up"].map(|name| run.transition(name));
     let (end, over, last) = (end?.t, over?.t, run.end_time());
     let spans = [(0.0, end, 40), (end, over, 120), (over, last, 60)];
-    let instants = spans
-        .into_iter()
-        .flat_map(|(from, to, count)| times(from, to, count));
+    let instants = spans.into_iter().flat_map(|(from, to, count)| times(from, to, count));
     let tension = sampled(instants, |t| {
         let (leaves, y) = run.at(t)?;
         Ok((t * second, d.taut(leaves, &y).tension))

@@ -1,6 +1,7 @@
 //! The drawings of exercise 16.5; those over qE/mg are for a solid ball and mu = 0.1.
 
 use super::*;
+use rotation_dynamics::planar::contact::MechanismState;
 
 /// Over the pull of the field, in weights of the ball.
 fn pulls() -> Sweep {
@@ -9,18 +10,9 @@ fn pulls() -> Sweep {
 
 /// A solid ball with mu = 0.1, R = g = 1.
 fn unit(pull: f64) -> Ball {
-    let (press, radius, shape, mu, length) = (1.0, 1.0, 0.4, 0.1, 10.0);
-    let (spot, resisting) = (0.0, [0.0; 2]);
-    Ball {
-        pull,
-        press,
-        radius,
-        shape,
-        mu,
-        spot,
-        resisting,
-        length,
-    }
+    let (press, radius, shape, mu, spot, resisting, length) =
+        (1.0, 1.0, 0.4, 0.1, 0.0, [0.0; 2], 10.0);
+    Ball { pull, press, radius, shape, mu, spot, resisting, length }
 }
 
 /// x'', R phi'' and the part that is lost, simulated.
@@ -32,9 +24,9 @@ fn simulated(pull: f64) -> Result<[f64; 3]> {
 }
 
 figures! { p: &Parameters;
-    /// A ball of radius R with the charge q lies on a rough slab between a plate with a plus
-    /// sign on the left and one with a minus sign on the right. Between the plates the electric
-    /// field E points to the right, as does x. The way to the end of the slab is l.
+    /// A ball of radius R with the charge q lies on a rough slab between a plate with a plus sign on the left
+    /// and one with a minus sign on the right. Between the plates the electric field E points to the right, as
+    /// does x. The way to the end of the slab is l.
     setup: {
         let plate = |x: f64| Curve::new([(x, 0.06), (x, 1.0)], Ink::Ink).width(4.0);
         let field = |sketch: Sketch, y: f64| sketch.arrow_along([(-0.42, y), (1.62, y)], Ink::Frame);
@@ -53,9 +45,9 @@ figures! { p: &Parameters;
             .dimension((0.0, -0.17), (1.5, -0.17), r"$\ell$", Side::Below)
     };
 
-    /// The forces on the ball. At its middle the field pulls to the right with q E and gravity
-    /// down with m g. At the contact the slab pushes up with N and, with the friction F, to the
-    /// left. The ball turns clockwise.
+    /// The forces on the ball. At its middle the field pulls to the right with q E and gravity down with m g.
+    /// At the contact the slab pushes up with N and, with the friction F, to the left. The ball turns
+    /// clockwise.
     forces: Sketch::within((-0.62, 0.95), (-0.2, 0.95))
         .wall((-0.6, 0.0), (0.95, 0.0))
         .disc((0.0, 0.4), 0.4, Ink::Body, 0.15)
@@ -70,28 +62,26 @@ figures! { p: &Parameters;
         .vector((0.0, 0.025), (-1.0, 0.0), 43.0, Ink::Force, "")
         .text((-0.2, 0.03), "$F$", Ink::Force, Side::AboveLeft);
 
-    /// Accelerations over g against q E over m g. Up to 0.35 the middle and the rim have the same
-    /// acceleration, which rises as a straight line. Beyond, that of the middle rises more
-    /// steeply and that of the rim stays. The simulated dots lie on the lines.
+    /// Accelerations over g against q E over m g. Up to 0.35 the middle and the rim have the same acceleration,
+    /// which rises as a straight line. Beyond, that of the middle rises more steeply and that of the rim stays.
+    /// The simulated dots lie on the lines.
     split: pulls().panel(Axis::linear("acceleration$/g$").range(0.0, 0.72))
         .curve(pulls().exact(|x| unit(x).accelerations()[0]).label_at("$a$", 0.6, 0.5, Side::AboveLeft))
         .curve(pulls().exact(|x| unit(x).accelerations()[1]).label_at(r"$R\alpha$", 0.65, 0.25, Side::Above))
         .curve(pulls().simulated(|x| Ok(simulated(x)?[0]))?)
         .curve(pulls().simulated(|x| Ok(simulated(x)?[1]))?);
 
-    /// The part of the work of the field that is lost, against q E over m g: nothing up to 0.35,
-    /// then a steep rise to about 8 per cent near 0.65, and a slow fall. The simulated dots lie
-    /// on the line.
+    /// The part of the work of the field that is lost, against q E over m g: nothing up to 0.35, then a steep
+    /// rise to about 8 per cent near 0.65, and a slow fall. The simulated dots lie on the line.
     lost: pulls().exact_and_simulated(
         Axis::linear("lost of the work").range(0.0, 0.1), |x| unit(x.max(1e-9)).lost().max(0.0), |x| Ok(simulated(x)?[2]))?;
 
-    /// Friction over q E against the turns that the ball has made, for a charge in the middle and
-    /// for one half of the radius off it. The first is a level line at two sevenths; the second
-    /// is a wave about it, highest after a quarter of a turn and below zero after three quarters.
+    /// Friction over q E against the turns that the ball has made, for a charge in the middle and for one half
+    /// of the radius off it. The first is a level line at two sevenths; the second is a wave about it, highest
+    /// after a quarter of a turn and below zero after three quarters.
     ripple: {
         let (k, two) = (p.shape, 4.0 * PI);
-        let of = |ball: &mut Ball| (ball.mu, ball.spot, ball.length) = (1e3, 0.5 * p.radius, two * p.radius);
-        let ball = Ball::new(p)?.but(of);
+        let ball = Ball { mu: 1e3, spot: 0.5 * p.radius, length: two * p.radius, ..Ball::new(p)? };
         let run = ball.run(ball.ahead(), 1e3, 1e-10)?;
         let end = run.event("arrives")?.t;
         let dots = sampled(times(0.0, end, 16), |t| {
@@ -114,7 +104,7 @@ fn slide(p: &Parameters) -> Result<(Roll, f64)> {
     let shot = if p.shot == 0.0 { 0.3 } else { p.shot };
     let [a, _] = ball.accelerations();
     let end = 2.0 * shot.abs() / a.abs();
-    let far = ball.but(|ball| ball.length = p.length + 10.0 * shot.abs() * end);
+    let far = Ball { length: p.length + 10.0 * shot.abs() * end, ..ball };
     Ok((far.run(far.start(0.0, shot), end, p.tolerance)?, end))
 }
 

@@ -56,8 +56,8 @@ fn priced(p: &Parameters, solved: &Solved) -> Result<(Vec<(f64, f64)>, f64)> {
 }
 
 figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, price = priced(p, &solved)?;
-    /// A ladder leans against a vertical wall on the left, at the angle theta from the wall. The wall
-    /// pushes its top to the right, the floor pushes its foot up, the weight acts at the middle.
+    /// A ladder leans against a vertical wall on the left, at the angle theta from the wall. The wall pushes
+    /// its top to the right, the floor pushes its foot up, the weight acts at the middle.
     setup: {
         // Drawn at an angle that leaves room for the symbols, in units of the length.
         let theta = p.angle.clamp(0.5, 0.9);
@@ -76,8 +76,8 @@ figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, price = pr
             .text((0.0, 0.0), "$O$", Ink::Frame, Side::BelowLeft)
     };
 
-    /// Positions of the ladder at equal times. Its top slides down the wall to two
-    /// thirds of its starting height, there it leaves the wall, and lands a little way from it.
+    /// Positions of the ladder at equal times. Its top slides down the wall to two thirds of its starting
+    /// height, there it leaves the wall, and lands a little way from it.
     strobe: {
         let l = exact.length();
         let ladder = |s: &LadderState| Curve::new(ends(l, s.theta, (s.x_cm, s.y_cm)), Ink::Body);
@@ -98,8 +98,8 @@ figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, price = pr
             .ring((0.0, 2.0 * exact.release().y_cm), Ink::Ink, "top leaves", Side::Left)
     };
 
-    /// The centre of the ladder moves on a quarter circle about the corner, like a ball on a smooth
-    /// dome, and leaves it at two thirds of its starting height.
+    /// The centre of the ladder moves on a quarter circle about the corner, like a ball on a smooth dome, and
+    /// leaves it at two thirds of its starting height.
     ball: {
         let (from, to) = (exact.theta0(), exact.release().theta);
         let on_circle = |a: f64| (sin(a), cos(a));
@@ -118,8 +118,8 @@ figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, price = pr
             .text((0.0, 0.0), "$O$", Ink::Frame, Side::BelowLeft)
     };
 
-    /// Angular velocity against time: it grows slowly, then steeply; after the release it grows
-    /// less than the dashed curve of a ladder that is kept on the wall.
+    /// Angular velocity against time: it grows slowly, then steeply; after the release it grows less than the
+    /// dashed curve of a ladder that is kept on the wall.
     rate: {
         let Solved { run, naive, .. } = &solved;
         let (t_r, early, end) = (exact.release_time(), 0.6 * exact.release_time(), naive.end_time());
@@ -134,10 +134,9 @@ figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, price = pr
                 .label_at("wrong: wall kept", end, kept(end)?, Side::AboveLeft))
     };
 
-    /// Force of the floor and of the wall against time, over the weight. The wall's
-    /// force rises, falls to zero at the release and stays there; a wall that is kept would have to pull, with
-    /// more than the weight in the end. The floor's force is a quarter of the weight at the release and again at
-    /// the landing.
+    /// Force of the floor and of the wall against time, over the weight. The wall's force rises, falls to zero
+    /// at the release and stays there; a wall that is kept would have to pull, with more than the weight in the
+    /// end. The floor's force is a quarter of the weight at the release and again at the landing.
     forces: forces(&solved)?;
 
     gap({
@@ -156,8 +155,7 @@ figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, price = pr
             .curve(simulated.dots().label("simulated"))
     };
 
-    /// Height of the top over its starting height against time: it is two thirds when the wall
-    /// lets go.
+    /// Height of the top over its starting height against time: it is two thirds when the wall lets go.
     height: {
         let height = |t| Ok(cos(exact.at(t)?.theta) / cos(exact.theta0()));
         Panel::over_axes("$t$ / s", Axis::linear("height of the top / at the start").range(0.0, 1.0))
@@ -204,10 +202,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .vector((s.x_cm, s.y_cm), (0.0, -1.0), 45.0, Ink::Force, "$mg$");
         // Round-off may leave a pull of nothing.
         let (push, carried, angle) = (s.wall_force.max(0.0), s.floor_force, s.theta.to_degrees());
-        let beside = match t > t_r {
-            true => " Faintly, ahead of it, the ladder that a wall would keep by pulling.",
-            false => "",
-        };
+        let ahead = " Faintly, ahead of it, the ladder that a wall would keep by pulling.";
+        let beside = if t > t_r { ahead } else { "" };
         let alt = format!(
             "The ladder {t:.2} s after its release, {angle:.0} degrees from the wall. The wall pushes with \
              {push:.2} and the floor with {carried:.2} of the weight.{beside} Below, the forces against time."

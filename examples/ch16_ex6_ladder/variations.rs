@@ -5,13 +5,9 @@ use super::*;
 use kit::supported_digits;
 use models::ladder::Phase;
 
-/// The start nearest to upright (rad) at which friction is simulated: the contacts take forces
-/// that differ by 1e-12 of the weight for the same, and here they differ by the angle.
-const RUBS_FROM: f64 = 1e-9;
-
 /// The motion of another ladder from the same start, to nine digits where theta has them.
 fn slide(p: &Parameters, ladder: Ladder) -> Result<Slide> {
-    let (start, within) = (ladder.at_rest(p.angle), rounding(p).clamp(1e-9, 0.1));
+    let (start, within) = (ladder.at_rest(p.angle), rounding(p).max(1e-9));
     let end = 100.0 * Exact::new(p.length, p.gravity, p.angle)?.landing_time();
     Ok(motion_within(ladder, within, start, end)?)
 }
@@ -22,12 +18,11 @@ fn digits(value: f64) -> String {
 }
 
 /// The mass spread differently, with the centre in the middle still.
-#[rustfmt::skip]
 pub fn mass(p: &Parameters) -> Result<Table> {
     let columns = "mass, inertia, height ratio, t_release, omega_floor".split(", ");
     let spreads = [(0.3, "mostly in the middle"), (1.0, "uniform"), (3.0, "at both ends")];
     Table::of("mass", columns, spreads, |(inertia, name)| {
-        let run = slide(p, Ladder::smooth(p).but(|ladder| ladder.inertia = inertia))?;
+        let run = slide(p, Ladder { inertia, ..Ladder::smooth(p) })?;
         let lets_go = run.event("wall lets go")?;
         let ratio = cos(lets_go.before.q[2]) / cos(p.angle);
         let numbers = [ratio, lets_go.t, run.event("lands")?.before.v[2]].map(digits);
@@ -42,10 +37,8 @@ fn holding_friction(p: &Parameters) -> f64 {
 
 /// How the motion goes with this part of the friction that would hold the ladder.
 pub fn rubbing(p: &Parameters, part: f64) -> Result<Slide> {
-    let told = "friction is simulated from 1e-9 rad on";
-    require(p.angle >= RUBS_FROM, "angle", p.angle, told)?;
     let mu = part * holding_friction(p);
-    slide(p, Ladder::smooth(p).but(|ladder| ladder.mu = mu))
+    slide(p, Ladder { mu, ..Ladder::smooth(p) })
 }
 
 /// Dry friction at both ends.
@@ -54,11 +47,9 @@ pub fn friction(p: &Parameters) -> Result<Table> {
     let parts = [0.0, 0.1, 0.3, 0.6, 0.9, 1.0];
     Table::of("friction", columns.split(", "), parts, |part| {
         let mu = supported_digits(part * holding_friction(p), 1e-6);
-        let run = rubbing(p, part);
-        let known = if run.is_ok() { "it stays" } else { "refused" };
-        let [none, stays] = ["-", known].map(String::from);
+        let [none, stays] = ["-", "it stays"].map(String::from);
         let mut cells = [mu, part.to_string(), none, stays.clone(), stays];
-        for event in run.iter().flat_map(Slide::events) {
+        for event in rubbing(p, part)?.events() {
             match event.name.as_str() {
                 "wall lets go" => {
                     cells[2] = digits(cos(event.before.q[2]) / cos(p.angle));
@@ -73,22 +64,20 @@ pub fn friction(p: &Parameters) -> Result<Table> {
 }
 
 /// The starts that the page asks about, in closed form.
-#[rustfmt::skip]
 pub fn tries(p: &Parameters) -> Result<Table> {
     let columns = "start, theta_release, t_release, omega_floor, kept wall too fast by";
     let starts = [
-        ("as above", p.gravity, p.angle), ("a tenth of the angle", p.gravity, 0.1 * p.angle),
-        ("on the Moon", 1.62, p.angle), ("nearly flat", p.gravity, 1.5),
+        ("as above", p.gravity, p.angle),
+        ("a tenth of the angle", p.gravity, 0.1 * p.angle),
+        ("on the Moon", 1.62, p.angle),
+        ("nearly flat", p.gravity, 1.5),
     ];
     Table::of("try", columns.split(", "), starts, |(start, gravity, angle)| {
-        // A tenth of the angle may be less than the closed form knows.
-        let Ok(exact) = Exact::new(p.length, gravity, angle) else {
-            return Ok([start, "refused", "refused", "refused", "refused"].map(String::from).to_vec());
-        };
+        let exact = Exact::new(p.length, gravity, angle)?;
         let (release, omega) = (exact.release(), exact.landing().omega);
         let excess = (3.0 * gravity * cos(angle) / p.length).sqrt() / omega - 1.0;
         let numbers = [release.theta, exact.release_time(), omega, excess].map(digits);
-        Ok([start.into()].into_iter().chain(numbers).collect())
+        Ok([start.into()].into_iter().chain(numbers))
     })
 }
 
@@ -111,14 +100,14 @@ fn later(p: &Parameters, exact: &Exact, mu: f64) -> Result<f64> {
         let half = 0.5 * dt * (floor * foot + wall * l * s * state.omega);
         work += half;
         let slower = if state.phase == Phase::OnWall {
-            let slower = 3.0 * work / (l * l * state.omega);
-            speed = 0.5 * l * c * slower;
-            slower
+            3.0 * work / (l * l * state.omega)
         } else {
-            let inertia = l * l * (1.0 / 12.0 + 0.25 * s * s);
             speed += floor * dt;
-            (work - state.vx_cm * speed) / (inertia * state.omega)
+            (work - state.vx_cm * speed) / (l * l * (1.0 / 12.0 + 0.25 * s * s) * state.omega)
         };
+        if state.phase == Phase::OnWall {
+            speed = 0.5 * l * c * slower;
+        }
         delay += dt * slower / state.omega;
         work += half;
     }
@@ -146,14 +135,12 @@ fn air(p: &Parameters, exact: &Exact) -> Result<(f64, f64)> {
 }
 
 /// The card of effects: what was left out, and what that costs.
-pub fn effects(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
-    let exact = &solved.exact;
+pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
+    let Solved { exact, naive, .. } = &solve(p)?;
     let rubs = later(p, exact, 0.1 * holding_friction(p))?;
-    // Where friction is not simulated, or doubles do not tell what happens, nothing is measured.
-    let run = rubbing(p, 0.1).ok();
-    let found = run.map(|run| run.end_time() / exact.landing_time() - 1.0);
+    let found = rubbing(p, 0.1)?.end_time() / exact.landing_time() - 1.0;
     let (drag, lost) = air(p, exact)?;
-    let kept = landing_error(exact, &solved.naive)?;
+    let kept = landing_error(exact, naive)?;
     effect_card! { report,
         "friction, a tenth of what would hold the ladder":
             "mu / tan(theta0/2)" = 0.1, costs rubs, "of t_floor", measured found;

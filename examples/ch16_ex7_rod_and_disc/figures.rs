@@ -8,9 +8,7 @@ use rotation_dynamics::integrators::Event;
 fn drawn(sketch: Sketch, x: f64, radius: f64, [rod, disc]: [f64; 2]) -> Sketch {
     let ((s, c), top) = (sincos(rod), (x, 0.0));
     let end = (x + s, -c);
-    sketch
-        .bar(top, end, 0.035, Ink::Ink)
-        .roller(end, radius, disc - FRAC_PI_2, Ink::Body)
+    sketch.bar(top, end, 0.035, Ink::Ink).roller(end, radius, disc - FRAC_PI_2, Ink::Body)
 }
 
 /// Where it was at the release, faintly, on the way, and now.
@@ -20,12 +18,7 @@ fn strobe(disc: impl Fn(f64) -> f64) -> Sketch {
     let empty = Sketch::within((-1.3, 1.3), (-1.32, 0.24)).guide(path);
     let all = places.into_iter().fold(empty, |sketch, a: f64| {
         let draw = |sketch| drawn(sketch, 0.0, 0.2, [a, disc(a)]);
-        let at_end = a.abs() == 1.0;
-        if at_end {
-            draw(sketch)
-        } else {
-            sketch.ghost(draw)
-        }
+        if a.abs() == 1.0 { draw(sketch) } else { sketch.ghost(draw) }
     });
     all.pivot((0.0, 0.0), FRAC_PI_2)
 }
@@ -62,9 +55,9 @@ fn amplitudes(share: f64, drag: f64) -> Result<Vec<(f64, f64)>> {
 }
 
 figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0);
-    /// A rod of length l and mass m hangs on the pivot O and makes the angle theta with the
-    /// vertical. Its lower end carries the centre of a disc of mass M and radius R, whose
-    /// plane is that of the swing. A spoke is drawn on the disc.
+    /// A rod of length l and mass m hangs on the pivot O and makes the angle theta with the vertical. Its lower
+    /// end carries the centre of a disc of mass M and radius R, whose plane is that of the swing. A spoke is
+    /// drawn on the disc.
     setup: {
         let (s, c) = sincos(0.5);
         let rim = (s + 0.2 * cos(0.3), -c + 0.2 * sin(0.3));
@@ -80,16 +73,16 @@ figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0)
             .gravity((-0.35, -0.3), 0.3)
     };
 
-    /// The pendulum at the release on the right, on the left where it turns back, and faintly at
-    /// three places between. The spoke of the disc is in line with the rod at each.
+    /// The pendulum at the release on the right, on the left where it turns back, and faintly at three places
+    /// between. The spoke of the disc is in line with the rod at each.
     fixed: strobe(|rod| rod);
 
     /// The same places. The spoke of the disc keeps its direction, that of the release.
     free: strobe(|_| 1.0);
 
-    /// Both periods of small swings, over that of a weight on a string of the same length,
-    /// against the radius of the disc. They begin at the same value, a little below one. The line
-    /// for the free disc is level, that for the fixed one rises, faster and faster.
+    /// Both periods of small swings, over that of a weight on a string of the same length, against the radius
+    /// of the disc. They begin at the same value, a little below one. The line for the free disc is level, that
+    /// for the fixed one rises, faster and faster.
     radii: {
         let of = |x: f64| Moments::new(&p.but(|p| p.radius = x * p.length));
         let unit = |m: &Moments| m.rate() * (p.length / p.gravity).sqrt();
@@ -112,9 +105,8 @@ figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0)
             .curve(radius.simulated(loose)?)
     };
 
-    /// Both periods against the angle of the release, over that of small swings of the free one.
-    /// They begin at 1 and a little above, rise slowly to about twice that at 160 degrees, and
-    /// steeply then, side by side.
+    /// Both periods against the angle of the release, over that of small swings of the free one. They begin at
+    /// 1 and a little above, rise slowly to about twice that at 160 degrees, and steeply then, side by side.
     widths: {
         let rate = m.rate();
         let angles = Sweep::over(r"$\theta_0$ / rad", 0.01, 3.1).at([0.3, 0.8, 1.3, 1.8, 2.3, 2.7, 3.0]);
@@ -134,17 +126,17 @@ figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0)
         frictions(Axis::linear("lost in a swing / %"), ["closed form", "simulated"], of, |[t, d]| lost(d, t), felt)?
     };
 
-    /// Period of small swings over that of the free one against the same friction: a step from
-    /// one up to the period of the fixed disc, in the middle of the hill.
+    /// Period of small swings over that of the free one against the same friction: a step from one up to the
+    /// period of the fixed disc, in the middle of the hill.
     periods: {
         let top = (1.0 + felt).sqrt();
         frictions(Axis::linear("$T/T_{free}$"), ["", ""], |b| 1.0 / b.frequency, |[t, _]| t / (2.0 * PI), felt)?
             .level(top, Ink::Frame, "fixed")
     };
 
-    /// Amplitude of a swing from one radian against the number of swings, for three frictions
-    /// in the axle. For the middle one it falls to a third in forty swings, for one ten times
-    /// smaller and one ten times larger to four fifths. Dots, simulated, lie close to the lines.
+    /// Amplitude of a swing from one radian against the number of swings, for three frictions in the axle. For
+    /// the middle one it falls to a third in forty swings, for one ten times smaller and one ten times larger
+    /// to four fifths. Dots, simulated, lie close to the lines.
     amplitudes: {
         let panel = Panel::over_axes(Axis::linear("$Wt/2\\pi$").range(0.0, 60.0), Axis::angle("amplitude / rad").range(0.0, 1.0).step(0.2));
         let lines = [(0.1, "$c^*/10$ and $10c^*$", 0.88, Side::Above), (1.0, "$c^*$", 0.38, Side::BelowLeft), (10.0, "", 0.8, Side::Above)];
@@ -187,9 +179,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (m, release, radius) = (Moments::new(p)?, p.release, p.radius / p.length);
     let [fixed, free] = both(p, &m)?;
     let end = 2.0 * PI * SWINGS / m.rate();
-    let angle = |which: &Pendulum, ink| {
-        Curve::sampled(times(0.0, end, 480), |t| Ok(which.at(t)?.theta), ink)
-    };
+    let all = || times(0.0, end, 480);
+    let angle = |which: &Pendulum, ink| Curve::sampled(all(), |t| Ok(which.at(t)?.theta), ink);
     let graph = Panel::over_axes("$t$ / s", Axis::angle(r"$\theta$ / rad"))
         .curve(angle(&free, Ink::Body)?)
         .curve(angle(&fixed, Ink::Ink)?.dashed());

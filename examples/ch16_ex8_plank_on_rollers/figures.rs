@@ -15,21 +15,15 @@ fn drawn(sketch: Sketch, p: &Parameters, turn: f64, [x, y, tilt]: [f64; 3]) -> S
         sketch.roller(axle, RADIUS * a, FRAC_PI_2 + side * turn, Ink::Frame)
     };
     let sketch = [-1.0, 1.0].into_iter().fold(sketch, roller);
-    sketch
-        .block(centre, (2.4 * a, thick), tilt, Ink::Body)
-        .dot(centre, Ink::Body, "", Side::Above)
+    sketch.block(centre, (2.4 * a, thick), tilt, Ink::Body).dot(centre, Ink::Body, "", Side::Above)
 }
 
 /// The set-up of the problem in one of the senses; the distance is 1.
 fn problem(sense: f64) -> Sketch {
     let turning = |sketch: Sketch, side: f64| {
-        let (low, high) = (-FRAC_PI_2 + 0.25 * side, -FRAC_PI_2 + 2.1 * side);
-        let ends = if sense > 0.0 {
-            (low, high)
-        } else {
-            (high, low)
-        };
-        sketch.turn((0.5 * side, -RADIUS), 0.21, ends, Ink::Velocity)
+        let ends = [0.25, 2.1].map(|turned| -FRAC_PI_2 + turned * side);
+        let [from, to] = if sense > 0.0 { ends } else { [ends[1], ends[0]] };
+        sketch.turn((0.5 * side, -RADIUS), 0.21, (from, to), Ink::Velocity)
     };
     let sketch = Sketch::within((-1.15, 1.5), (-0.68, 0.42));
     let sketch = drawn(sketch, &Parameters::default(), 0.0, [0.17, 0.0, 0.0]);
@@ -59,18 +53,17 @@ fn portrait(p: &Parameters, sense: f64, offset: f64, end: f64) -> Result<Vec<(f6
 }
 
 figures! { p: &Parameters;
-    /// A plank lies on two rollers at the distance a. The left one turns clockwise, the right
-    /// one counterclockwise, so that their tops move towards each other. The middle of the plank
-    /// is at the distance x to the right of the middle between the rollers.
+    /// A plank lies on two rollers at the distance a. The left one turns clockwise, the right one
+    /// counterclockwise, so that their tops move towards each other. The middle of the plank is at the distance
+    /// x to the right of the middle between the rollers.
     setup_in: problem(1.0);
 
     /// The same with the senses reversed: the tops move away from each other.
     setup_out: problem(-1.0);
 
-    /// Phase plane, tops together: circles about the middle up to that which touches the speed
-    /// of the rollers. A motion from farther out runs along an arc to the line of that speed,
-    /// along this line past the middle, and then round and round on a closed curve of two arcs
-    /// and two straight pieces.
+    /// Phase plane, tops together: circles about the middle up to that which touches the speed of the rollers.
+    /// A motion from farther out runs along an arc to the line of that speed, along this line past the middle,
+    /// and then round and round on a closed curve of two arcs and two straight pieces.
     together: {
         let (a, swing) = (p.distance, rate(p, 1.0));
         let (v, (amplitude, round)) = (p.runs() / (a * swing), cycle(p));
@@ -90,8 +83,8 @@ figures! { p: &Parameters;
             .dot(0.0, 0.0, Ink::Ink, "", Side::Above)
     };
 
-    /// Phase plane, tops apart: lines that run away from the middle to the line of the speed of
-    /// the rollers and follow it to the edge, where a ring marks the tipping.
+    /// Phase plane, tops apart: lines that run away from the middle to the line of the speed of the rollers and
+    /// follow it to the edge, where a ring marks the tipping.
     apart: {
         let (a, growth) = (p.distance, rate(p, -1.0));
         let v = p.runs() / (a * growth);
@@ -111,18 +104,18 @@ figures! { p: &Parameters;
         })?
     };
 
-    /// Tops apart: the plank at the start, faintly, where it has lost the left roller, its middle
-    /// above the right one, and tipped by a quarter of a radian, its right end down.
+    /// Tops apart: the plank at the start, faintly, where it has lost the left roller, its middle above the
+    /// right one, and tipped by a quarter of a radian, its right end down.
     tipping: {
         let ride = released(p, -1.0, 1e3 * span(p))?;
         let sketch = Sketch::within((-1.3 * p.distance, 1.9 * p.distance), (-0.45 * p.distance, 0.45 * p.distance));
-        let [start, edge, end] = [0.0, caught(p, -1.0).2.min(ride.end_time()), ride.end_time()].map(|t| ride.at(t));
+        let [start, edge, end] = [0.0, caught(p, -1.0)[2].min(ride.end_time()), ride.end_time()].map(|t| ride.at(t));
         let (start, edge, end) = (start?.q, edge?.q, end?.q);
         drawn(sketch.ghost(|sketch| drawn(drawn(sketch, p, 0.0, start), p, 0.0, edge)), p, 0.0, end)
     };
 
-    /// Velocity against time. As the rollers hold the plank, it has flat pieces with sharp ends;
-    /// by the smooth law it sinks below them, leaves late, and falls behind.
+    /// Velocity against time. As the rollers hold the plank, it has flat pieces with sharp ends; by the smooth
+    /// law it sinks below them, leaves late, and falls behind.
     smooth: {
         let (end, (_, round)) = (span(p), cycle(p));
         let (ride, ode) = (released(p, 1.0, end)?, smoothed(p, 0.1 * p.runs()));

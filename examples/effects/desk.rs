@@ -167,7 +167,5 @@ impl Effect for Turning {
 /// The room at 52 degrees north: X is east, Y north.
 pub fn on_the_earth() -> Turning {
     let (s, c) = sincos(52.0_f64.to_radians());
-    Turning {
-        rate: SpaceVector::new(0.0, EARTH * c, EARTH * s),
-    }
+    Turning { rate: SpaceVector::new(0.0, EARTH * c, EARTH * s) }
 }

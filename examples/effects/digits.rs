@@ -33,13 +33,7 @@ impl Case {
             None => solved(1e-11)?.state.attitude,
         };
         let runs = question.runs(&exact)?;
-        Ok(Self {
-            key,
-            name,
-            left_out,
-            runs,
-            closed,
-        })
+        Ok(Self { key, name, left_out, runs, closed })
     }
 
     /// Evaluations of the first run that comes so near (rad), with all after it.
@@ -175,10 +169,7 @@ fn year() -> Result<Case> {
 fn great_year() -> Result<Case> {
     let (scene, start) = earth()?;
     let end = 26_000.0 * YEAR;
-    let k: f64 = attractors()
-        .map(|(n, _)| 1.5 * n * n * (C - A) / (C * SPIN))
-        .iter()
-        .sum();
+    let k: f64 = attractors().map(|(n, _)| 1.5 * n * n * (C - A) / (C * SPIN)).iter().sum();
     let (s, c) = sincos(OBLIQUITY);
     // Time in units of the span.
     let law = ode(move |_, [x, y, z]: &[f64; 3]| [k * end * z * y, -k * end * z * x, 0.0])

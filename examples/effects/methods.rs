@@ -95,11 +95,7 @@ pub fn table(p: &Parameters) -> kit::Result<Table> {
     let weight = GravityAtLever::new(1.0, 0.4)?;
     // The same axle in oil, and the vertical pivot too.
     let oil = ViscousFriction::new(2e-5, 2e-6)?;
-    let slow = Spinner {
-        spin: 60.0,
-        bearing: 2e-2,
-        ..rotor
-    };
+    let slow = Spinner { spin: 60.0, bearing: 2e-2, ..rotor };
     let (dry, slowly) = slow.scene()?;
     let dry = dry.with(slow.dry()?);
     let creaks = InternalDissipation::new(0.02)?;

@@ -37,12 +37,7 @@ pub struct Question<E> {
 impl<E: Effect + Clone> Question<E> {
     /// The whole attitude of a scene from a start at t = 0 to an end.
     pub fn new(scene: Scene<E>, start: State, end: f64) -> Self {
-        Self {
-            scene,
-            start,
-            end,
-            of_axis: false,
-        }
+        Self { scene, start, end, of_axis: false }
     }
 
     /// Only where the axis e3 points, not how far the body has spun about it.

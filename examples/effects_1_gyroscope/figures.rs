@@ -203,10 +203,7 @@ impl Gyroscope {
     /// precess the faster. Friction of the axle is left out.
     pub fn sunk(&self, t: f64) -> Option<f64> {
         let (axial, i3) = (self.start.axial_momentum, self.gimbals.rotor().i3());
-        let drag = self
-            .bearings
-            .air
-            .map_or(0.0, |air| -air.axial_torque(axial / i3));
+        let drag = self.bearings.air.map_or(0.0, |air| -air.axial_torque(axial / i3));
         let (bottom, pivot) = (self.bottom().ok()?, self.bearings.azimuth);
         let (rate, half) = (self.gimbals.weight_moment() / axial, 2.0 * axial / drag);
         let grown = |k: f64| pow(1.0 + t / half, k) - 1.0;
@@ -253,25 +250,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let axis = direction(at.theta, at.phi);
         let scene = on_stand(at.theta, at.phi, 0.02 * at.zeta)
             .arrow(axis, axis * 1.3, Ink::Momentum, "$L$", Side::Above)
-            .arrow(
-                axis * HUB,
-                axis * HUB - UP * 0.5,
-                Ink::Force,
-                "$mg$",
-                Side::Left,
-            );
-        let drawn: Vec<SpaceVector> = trail
-            .iter()
-            .take_while(|(when, _)| *when <= t)
-            .map(|(_, e)| *e)
-            .collect();
-        Ok((
-            alt,
-            if drawn.len() > 1 {
-                scene.line(drawn, Ink::Body)
-            } else {
-                scene
-            },
-        ))
+            .arrow(axis * HUB, axis * HUB - UP * 0.5, Ink::Force, "$mg$", Side::Left);
+        let drawn: Vec<SpaceVector> =
+            trail.iter().take_while(|(when, _)| *when <= t).map(|(_, e)| *e).collect();
+        Ok((alt, if drawn.len() > 1 { scene.line(drawn, Ink::Body) } else { scene }))
     })
 }

@@ -38,10 +38,7 @@ struct Line {
 fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
     let (g, s) = (&y.gimbals, sin(p.theta));
     let axial = y.start.axial_momentum;
-    let (nod, bare) = (
-        NutationCycle::of(g, &y.start)?,
-        measured::nod_without_gimbals(y)?,
-    );
+    let (nod, bare) = (NutationCycle::of(g, &y.start)?, measured::nod_without_gimbals(y)?);
     let sizes = |n: &NutationCycle| n.theta_max - n.theta_min;
     // P = I1 (1 + a), N = I1 sin^2 (1 + b).
     let a = p.ring / I1;
@@ -50,19 +47,13 @@ fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
     let turn = TAU / steady.precession;
     let only = |bearings: Bearings| -> Result<[f64; 2]> {
         let theory = Decay::of(g, &bearings, y.bottom()?, axial)?;
-        Ok([
-            theory.sag * turn,
-            measured::sinking(y, bearings, p.tolerance)? * turn,
-        ])
+        Ok([theory.sag * turn, measured::sinking(y, bearings, p.tolerance)? * turn])
     };
     let b0 = Bearings::SMOOTH;
     let [pivot, pivot_seen] = only(b0.but(|b0| b0.azimuth = y.bearings.azimuth))?;
     let [axle, axle_seen] = only(b0.but(|b0| b0.axle = y.bearings.axle))?;
     let [air, air_seen] = only(b0.but(|b0| b0.air = y.bearings.air))?;
-    let drag = y
-        .bearings
-        .air
-        .map_or(0.0, |air| -air.axial_torque(axial / I3));
+    let drag = y.bearings.air.map_or(0.0, |air| -air.axial_torque(axial / I3));
     Ok(vec![
         Line {
             what: "gimbals: the nod is longer",
@@ -98,11 +89,7 @@ fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
         },
         Line {
             // The axis goes towards the vertical on its side, up or down.
-            what: if axle > 0.0 {
-                "axle bearings: it sinks"
-            } else {
-                "axle bearings: it rises"
-            },
+            what: if axle > 0.0 { "axle bearings: it sinks" } else { "axle bearings: it rises" },
             number: "2 pi tau/(m g l tan(theta))",
             value: TAU * p.axle_dry / y.pull() * cos(p.theta),
             predicted: axle,
@@ -123,14 +110,7 @@ fn lines(p: &Parameters, y: &Gyroscope) -> Result<Vec<Line>> {
 /// The table of predictions, and the card of effects.
 pub fn ledger(p: &Parameters, report: &mut Report) -> Result<()> {
     let y = Gyroscope::new(p)?;
-    let columns = [
-        "effect",
-        "number",
-        "value",
-        "predicted",
-        "measured",
-        "of what",
-    ];
+    let columns = ["effect", "number", "value", "predicted", "measured", "of what"];
     let mut table = Table::new("ledger", columns)?;
     let lines = lines(p, &y)?;
     for line in &lines {
@@ -164,9 +144,7 @@ fn card(p: &Parameters, y: &Gyroscope, lines: &[Line], report: &mut Report) -> R
     let swells = 0.7 * 7.3 / 12.0 * stretch;
     let bends = pow(f.frequency / (TAU * 300.0), 2.0);
     let play = 1e-5;
-    let [_, dip, _, pivot, axle, _] = lines else {
-        unreachable!("the ledger has six lines")
-    };
+    let [_, dip, _, pivot, axle, _] = lines else { unreachable!("the ledger has six lines") };
     let seen = |line: &Line| Some(line.measured).filter(|measured| measured.is_finite());
     effect_card! { report,
         "inertia of ring and fork": "N/(I1 sin(theta)^2) - 1" = b, costs b, "of the dip", measured seen(dip), within 1e-12, included;

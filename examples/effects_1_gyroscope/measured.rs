@@ -21,21 +21,13 @@ pub fn nod(y: &Gyroscope, step: f64) -> Result<Back> {
         Ok::<_, Error>(method.zero(&y.gimbals, start, count, until, |y| y[1])?.0)
     };
     let ([low, back], Pose { .. }) = ([turned(1)?, turned(2)?], y.start);
-    Ok(Back {
-        t: back.t,
-        phi: back.state[2],
-        lowest: low.state[0],
-    })
+    Ok(Back { t: back.t, phi: back.state[2], lowest: low.state[0] })
 }
 
 /// The period without gimbals, by elliptic functions.
 pub fn bare(y: &Gyroscope) -> Result<f64> {
     let (rotor, theta) = (*y.gimbals.rotor(), y.start.theta);
-    let angles = EulerAngles {
-        phi: 0.0,
-        theta,
-        zeta: 0.0,
-    };
+    let angles = EulerAngles { phi: 0.0, theta, zeta: 0.0 };
     let omega = BodyVector::new(0.0, 0.0, y.start.axial_momentum / rotor.i3());
     Ok(HeavyTop::from_body(rotor, angles, omega)?.nutation_period())
 }
@@ -49,8 +41,7 @@ pub fn nod_without_gimbals(y: &Gyroscope) -> rotation_dynamics::Result<NutationC
 pub fn steady(y: &Gyroscope) -> rotation_dynamics::Result<Pose> {
     let (theta, axial) = (y.bottom()?, y.start.axial_momentum);
     let phi_rate = y.gimbals.steady_rate(theta, axial, 0.0)?;
-    Ok(y.start
-        .but(|start| (start.theta, start.phi_rate) = (theta, phi_rate)))
+    Ok(y.start.but(|start| (start.theta, start.phi_rate) = (theta, phi_rate)))
 }
 
 /// The rate of the azimuth there, from a turn.
@@ -73,10 +64,7 @@ pub fn damped(y: &Gyroscope, step: f64) -> Result<(f64, f64)> {
     let at = steady(y)?;
     let rate = y.gimbals.nodding(at.theta, at.axial_momentum, at.phi_rate);
     let tilt = Bearing::new(0.1 * y.gimbals.tilting() * rate, 0.0)?;
-    let smooth = y.with(Bearings {
-        tilt,
-        ..Bearings::SMOOTH
-    });
+    let smooth = y.with(Bearings { tilt, ..Bearings::SMOOTH });
     let course = smooth.run(None, 500.0 / rate, step)?;
     let end = course.end_time();
     Ok((course.at(end)?.theta, course.heat(end)?[0]))
@@ -90,11 +78,7 @@ pub fn decay(y: &Gyroscope, step: f64) -> Result<f64> {
     let (tilt, azimuth) = (viscous(&y.bearings.tilt)?, viscous(&y.bearings.azimuth)?);
     let at = steady(y)?;
     let rate = y.gimbals.nodding(at.theta, at.axial_momentum, at.phi_rate);
-    let slow = y.with(Bearings {
-        tilt,
-        azimuth,
-        ..Bearings::SMOOTH
-    });
+    let slow = y.with(Bearings { tilt, azimuth, ..Bearings::SMOOTH });
     let start = at.but(|at| at.theta_rate = 1e-3 * rate);
     let course = Gyroscope { start, ..slow }.run(None, 25.0 * PI / rate, step)?;
     let turns = course.turning_points();
@@ -113,10 +97,7 @@ pub fn half_nods(y: &Gyroscope, step: f64) -> Result<Option<f64>> {
         return Ok(None);
     }
     let tilt = Bearing::new(0.0, y.bearings.tilt.dry())?;
-    let dry = y.with(Bearings {
-        tilt,
-        ..Bearings::SMOOTH
-    });
+    let dry = y.with(Bearings { tilt, ..Bearings::SMOOTH });
     let course = dry.run(None, (halves + 6.0 + 0.2 * halves) * PI / f.frequency, step)?;
     let stops = course.changes().iter().filter(|c| c.name == "tilt stops");
     Ok(Some(stops.count() as f64))
@@ -124,22 +105,14 @@ pub fn half_nods(y: &Gyroscope, step: f64) -> Result<Option<f64>> {
 
 /// The rate at which the axis sinks in the first turn, without friction of the tilt.
 pub fn sag(y: &Gyroscope, step: f64) -> Result<f64> {
-    sinking(
-        y,
-        y.bearings.but(|bearings| bearings.tilt = Bearing::SMOOTH),
-        step,
-    )
+    sinking(y, y.bearings.but(|bearings| bearings.tilt = Bearing::SMOOTH), step)
 }
 
 /// The same with these bearings: over whole nods, a quarter of a turn.
 pub fn sinking(y: &Gyroscope, bearings: Bearings, step: f64) -> Result<f64> {
     let (at, f) = (steady(y)?, y.fading()?);
     let time = TAU / f.frequency * (0.25 * f.frequency / f.precession).ceil();
-    let course = Gyroscope {
-        start: at,
-        ..y.with(bearings)
-    }
-    .run(None, time, step)?;
+    let course = Gyroscope { start: at, ..y.with(bearings) }.run(None, time, step)?;
     Ok((course.at(time)?.theta - at.theta) / time)
 }
 
@@ -169,17 +142,11 @@ pub fn to_the_stop(y: &Gyroscope, p: &Parameters) -> Result<Option<End>> {
     let start = [from, 0.0, y.start.axial_momentum];
     let down = |y: &[f64; 3]| y[0] - p.stop;
     let slow = Dop853::new(p.tolerance)?.zero(&slow, start, 1, LONGEST, down);
-    let last = Gyroscope {
-        start: course.at(t)?,
-        ..*y
-    };
+    let last = Gyroscope { start: course.at(t)?, ..*y };
     Ok(match slow {
-        Ok((end, _)) if last.slowness() < 2.0 => Some(End {
-            t,
-            spin,
-            slow: end.t,
-            spin_slow: end.state[2] / i3,
-        }),
+        Ok((end, _)) if last.slowness() < 2.0 => {
+            Some(End { t, spin, slow: end.t, spin_slow: end.state[2] / i3 })
+        }
         _ => None,
     })
 }

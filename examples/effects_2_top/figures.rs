@@ -162,23 +162,19 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let life = p.life(p.tolerance)?;
     let columns =
         "t [s], tilt [rad], spin [rad/s], precession [rad/s], slip [m/s], x [m], y [m], N [N]";
-    Trajectory::sampled(
-        columns.split(", "),
-        times(0.0, life.end_time(), 2000),
-        |t| {
-            let (at, Forces { normal, .. }) = life.forces(t)?;
-            Ok([
-                t,
-                at.tilt(),
-                at.spin(),
-                at.precession(),
-                at.slip.norm(),
-                at.centre.x(),
-                at.centre.y(),
-                normal,
-            ])
-        },
-    )
+    Trajectory::sampled(columns.split(", "), times(0.0, life.end_time(), 2000), |t| {
+        let (at, Forces { normal, .. }) = life.forces(t)?;
+        Ok([
+            t,
+            at.tilt(),
+            at.spin(),
+            at.precession(),
+            at.slip.norm(),
+            at.centre.x(),
+            at.centre.y(),
+            normal,
+        ])
+    })
 }
 
 /// Film time at the acts' ends: the slide, the creep, the sleep, the waking, the end.
@@ -189,36 +185,19 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let life = p.life(p.tolerance)?;
     let (p, end) = (p.clone(), life.end_time());
     let wakes = life.event("wakes")?.t;
-    let knots = [
-        0.0,
-        1.2,
-        life.event("sleeps")?.t,
-        wakes - 4.0,
-        wakes + 3.0,
-        end,
-    ];
+    let knots = [0.0, 1.2, life.event("sleeps")?.t, wakes - 4.0, wakes + 3.0, end];
     let pace = move |u: f64| {
         let i = (1..5).find(|&i| u <= ACTS[i]).unwrap_or(5);
         let part = (u - ACTS[i - 1]) / (ACTS[i] - ACTS[i - 1]);
         (knots[i - 1] + part * (knots[i] - knots[i - 1])).min(end)
     };
-    let ticks = ACTS.into_iter().zip(knots).map(|(u, t)| {
-        (
-            u,
-            if t < 10.0 {
-                format!("{t:.1}")
-            } else {
-                format!("{t:.0}")
-            },
-        )
-    });
-    let line = sampled(times(0.0, ACTS[5], 900), |u| {
-        Ok((u, life.configuration(pace(u))?.tilt()))
-    })?;
+    let ticks = ACTS
+        .into_iter()
+        .zip(knots)
+        .map(|(u, t)| (u, if t < 10.0 { format!("{t:.1}") } else { format!("{t:.0}") }));
+    let line = sampled(times(0.0, ACTS[5], 900), |u| Ok((u, life.configuration(pace(u))?.tilt())))?;
     let graph = Panel::over_axes(
-        Axis::linear("$t$ / s, each part at its own pace")
-            .range(0.0, ACTS[5])
-            .ticks(ticks),
+        Axis::linear("$t$ / s, each part at its own pace").range(0.0, ACTS[5]).ticks(ticks),
         Axis::linear("tilt / rad"),
     )
     .curve(Curve::new(line, Ink::Body));

@@ -107,10 +107,7 @@ impl Excited {
     /// Where the pole goes in a time from `from`, the axis of the figure pushed to `to`: it
     /// winds about that, and comes nearer.
     fn pushed(&self, from: Plane, to: Plane, time: f64) -> Plane {
-        sum(
-            to,
-            times_complex(turned(self.rate, time), difference(from, to)),
-        )
+        sum(to, times_complex(turned(self.rate, time), difference(from, to)))
     }
 
     /// The pole of rotation after so many days.
@@ -122,11 +119,7 @@ impl Excited {
     /// The same without its yearly part.
     pub fn wobbling(&self, t: f64) -> Plane {
         let month = ((t / MONTH) as usize).min(MONTHS - 1);
-        self.pushed(
-            self.nodes[month],
-            self.pushes[month],
-            t - MONTH * month as f64,
-        )
+        self.pushed(self.nodes[month], self.pushes[month], t - MONTH * month as f64)
     }
     // ANCHOR_END: excited
 
@@ -138,10 +131,7 @@ impl Excited {
     /// Without pushes and without loss: the free wobble and the year.
     pub fn beating(&self, t: f64) -> Plane {
         let ((s, c), (u, v)) = (sincos(self.rate[0] * t), sincos(TAU * t / YEAR));
-        [
-            self.wobble * c + self.annual * v,
-            self.wobble * s + self.annual * u,
-        ]
+        [self.wobble * c + self.annual * v, self.wobble * s + self.annual * u]
     }
 
     /// The equation m' = i sigma (m - e), pushed to a place e that the year and the months

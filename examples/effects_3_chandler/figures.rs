@@ -46,9 +46,7 @@ fn over_years(end: f64, count: u32, size: impl Fn(f64) -> f64, ink: Ink) -> Curv
 
 fn sampled_steps(p: &Parameters) -> Result<Vec<f64>> {
     let steps = LEDGER.into_iter();
-    steps
-        .map(|step| Ok(step.period(p)? * p.day / DAY))
-        .collect()
+    steps.map(|step| Ok(step.period(p)? * p.day / DAY)).collect()
 }
 
 /// The steps of the ledger, one below the other, each from the period before to its own.
@@ -58,17 +56,11 @@ fn stairs(p: &Parameters) -> Result<Panel> {
     let high = periods.iter().copied().fold(p.observed, f64::max);
     let axes = Panel::over_axes(
         Axis::linear("period / d").range(low - 0.15 * (high - low), high + 0.2 * (high - low)),
-        Axis::linear("")
-            .range(0.4, 5.6)
-            .ticks(Vec::<(f64, &str)>::new()),
+        Axis::linear("").range(0.4, 5.6).ticks(Vec::<(f64, &str)>::new()),
     );
     let mut panel = axes.upright(p.observed, Ink::Frame, "observed");
     let mut before: Option<f64> = None;
-    for ((step, period), row) in LEDGER
-        .into_iter()
-        .zip(periods)
-        .zip([5.0, 4.0, 3.0, 2.0, 1.0])
-    {
+    for ((step, period), row) in LEDGER.into_iter().zip(periods).zip([5.0, 4.0, 3.0, 2.0, 1.0]) {
         let simulated = step.simulated(p, 1e-9)? * p.day / DAY;
         if let Some(from) = before {
             let stair = [(from, row + 1.0), (from, row), (period, row)];
@@ -147,11 +139,7 @@ figures! { p: &Parameters, excited = Excited::new(p)?;
 /// The pole of rotation on the ground, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let excited = Excited::new(p)?;
-    let columns = [
-        "t [d]",
-        "towards Greenwich [arcsec]",
-        "towards 90 E [arcsec]",
-    ];
+    let columns = ["t [d]", "towards Greenwich [arcsec]", "towards 90 E [arcsec]"];
     Trajectory::sampled(columns, times(0.0, 13.0 * YEAR, 950), |t| {
         let [x, y] = excited.at(t);
         Ok([t, x, y])
@@ -166,11 +154,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         hypot(x, y)
     };
     let top = times(0.0, 13.0, 400).map(distance).fold(0.0, f64::max);
-    let graph = Panel::over_axes(
-        "years",
-        Axis::linear("distance / arcsec").range(0.0, 1.05 * top),
-    )
-    .curve(Curve::of(times(0.0, 13.0, 400), distance, Ink::Velocity));
+    let graph = Panel::over_axes("years", Axis::linear("distance / arcsec").range(0.0, 1.05 * top))
+        .curve(Curve::of(times(0.0, 13.0, 400), distance, Ink::Velocity));
     MovingPicture::above(graph, 0.0..=13.0, [1.6, 3.2, 6.4], move |t| {
         let path = |from: f64| {
             let count = 2 + (60.0 * (t - from)) as u32;

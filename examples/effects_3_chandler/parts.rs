@@ -48,10 +48,7 @@ impl CoreAndMantle {
         let of_core = follows(both, core, turned);
         let whole = times(self.whole, omega) + times(self.link, chi);
         let fluid = times(self.link, omega) + times(self.core, chi);
-        [
-            whole + follows(own, both, omega) + follows(both, core, chi),
-            fluid + of_core,
-        ]
+        [whole + follows(own, both, omega) + follows(both, core, chi), fluid + of_core]
     }
 
     /// How they change: L' = L x omega, as for any free body, and N' = chi x N, since the
@@ -90,11 +87,7 @@ impl CoreAndMantle {
         let (across, along) = (p.core * p.a, p.core * p.a * (1.0 + p.cavity));
         allowed! { "moment of the core": along, from_to(0.0, p.a), "the core is a part of the Earth"; }?;
         let link = (along * (2.0 * across - along)).sqrt();
-        let elastic = if step.elastic {
-            p.love / p.fluid * (p.c - p.a)
-        } else {
-            0.0
-        };
+        let elastic = if step.elastic { p.love / p.fluid * (p.c - p.a) } else { 0.0 };
         let own = step.following(p)? * (p.c - p.a);
         // A core of another size bears on the mantle, and yields, in proportion to it.
         let [of_whole, by_core, of_core] = YIELDING;
@@ -134,11 +127,7 @@ impl CoreAndMantle {
         let a = self.whole[0] + own;
         let link = self.link[0] + both;
         let f = self.core[0] + core;
-        [
-            (a - c) * c_f,
-            (a - c) * f + a * c_f - link * link,
-            a * f - link * link,
-        ]
+        [(a - c) * c_f, (a - c) * f + a * c_f - link * link, a * f - link * link]
     }
 
     /// The rates of small wobbles over that of the day: the slow one, and the nearly daily
@@ -214,11 +203,8 @@ impl CoreAndMantle {
             along * along - w.dot(&w) * v.dot(&v) / 3.0
         };
         let [pp, pq, qq] = {
-            let [ww, wv, vv] = [
-                product(omega, omega),
-                product(omega, turned),
-                product(turned, turned),
-            ];
+            let [ww, wv, vv] =
+                [product(omega, omega), product(omega, turned), product(turned, turned)];
             [ww, wv - ww, vv - 2.0 * wv + ww]
         };
         let strain = 0.25 * own * pp + 0.5 * both * pq + 0.25 * core * qq;

@@ -17,10 +17,7 @@ fn ellipse((x, y): (f64, f64), [long, short]: [f64; 2], angle: f64) -> Vec<(f64,
     let (s, c) = sincos(angle);
     let point = |a: f64| {
         let (v, u) = sincos(a);
-        (
-            x + long * u * c - short * v * s,
-            y + long * u * s + short * v * c,
-        )
+        (x + long * u * c - short * v * s, y + long * u * s + short * v * c)
     };
     times(0.0, TAU, 90).map(point).collect()
 }
@@ -42,10 +39,7 @@ fn wobbled(p: &Parameters, end: f64) -> Result<Vec<(f64, f64)>> {
         let s = SpaceVector::new(x, y, z);
         let off = motion.try_state(t)?.attitude.axis() - s;
         let east = s.cross(&UP) / s.cross(&UP).norm();
-        Ok((
-            1e3 * off.dot(&east) / ARCSEC,
-            1e3 * off.dot(&east.cross(&s)) / ARCSEC,
-        ))
+        Ok((1e3 * off.dot(&east) / ARCSEC, 1e3 * off.dot(&east.cross(&s)) / ARCSEC))
     })
 }
 
@@ -169,9 +163,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let o = SpaceVector::zero();
     let s = SpaceVector::from_array(mean);
     let (largest, rim) = (0.5 * sin(2.0 * p.obliquity), 0.42);
-    let profile: Vec<(f64, f64)> = times(-0.5 * PI, 0.5 * PI, 16)
-        .map(|a| (0.72 * rim * sin(a), rim * cos(a)))
-        .collect();
+    let profile: Vec<(f64, f64)> =
+        times(-0.5 * PI, 0.5 * PI, 16).map(|a| (0.72 * rim * sin(a), rim * cos(a))).collect();
     let front = SpaceVector::new(cos(0.35), -sin(0.35), 0.0);
     let stills = [79.0, 172.0, 265.0];
     MovingPicture::above(graph, 0.0..=days, stills, move |d| {
@@ -191,16 +184,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .solid(Solid::turned(o, s, &profile), Ink::Body)
             .dashed([o, UP * 0.95], Ink::Frame)
             .dashed([o, n], Ink::Energy)
-            .dot(
-                n,
-                Ink::Energy,
-                "Sun",
-                if n.dot(&front) > 0.0 {
-                    Side::Below
-                } else {
-                    Side::Above
-                },
-            )
+            .dot(n, Ink::Energy, "Sun", if n.dot(&front) > 0.0 { Side::Below } else { Side::Above })
             .arrow(o, s, Ink::Momentum, "$L$", Side::Right);
         if size > 0.02 {
             scene = scene.arrow(s, s + torque * 0.5, Ink::Force, "torque", Side::Above);

@@ -128,31 +128,13 @@ pub fn levels(p: &Parameters) -> Result<[Level; 4]> {
     let (days, round) = (p.days * DAY, nutation::node_round(p));
     let orbits = run(p, in_orbit(p)?, 3, round)?;
     let rings = run(p, as_rings(p)?, 1, round)?;
-    let off_rings = farthest(
-        round,
-        |t| Ok(angles(orbits.at(t)?)),
-        |t| Ok(angles(rings.at(t)?)),
-    )?;
+    let off_rings = farthest(round, |t| Ok(angles(orbits.at(t)?)), |t| Ok(angles(rings.at(t)?)))?;
     let (whole, one) = (run(p, as_rings(p)?, 1, WHOLE * YEAR)?, one_ring(p)?);
-    let off_one = farthest(
-        WHOLE * YEAR,
-        |t| Ok(angles(whole.at(t)?)),
-        |t| Ok(angles(one.at(t)?)),
-    )?;
+    let off_one = farthest(WHOLE * YEAR, |t| Ok(angles(whole.at(t)?)), |t| Ok(angles(one.at(t)?)))?;
     Ok([
         level("full body", days, turning, None),
-        level(
-            "axis alone",
-            round,
-            orbits.work(),
-            Some([figure, p.days / 365.25]),
-        ),
-        level(
-            "rings",
-            WHOLE * YEAR,
-            whole.work(),
-            Some([off_rings, round / YEAR]),
-        ),
+        level("axis alone", round, orbits.work(), Some([figure, p.days / 365.25])),
+        level("rings", WHOLE * YEAR, whole.work(), Some([off_rings, round / YEAR])),
         level("one ring", WHOLE * YEAR, one.work(), Some([off_one, WHOLE])),
     ])
 }
@@ -169,34 +151,16 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([figure, momentum], _) = spin_left_out(p)?;
     let expected = spin_in_closed_form(p)?;
     let levels = levels(p)?;
-    let left = [
-        "nothing",
-        "daily turn, wobble",
-        "months and years",
-        "18.6 years of the node",
-    ];
-    let columns = [
-        "level",
-        "without",
-        "step",
-        "torques in 26000 a",
-        "off the level above",
-        "over",
-    ];
+    let left = ["nothing", "daily turn, wobble", "months and years", "18.6 years of the node"];
+    let columns = ["level", "without", "step", "torques in 26000 a", "off the level above", "over"];
     let mut table = Table::new("levels", columns)?;
     for (level, left) in levels.iter().zip(left) {
         let [off, over] = match level.off {
             None => ["-".into(), "-".into()],
             Some([off, over]) => [format!("{} arcsec", short(off, 2)), told(over * YEAR)],
         };
-        let row = [
-            level.name.into(),
-            left.into(),
-            told(level.step),
-            short(level.torques, 2),
-            off,
-            over,
-        ];
+        let row =
+            [level.name.into(), left.into(), told(level.step), short(level.torques, 2), off, over];
         table.push(row)?;
     }
     let node = nutation::first_order(p)?[0];
@@ -227,16 +191,9 @@ pub fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     // A c psi'^2 - C w psi' + 3 g (C - A) c = 0, the slow one of its roots.
     let torque = 3.0 * g * p.ellipticity * c;
     let rate = 2.0 * torque / (l + (l * l - 4.0 * a * c * torque).sqrt());
-    let rates = EulerRates {
-        phi: rate,
-        theta: 0.0,
-        zeta: l - rate * c,
-    };
-    let angles = move |t: f64| EulerAngles {
-        phi: PI + rates.phi * t,
-        theta: tilt,
-        zeta: rates.zeta * t,
-    };
+    let rates = EulerRates { phi: rate, theta: 0.0, zeta: l - rate * c };
+    let angles =
+        move |t: f64| EulerAngles { phi: PI + rates.phi * t, theta: tilt, zeta: rates.zeta * t };
     let motion = move |t| Attitude::from_euler(angles(t)).expect("the angles are finite");
     let (body, _) = earth(p, pole([0.0, tilt]))?;
     let state = |t: f64| body.state(motion(t), angles(t).angular_velocity(rates));

@@ -5,15 +5,9 @@ use super::*;
 
 /// Rates of the mean longitudes of Sun and Moon against the stars, rad/s, and at the epoch.
 fn longitudes() -> [[f64; 2]; 2] {
-    let sun = [
-        TAU / (ANOMALISTIC_YEAR * DAY),
-        (282.937_f64 + 357.529).to_radians(),
-    ];
+    let sun = [TAU / (ANOMALISTIC_YEAR * DAY), (282.937_f64 + 357.529).to_radians()];
     let month = TAU / (ANOMALISTIC_MONTH * DAY) + TAU / (APSIDES * DAY);
-    [
-        sun,
-        [month, (125.044_52_f64 + 318.308_7 + 134.9634).to_radians()],
-    ]
+    [sun, [month, (125.044_52_f64 + 318.308_7 + 134.9634).to_radians()]]
 }
 
 /// Time of the node from one meeting with the equinox to the next, s: both go backward.
@@ -25,11 +19,7 @@ pub fn node_round(p: &Parameters) -> f64 {
 /// longitude of the Sun, twice that of the Moon.
 fn arguments(p: &Parameters, t: f64) -> [f64; 3] {
     let [sun, moon] = longitudes().map(|[n, at]| 2.0 * (at + (n - rate(p)) * t));
-    [
-        125.044_52_f64.to_radians() - TAU * t / node_round(p),
-        sun,
-        moon,
-    ]
+    [125.044_52_f64.to_radians() - TAU * t / node_round(p), sun, moon]
 }
 
 // ANCHOR: first_order
@@ -159,11 +149,8 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let names = ["the Moon’s node", "half a year", "half a month"];
     for (k, (name, (later, now))) in names.into_iter().zip(periods).enumerate() {
         let years = TAU / (later - now).abs();
-        let period = if k == 0 {
-            format!("{years:.2} a")
-        } else {
-            format!("{:.2} d", years * 365.25)
-        };
+        let period =
+            if k == 0 { format!("{years:.2} a") } else { format!("{:.2} d", years * 365.25) };
         for (which, i) in [("in longitude", 0), ("in the tilt", 1)] {
             let [rigid, real] = KNOWN[k].map(|row| row[i]);
             table.push([

@@ -10,13 +10,7 @@ pub struct Star {
 }
 
 const fn star(name: &'static str, [h, m, s]: [f64; 3], [d, am, asec]: [f64; 3]) -> Star {
-    Star {
-        name,
-        at: [
-            15.0 * (h + m / 60.0 + s / 3600.0),
-            d + am / 60.0 + asec / 3600.0,
-        ],
-    }
+    Star { name, at: [15.0 * (h + m / 60.0 + s / 3600.0), d + am / 60.0 + asec / 3600.0] }
 }
 
 /// The stars of the map, among them those that the pole passes.
@@ -59,11 +53,7 @@ pub fn closest(p: &Parameters, star: &Star, about: f64) -> [f64; 2] {
 pub fn simulated(p: &Parameters, star: &Star, about: f64) -> Result<[f64; 2]> {
     let at = star.direction();
     let [when, _] = closest(p, star, about);
-    let span = if when < 0.0 {
-        when - 100.0
-    } else {
-        when + 100.0
-    } * YEAR;
+    let span = if when < 0.0 { when - 100.0 } else { when + 100.0 } * YEAR;
     let path = run(p, as_one(p)?, 0, span)?;
     // The first maximum of the cosine, halved down: coarsely over the last two centuries.
     let near =
@@ -73,11 +63,7 @@ pub fn simulated(p: &Parameters, star: &Star, about: f64) -> Result<[f64; 2]> {
     for _ in 0..60 {
         let [low, high] = around;
         let [a, b] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
-        around = if near(a)? < near(b)? {
-            [a, high]
-        } else {
-            [low, b]
-        };
+        around = if near(a)? < near(b)? { [a, high] } else { [low, b] };
     }
     let pole = SpaceVector::from_array(path.at(around[0])?);
     Ok([around[0] / YEAR, (apart(pole, at) * ARCSEC).to_degrees()])

@@ -16,11 +16,7 @@ fn on_sphere([one, two, three]: [f64; 3]) -> SpaceVector {
 fn sphere() -> View {
     let (eye, up) = (
         SpaceVector::new(-sin(EYE.0), cos(EYE.0), 0.0),
-        SpaceVector::new(
-            -sin(EYE.1) * cos(EYE.0),
-            -sin(EYE.1) * sin(EYE.0),
-            cos(EYE.1),
-        ),
+        SpaceVector::new(-sin(EYE.1) * cos(EYE.0), -sin(EYE.1) * sin(EYE.0), cos(EYE.1)),
     );
     let outline = times(0.0, TAU, 90).map(|turn| eye * cos(turn) + up * sin(turn));
     let axes = [
@@ -52,9 +48,7 @@ fn separatrices(body: &Lossy, view: View) -> View {
 
 /// A path on the sphere, in so many pieces.
 fn path(run: &Solution<3>, pieces: u32) -> Result<Vec<SpaceVector>> {
-    sampled(times(0.0, run.end_time(), pieces), |t| {
-        Ok(on_sphere(unit(run.at(t)?)))
-    })
+    sampled(times(0.0, run.end_time(), pieces), |t| Ok(on_sphere(unit(run.at(t)?))))
 }
 
 /// The body of the page from its start, for so long.
@@ -228,10 +222,7 @@ figures! { p: &Parameters, body = lossy(p)?,
 
 /// Methods and settings of the last figure: steps, or errors of a step.
 const PRICED: [(Option<Scheme>, &[f64]); 3] = [
-    (
-        Some(Scheme::STRANG),
-        &[20.0, 40.0, 80.0, 160.0, 320.0, 640.0],
-    ),
+    (Some(Scheme::STRANG), &[20.0, 40.0, 80.0, 160.0, 320.0, 640.0]),
     (Some(Scheme::ABA1064), &[5.0, 8.0, 12.0, 20.0, 32.0, 48.0]),
     (None, &[1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13]),
 ];
@@ -241,9 +232,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let body = lossy(p)?;
     let run = falling(p, &body, BEYOND * body.fall(p.aside, 1e-12)?.end_time())?;
     let columns = ["t [I2/L]", "n1 [-]", "n2 [-]", "n3 [-]", "2 E I2/L^2 [-]"];
-    Trajectory::of(&run, columns, 1200, |t, n| {
-        [t, n[0], n[1], n[2], 1.0 + body.above(&n)]
-    })
+    Trajectory::of(&run, columns, 1200, |t, n| [t, n[0], n[1], n[2], 1.0 + body.above(&n)])
 }
 
 /// The satellite of the picture: its outline, with whips.
@@ -252,15 +241,9 @@ fn satellite(view: View, attitude: &Attitude, roll: f64) -> View {
     let (s, c) = sincos(roll);
     let whip = |turn: f64| {
         let (x, y) = (cos(turn + roll), sin(turn + roll));
-        [
-            place(0.09 * x, 0.09 * y, -0.1),
-            place(0.42 * x, 0.42 * y, -0.16),
-        ]
+        [place(0.09 * x, 0.09 * y, -0.1), place(0.42 * x, 0.42 * y, -0.16)]
     };
-    let seam = [
-        place(0.092 * c, 0.092 * s, -0.85),
-        place(0.092 * c, 0.092 * s, 0.7),
-    ];
+    let seam = [place(0.092 * c, 0.092 * s, -0.85), place(0.092 * c, 0.092 * s, 0.7)];
     let view = view
         .solid(
             Solid::cylinder(place(0.0, 0.0, -0.85), place(0.0, 0.0, 0.7), 0.09).with(Solid::cone(
@@ -271,9 +254,7 @@ fn satellite(view: View, attitude: &Attitude, roll: f64) -> View {
             Ink::Body,
         )
         .line(seam, Ink::Paper);
-    (0..4).fold(view, |view, k| {
-        view.line(whip(0.5 * PI * f64::from(k)), Ink::Ink)
-    })
+    (0..4).fold(view, |view, k| view.line(whip(0.5 * PI * f64::from(k)), Ink::Ink))
 }
 
 /// In the picture the axis precesses so often while the angle opens.
@@ -290,16 +271,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         log(tan(p.nutation)).max(0.0) + 4.0
     };
     // In units of tau, with a precession that the eye can follow.
-    let unit_time = Opening {
-        rate: sat.rate.signum(),
-        ..sat
-    };
+    let unit_time = Opening { rate: sat.rate.signum(), ..sat };
     let line = Curve::of(times(0.0, end, 200), move |x| unit_time.angle(x), Ink::Body);
-    let graph = Panel::over_axes(
-        r"$t/\tau$",
-        Axis::linear(r"$\theta$ / rad").range(0.0, 1.6).step(0.8),
-    )
-    .curve(line);
+    let graph =
+        Panel::over_axes(r"$t/\tau$", Axis::linear(r"$\theta$ / rad").range(0.0, 1.6).step(0.8))
+            .curve(line);
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.62 * end, end], move |x| {
         let theta = unit_time.angle(x);
         let phi = TAU * TURNS * x / end;
@@ -325,16 +301,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let shown = (x - 1.4 * end / TURNS).max(0.0);
         let view = View::of(up * 0.05, 1.2)
             .line(sampled(times(shown, x, 60), |x| Ok(nose(x)))?, Ink::Body)
-            .arrow(
-                SpaceVector::zero(),
-                up * 1.25,
-                Ink::Momentum,
-                "$L$",
-                Side::Above,
-            );
-        Ok((
-            alt,
-            satellite(view, &attitude, TAU * TURNS / end * slower * turned),
-        ))
+            .arrow(SpaceVector::zero(), up * 1.25, Ink::Momentum, "$L$", Side::Above);
+        Ok((alt, satellite(view, &attitude, TAU * TURNS / end * slower * turned)))
     })
 }

@@ -35,11 +35,7 @@ impl Opening {
         let (r, l) = (0.5 * p.diameter, p.length);
         let (axial, transverse) = (0.5 * p.mass * r * r, p.mass * (r * r / 4.0 + l * l / 12.0));
         let ratio = transverse / axial;
-        let allowed = if ratio < 1.0 {
-            from_to(0.5, 0.98)
-        } else {
-            from_to(1.02, 1e3)
-        };
+        let allowed = if ratio < 1.0 { from_to(0.5, 0.98) } else { from_to(1.02, 1e3) };
         let allowed =
             allowed.because("at 1 no axis is special, and a needle has no moment about its own");
         let turns = above(0.0).because("what does not turn has no axis to leave");
@@ -129,11 +125,8 @@ impl Opening {
 
     /// By which time the rest is less than a millionth.
     pub fn settled(&self) -> f64 {
-        let to_go = if self.thin() {
-            log(1.0 / tan(self.nutation))
-        } else {
-            log(tan(self.nutation))
-        };
+        let to_go =
+            if self.thin() { log(1.0 / tan(self.nutation)) } else { log(tan(self.nutation)) };
         (to_go.max(0.0) + 7.0 + log(self.transverse / self.axial).abs()) * self.tau()
     }
 
@@ -145,9 +138,7 @@ impl Opening {
 
     /// The rate of the body in a state.
     pub fn rate(&self, state: &State) -> f64 {
-        self.scene().map_or(f64::NAN, |(scene, _)| {
-            scene.body().angular_velocity(state).norm()
-        })
+        self.scene().map_or(f64::NAN, |(scene, _)| scene.body().angular_velocity(state).norm())
     }
 
     /// Its energy.
@@ -176,10 +167,7 @@ impl Opening {
             })
         };
         let until = 40.0 * self.tau();
-        Ok(Dop853::new(1e-13)?
-            .zero(&scene, components(&start), 1, until, off)?
-            .0
-            .t)
+        Ok(Dop853::new(1e-13)?.zero(&scene, components(&start), 1, until, off)?.0.t)
     }
 
     /// The angle between e3 and L in a state.

@@ -25,23 +25,15 @@ fn phone(view: View, p: &Parameters, attitude: &Attitude, centre: SpaceVector) -
     };
     // A rectangle on the side z, counterclockwise seen from outside.
     let sheet = |x: [f64; 2], y: [f64; 2], z: f64| {
-        let mut corners = [
-            [x[0], y[0], z],
-            [x[1], y[0], z],
-            [x[1], y[1], z],
-            [x[0], y[1], z],
-        ];
+        let mut corners = [[x[0], y[0], z], [x[1], y[0], z], [x[1], y[1], z], [x[0], y[1], z]];
         if z < 0.0 {
             corners.reverse();
         }
         Solid::new([corners.map(place).to_vec()])
     };
-    view.solid(
-        Solid::cuboid(centre, [edge(0), edge(1), edge(2)]),
-        Ink::Body,
-    )
-    .solid(sheet([-0.93, 0.93], [-0.88, 0.88], -1.08), Ink::Ink)
-    .solid(sheet([0.62, 0.88], [-0.75, -0.2], 1.08), Ink::Ink)
+    view.solid(Solid::cuboid(centre, [edge(0), edge(1), edge(2)]), Ink::Body)
+        .solid(sheet([-0.93, 0.93], [-0.88, 0.88], -1.08), Ink::Ink)
+        .solid(sheet([0.62, 0.88], [-0.75, -0.2], 1.08), Ink::Ink)
 }
 
 /// The rates over that of the turn, and the time in turns.
@@ -53,13 +45,8 @@ fn unit(p: &Parameters, tilt: f64, toward: f64) -> Result<Throw> {
 fn three(p: &Parameters, axis: usize) -> Result<(Throw, impl Fn([f64; 3]) -> f64)> {
     let mut rates = [0.0; 3];
     (rates[axis], rates[(axis + 1) % 3]) = (TAU * cos(0.05), TAU * sin(0.05));
-    let throw = Throw {
-        moments: slab(p)?,
-        rates,
-    };
-    Ok((throw, move |rates| {
-        acos(throw.along(axis, rates).clamp(-1.0, 1.0)).to_degrees()
-    }))
+    let throw = Throw { moments: slab(p)?, rates };
+    Ok((throw, move |rates| acos(throw.along(axis, rates).clamp(-1.0, 1.0)).to_degrees()))
 }
 
 figures! { p: &Parameters;
@@ -173,33 +160,19 @@ figures! { p: &Parameters;
 fn flips_in_a_row(throw: &Throw, before: u32) -> Result<Panel> {
     let (first, between, free) = (throw.until_flip()?, throw.between_flips()?, throw.free()?);
     let at = |n: f64| first + n * between;
-    let (from, to) = (
-        at(f64::from(before) - 0.5).max(0.0),
-        at(f64::from(before) + 4.5),
-    );
+    let (from, to) = (at(f64::from(before) - 0.5).max(0.0), at(f64::from(before) + 4.5));
     let run = Dop853::new(1e-13)?.solve(&euler(throw.moments), 0.0, &throw.rates, to, &[])?;
     let exact = |t| throw.along(1, free.angular_velocity(t).to_array());
     let line = Curve::of(times(from, to, 300), exact, Ink::Momentum);
-    let dots = Curve::sampled(
-        times(from, to, 50),
-        |t| Ok(throw.along(1, run.at(t)?)),
-        Ink::Momentum,
-    )?
-    .dots();
+    let dots =
+        Curve::sampled(times(from, to, 50), |t| Ok(throw.along(1, run.at(t)?)), Ink::Momentum)?
+            .dots();
     let time = Axis::linear("$t$ / s").range(from, to);
     let panel =
         Panel::over_axes(time, Axis::linear("$L_2/L$").range(-1.0, 1.0).step(1.0)).size(340, 170);
-    Ok(
-        (before..before + 5).fold(panel.curve(line).curve(dots), |panel, n| {
-            panel.ring(
-                at(f64::from(n)),
-                0.0,
-                Ink::Ink,
-                &format!("{}", n + 1),
-                Side::Right,
-            )
-        }),
-    )
+    Ok((before..before + 5).fold(panel.curve(line).curve(dots), |panel, n| {
+        panel.ring(at(f64::from(n)), 0.0, Ink::Ink, &format!("{}", n + 1), Side::Right)
+    }))
 }
 
 /// The free motion through ten flips, for `--csv`.
@@ -218,14 +191,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     Trajectory::sampled(columns, times(0.0, end, 1000), |t| {
         let at = free.kinematics(t);
         let rates = at.angular_velocity.to_array();
-        Ok([
-            t,
-            rates[0],
-            rates[1],
-            rates[2],
-            throw.along(1, rates),
-            screen(&at.attitude).z(),
-        ])
+        Ok([t, rates[0], rates[1], rates[2], throw.along(1, rates), screen(&at.attitude).z()])
     })
 }
 
@@ -237,11 +203,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         throw.along(1, free.angular_velocity(t).to_array())
     };
     let line = Curve::of(times(0.0, end, 300), |t| along(t, &free), Ink::Momentum);
-    let graph = Panel::over_axes(
-        "$t$ / s",
-        Axis::linear("$L_2/L$").range(-1.0, 1.0).step(1.0),
-    )
-    .curve(line);
+    let graph =
+        Panel::over_axes("$t$ / s", Axis::linear("$L_2/L$").range(-1.0, 1.0).step(1.0)).curve(line);
     let stills = [0.0, throw.until_flip()?.min(end), end];
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
         let attitude = free.attitude(t);
@@ -258,12 +221,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             if looks > 0.0 { "up" } else { "down" },
             100.0 * along(t, &free)
         );
-        let view = View::of(
-            SpaceVector::new(0.0, 0.0, 0.5 * reduced * p.height),
-            0.86 * p.length,
-        )
-        .camera(camera())
-        .size(340, 220);
+        let view = View::of(SpaceVector::new(0.0, 0.0, 0.5 * reduced * p.height), 0.86 * p.length)
+            .camera(camera())
+            .size(340, 220);
         let scene = phone(view, &p, &attitude, centre)
             .arrow(centre, centre + momentum, Ink::Momentum, "$L$", Side::Below)
             .arrow(centre, centre + axis, Ink::Body, "2", Side::Left);

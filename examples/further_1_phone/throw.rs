@@ -39,11 +39,7 @@ impl Throw {
         let way = self.way(self.rates)?;
         // If both strays have one sign, the body comes nearer to the axis at first; turned
         // backward, if they have not.
-        Ok(if stray_1 * stray_3 * turn.signum() > 0.0 {
-            self.between_flips()? - way
-        } else {
-            way
-        })
+        Ok(if stray_1 * stray_3 * turn.signum() > 0.0 { self.between_flips()? - way } else { way })
     }
 
     /// Time between two such moments: twice that from where it is nearest to the axis.
@@ -73,11 +69,7 @@ impl Throw {
 /// Euler's equations of a free body.
 pub fn euler([i1, i2, i3]: [f64; 3]) -> impl Ode<3> {
     ode(move |_, &[p, q, r]: &[f64; 3]| {
-        [
-            (i2 - i3) / i1 * q * r,
-            (i3 - i1) / i2 * r * p,
-            (i1 - i2) / i3 * p * q,
-        ]
+        [(i2 - i3) / i1 * q * r, (i3 - i1) / i2 * r * p, (i1 - i2) / i3 * p * q]
     })
     .scaled(|rates| [length(*rates).max(f64::MIN_POSITIVE); 3])
 }
@@ -118,10 +110,7 @@ impl Throw {
     /// With the axis of rotation `tilt` from axis 2, towards axis 1 or (`toward` = pi/2) 3.
     pub fn new(moments: [f64; 3], rate: f64, tilt: f64, toward: f64) -> Self {
         let ((s, c), (up, along)) = (sincos(tilt), sincos(toward));
-        Self {
-            moments,
-            rates: [s * along, c, s * up].map(|part| rate * part),
-        }
+        Self { moments, rates: [s * along, c, s * up].map(|part| rate * part) }
     }
 
     /// How far the strays are from those of which the body never turns over, over the rate.
@@ -134,19 +123,13 @@ impl Throw {
     /// How often it turns over until the time t.
     pub fn flips(&self, t: f64) -> Result<f64> {
         let first = self.until_flip()?;
-        Ok(if t < first {
-            0.0
-        } else {
-            1.0 + ((t - first) / self.between_flips()?).floor()
-        })
+        Ok(if t < first { 0.0 } else { 1.0 + ((t - first) / self.between_flips()?).floor() })
     }
 
     /// Flip number `count`, by Euler's equations with this error of a step.
     pub fn flip(&self, count: u32, step: f64) -> Result<LocatedEvent<3>> {
         let until = 1e3 / (growth(self.moments) * self.rates[1].abs());
-        Ok(Dop853::new(step)?
-            .zero(&euler(self.moments), self.rates, count, until, |y| y[1])?
-            .0)
+        Ok(Dop853::new(step)?.zero(&euler(self.moments), self.rates, count, until, |y| y[1])?.0)
     }
 
     /// The energy of these rates.
@@ -168,17 +151,12 @@ impl Throw {
 
     /// As it leaves the hand: axis 1 away from it, 2 to its right, the screen up.
     pub fn start(&self) -> Result<State> {
-        self.body()?
-            .state(screen_up()?, BodyVector::from_array(self.rates))
+        self.body()?.state(screen_up()?, BodyVector::from_array(self.rates))
     }
 
     /// The library's closed form, of rates and attitude.
     pub fn free(&self) -> Result<FreeBody> {
-        FreeBody::new(
-            self.body()?.moments(),
-            screen_up()?,
-            BodyVector::from_array(self.rates),
-        )
+        FreeBody::new(self.body()?.moments(), screen_up()?, BodyVector::from_array(self.rates))
     }
 
     /// The attitude at the time t, in steps of Euler's equations and of the quaternion: the rates
@@ -227,11 +205,7 @@ pub fn sway(moments: [f64; 3], axis: usize, tilt: f64) -> (f64, Throw) {
     let (other, [into_1, into_3]) = (2 - axis, exchange(moments));
     let (mut rates, middle) = ([0.0, sin(tilt), 0.0], sin(tilt));
     rates[axis] = cos(tilt);
-    let [gain, own] = if axis == 0 {
-        [into_3, into_1]
-    } else {
-        [into_1, into_3]
-    };
+    let [gain, own] = if axis == 0 { [into_3, into_1] } else { [into_1, into_3] };
     let first = atan2(moments[1] * middle, moments[axis] * rates[axis]);
     let across = gain.sqrt() * middle;
     let along = hypot(rates[axis], own.sqrt() * middle);

@@ -12,15 +12,7 @@ fn latitudes() -> Sweep {
 fn stiffened(log_stiffness: f64) -> Compass {
     let horizon = horizon(1e-7, 0.0, 0.0);
     let (transverse, momentum, pendulosity) = (1.0, 1.0, pow(10.0, log_stiffness));
-    Compass {
-        transverse,
-        momentum,
-        pendulosity,
-        horizon,
-        offset: 0.0,
-        rider: 0.0,
-        pivot: 0.0,
-    }
+    Compass { transverse, momentum, pendulosity, horizon, offset: 0.0, rider: 0.0, pivot: 0.0 }
 }
 
 /// The ship speeds up within ten minutes; azimuth in rad over minutes.
@@ -39,18 +31,13 @@ const END: f64 = 15000.0;
 
 /// The damped compass let go.
 fn damped(p: &Parameters) -> Result<Solution<3>> {
-    let c = Compass {
-        offset: p.offset,
-        ..Compass::new(p)?
-    };
+    let c = Compass { offset: p.offset, ..Compass::new(p)? };
     Ok(c.run([p.release, c.rest()[1]], END, p.tolerance)?)
 }
 
 /// Azimuth against minutes.
 fn over_minutes(run: &Solution<3>, end: f64) -> Result<Vec<(f64, f64)>> {
-    sampled(times(0.0, end / 60.0, 300), |t| {
-        Ok((t, angles(run.at((60.0 * t).min(END))?)[0]))
-    })
+    sampled(times(0.0, end / 60.0, 300), |t| Ok((t, angles(run.at((60.0 * t).min(END))?)[0])))
 }
 
 figures! { p: &Parameters, compass = Compass::new(p)?;
@@ -173,11 +160,7 @@ fn bob(axle: SpaceVector) -> SpaceVector {
 
 fn wheel(axle: SpaceVector, radius: f64) -> Solid {
     let (w, r) = (0.05, radius);
-    Solid::turned(
-        SpaceVector::zero(),
-        axle,
-        &[(-w, 0.6 * r), (-w, r), (w, r), (w, 0.6 * r)],
-    )
+    Solid::turned(SpaceVector::zero(), axle, &[(-w, 0.6 * r), (-w, r), (w, r), (w, 0.6 * r)])
 }
 
 /// The damped motion, for `--csv`.
@@ -196,45 +179,28 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let graph = graph.curve(Curve::new(over_minutes(&run, END)?, Ink::Body));
     let (low, quarter) = (UP * -0.55, 0.5 * PI / compass.linear()[1].sqrt() / 60.0);
     let earth = compass.horizon * (0.9 / EARTH);
-    MovingPicture::above(
-        graph,
-        0.0..=END / 60.0,
-        [0.0, quarter, END / 60.0],
-        move |t| {
-            let [azimuth, tilt] = angles(run.at((60.0 * t).min(END))?);
-            let (tip, side) = (axle(azimuth, 20.0 * tilt), axle(azimuth - 0.5 * PI, 0.0));
-            let side_of = if azimuth < 0.0 { "west" } else { "east" };
-            let raised = if tilt < 0.0 { "lowered" } else { "raised" };
-            let alt = format!(
-                "The compass {t:.0} minutes after it is let go: its axle points {:.1} degrees {side_of} \
+    MovingPicture::above(graph, 0.0..=END / 60.0, [0.0, quarter, END / 60.0], move |t| {
+        let [azimuth, tilt] = angles(run.at((60.0 * t).min(END))?);
+        let (tip, side) = (axle(azimuth, 20.0 * tilt), axle(azimuth - 0.5 * PI, 0.0));
+        let side_of = if azimuth < 0.0 { "west" } else { "east" };
+        let raised = if tilt < 0.0 { "lowered" } else { "raised" };
+        let alt = format!(
+            "The compass {t:.0} minutes after it is let go: its axle points {:.1} degrees {side_of} \
              of north and is {raised} by {:.2} degrees; below, the azimuth against time.",
-                azimuth.to_degrees().abs(),
-                tilt.to_degrees().abs()
-            );
-            let scene = View::of(UP * -0.03, 0.95)
-                .camera(Camera::new(0.15, 0.38))
-                .ground(low, 0.95)
-                .dashed([low, axle(0.0, 0.0) * 0.9 + low], Ink::Frame)
-                .text(axle(0.0, 0.0) * 0.9 + low, "north", Ink::Frame, Side::Below)
-                .line([SpaceVector::zero(), bob(tip)], Ink::Ink)
-                .dot(bob(tip), Ink::Body, "", Side::Left)
-                .solid(wheel(tip, 0.3), Ink::Body)
-                .arrow(
-                    SpaceVector::zero(),
-                    earth,
-                    Ink::Velocity,
-                    r"$\Omega$",
-                    Side::Left,
-                )
-                .arrow(SpaceVector::zero(), tip, Ink::Momentum, "$L$", Side::Above)
-                .arrow(
-                    tip,
-                    tip + side * (20.0 * tilt),
-                    Ink::Force,
-                    "torque",
-                    Side::Below,
-                );
-            Ok((alt, scene))
-        },
-    )
+            azimuth.to_degrees().abs(),
+            tilt.to_degrees().abs()
+        );
+        let scene = View::of(UP * -0.03, 0.95)
+            .camera(Camera::new(0.15, 0.38))
+            .ground(low, 0.95)
+            .dashed([low, axle(0.0, 0.0) * 0.9 + low], Ink::Frame)
+            .text(axle(0.0, 0.0) * 0.9 + low, "north", Ink::Frame, Side::Below)
+            .line([SpaceVector::zero(), bob(tip)], Ink::Ink)
+            .dot(bob(tip), Ink::Body, "", Side::Left)
+            .solid(wheel(tip, 0.3), Ink::Body)
+            .arrow(SpaceVector::zero(), earth, Ink::Velocity, r"$\Omega$", Side::Left)
+            .arrow(SpaceVector::zero(), tip, Ink::Momentum, "$L$", Side::Above)
+            .arrow(tip, tip + side * (20.0 * tilt), Ink::Force, "torque", Side::Below);
+        Ok((alt, scene))
+    })
 }

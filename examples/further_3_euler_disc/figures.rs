@@ -19,19 +19,13 @@ fn view(tilt: f64, disc: &Disc) -> View {
     let [centre, contact] = points(tilt, disc);
     // As near as a disc that stands so high allows.
     let high = sin(tilt);
-    View::of(
-        SpaceVector::new(0.0, 0.0, 0.6 * high),
-        (high + 0.3).max(0.85),
-    )
-    .size(340, 230)
-    .camera(Camera::new(-0.6, 0.38))
-    .ground(SpaceVector::zero(), 1.22)
-    .dashed(circle(cos(tilt), 0.0, TAU), Ink::Frame)
-    .solid(
-        Solid::disc(centre + disc.axis * 0.015, disc.axis, 1.0, 0.03),
-        Ink::Body,
-    )
-    .dot(contact, Ink::Velocity, "", Side::Below)
+    View::of(SpaceVector::new(0.0, 0.0, 0.6 * high), (high + 0.3).max(0.85))
+        .size(340, 230)
+        .camera(Camera::new(-0.6, 0.38))
+        .ground(SpaceVector::zero(), 1.22)
+        .dashed(circle(cos(tilt), 0.0, TAU), Ink::Frame)
+        .solid(Solid::disc(centre + disc.axis * 0.015, disc.axis, 1.0, 0.03), Ink::Body)
+        .dot(contact, Ink::Velocity, "", Side::Below)
 }
 
 /// Inclinations of the steady motions.
@@ -198,13 +192,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     Trajectory::sampled(columns.split(", "), times(0.0, end, 500), |t| {
         let (disc, time) = (settled.at(t)?, case.time);
         let omega = disc.angular_velocity.norm() / time;
-        Ok([
-            t * time,
-            disc.tilt,
-            disc.rate / (TAU * time),
-            omega,
-            disc.force(settled.loss).z(),
-        ])
+        Ok([t * time, disc.tilt, disc.rate / (TAU * time), omega, disc.force(settled.loss).z()])
     })
 }
 
@@ -213,11 +201,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (motion, time) = (steady(p)?, (p.radius / p.gravity).sqrt());
     let end = 3.0 * TAU / motion.rate();
-    let start = placed(
-        motion.tilt,
-        [motion.rate(), 0.0, motion.spin()],
-        motion.circle,
-    )?;
+    let start = placed(motion.tilt, [motion.rate(), 0.0, motion.spin()], motion.circle)?;
     let run = Dop853::new(p.tolerance)?.solve(&rolling(Loss::None), 0.0, &start, end, &[])?;
     let turns = |rate: f64| [(0.0, 0.0), (end * time, rate * end / TAU)];
     let graph = Panel::over_axes("$t$ / s", "turns")

@@ -120,17 +120,7 @@ pub fn rolling(loss: Loss) -> impl Ode<9> {
             c * w + a * z - b * x,
         ];
         let ([p, r, s], v) = (disc.acceleration(loss).to_array(), disc.velocity());
-        [
-            0.5 * q[0],
-            0.5 * q[1],
-            0.5 * q[2],
-            0.5 * q[3],
-            p,
-            r,
-            s,
-            v.x(),
-            v.y(),
-        ]
+        [0.5 * q[0], 0.5 * q[1], 0.5 * q[2], 0.5 * q[3], p, r, s, v.x(), v.y()]
     })
     .scaled(size_or([1.0; 9]))
 }
@@ -139,11 +129,7 @@ pub fn rolling(loss: Loss) -> impl Ode<9> {
 /// The state at this inclination and these rates of precession, inclination and spin, with the
 /// centre at this distance from the vertical through the origin.
 pub fn placed(tilt: f64, [rate, falling, spin]: [f64; 3], centre: f64) -> Result<[f64; 9]> {
-    let attitude = Attitude::from_euler(EulerAngles {
-        phi: 0.0,
-        theta: tilt,
-        zeta: 0.0,
-    })?;
+    let attitude = Attitude::from_euler(EulerAngles { phi: 0.0, theta: tilt, zeta: 0.0 })?;
     let turning = attitude.to_space(BodyVector::new(falling, rate * sin(tilt), spin));
     let ([w, x, y, z], [a, b, c]) = (attitude.quaternion(), turning.to_array());
     Ok([w, x, y, z, a, b, c, 0.0, centre])
@@ -160,9 +146,7 @@ pub fn settling(
     step: f64,
 ) -> rotation_dynamics::Result<Solution<9>> {
     let passes = |name, mark| Event::falling(name, move |_, y: &[f64; 9]| Disc::new(y).tilt - mark);
-    let lifts = Event::falling("lifts off", move |_, y: &[f64; 9]| {
-        Disc::new(y).force(loss).z()
-    });
+    let lifts = Event::falling("lifts off", move |_, y: &[f64; 9]| Disc::new(y).force(loss).z());
     let mut events = vec![passes("film", least).terminal(), lifts.terminal()];
     events.extend(marks.iter().map(|mark| passes("mark", *mark)));
     Dop853::new(step)?.solve(&rolling(loss), 0.0, &start, end, &events)

@@ -11,10 +11,8 @@ fn drawn(mut sketch: Sketch, yoyo: &YoYo, state: &[f64; 4], dot: f64) -> Sketch 
         let rim = |t: f64| (side * cos(t), side * sin(t));
         let (from, hook) = (angle + unwound.min(yoyo.length), angle + yoyo.length);
         if hook > from {
-            sketch = sketch.curve(Curve::new(
-                times(from, hook.min(from + 6.2), 90).map(rim),
-                Ink::Ink,
-            ));
+            sketch =
+                sketch.curve(Curve::new(times(from, hook.min(from + 6.2), 90).map(rim), Ink::Ink));
         }
         sketch = sketch
             .string(rim(from), (side * x, side * y), "", Side::Left)
@@ -25,10 +23,7 @@ fn drawn(mut sketch: Sketch, yoyo: &YoYo, state: &[f64; 4], dot: f64) -> Sketch 
 }
 
 /// The strings of the figures.
-const USUAL: YoYo = YoYo {
-    inertia: 80.0,
-    length: 6.0,
-};
+const USUAL: YoYo = YoYo { inertia: 80.0, length: 6.0 };
 
 figures! { p: &Parameters, run = USUAL.run(1e-12)?;
     /// A round satellite of the radius R from above, which turns counterclockwise with omega0.
@@ -157,21 +152,10 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (free, [[x, y], [vx, vy]]) = (run.end_time(), yoyo.weight(&out));
     let far = 1.0 + yoyo.length;
     let last = free + 0.45 * far / hypot(vx, vy);
-    let spin = |t: f64| {
-        Ok((
-            t / rate,
-            w * if t < free { run.at(t)?.1[2] } else { out[2] },
-        ))
-    };
+    let spin = |t: f64| Ok((t / rate, w * if t < free { run.at(t)?.1[2] } else { out[2] }));
     let [low, high] = ordered([w * out[2].min(0.0), w]);
-    let graph = Panel::over_axes(
-        "$t$ / s",
-        Axis::linear(r"$\omega$ / (rad/s)").range(low, high),
-    )
-    .curve(Curve::new(
-        sampled(times(0.0, last, 300), spin)?,
-        Ink::Velocity,
-    ));
+    let graph = Panel::over_axes("$t$ / s", Axis::linear(r"$\omega$ / (rad/s)").range(low, high))
+        .curve(Curve::new(sampled(times(0.0, last, 300), spin)?, Ink::Velocity));
     let stills = [0.5 * end, 0.5 * (end + free), 0.5 * (free + last)].map(|t| t / rate);
     let wide = 1.3 * far;
     // Turned the other way, all is seen from below.
@@ -179,9 +163,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     MovingPicture::above(graph, 0.0..=last / rate, stills, move |t| {
         let now = (t * rate).min(last);
         let (hangs, state) = run.at(now.min(free))?;
-        let path = sampled(times(0.0, now.min(free), 200), |t| {
-            Ok(yoyo.weight(&run.at(t)?.1)[0])
-        })?;
+        let path = sampled(times(0.0, now.min(free), 200), |t| Ok(yoyo.weight(&run.at(t)?.1)[0]))?;
         let mut sketch = Sketch::within((-wide, wide), (-wide, wide));
         for side in [1.0, -1.0] {
             sketch = sketch.guide(path.iter().map(|[x, y]| (side * x, side * y)));
@@ -192,9 +174,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             sketch = sketch.roller((0.0, 0.0), 1.0, turned[0], Ink::Body);
             for side in [1.0, -1.0] {
                 let at = (side * (x + vx * flown), side * (y + vy * flown));
-                sketch = sketch
-                    .guide([(side * x, side * y), at])
-                    .weight(at, 0.03 * far, "");
+                sketch = sketch.guide([(side * x, side * y), at]).weight(at, 0.03 * far, "");
             }
             "the strings have let go, and the weights fly on"
         } else {

@@ -169,14 +169,7 @@ impl Reel {
         };
         // A string that gives may begin without a free part.
         let first = if self.stiffness.is_none() { 1e-4 } else { 0.0 };
-        let start = [
-            hypot(1.0, first),
-            -atan2(first, 1.0),
-            self.length - first,
-            0.0,
-            spin,
-            spin,
-        ];
+        let start = [hypot(1.0, first), -atan2(first, 1.0), self.length - first, 0.0, spin, spin];
         let left =
             |_: f64, y: &[f64; 6]| y[2] - y[1] - atan2((y[0] * y[0] - 1.0).max(0.0).sqrt(), 1.0);
         let end = 100.0 * (1.0 + self.length) / spin;
@@ -198,10 +191,7 @@ pub fn zero([mut low, mut high]: [f64; 2], f: impl Fn(f64) -> Result<f64>) -> ki
     let (mut above, mut below, mut last) = (f(low)?, f(high)?, 0);
     let apart = -above * below;
     let parted = at_least(0.0).because("no string in between leaves the spin that is wanted");
-    parted.check(
-        "spins left by a short and a long string, and their sign,",
-        apart,
-    )?;
+    parted.check("spins left by a short and a long string, and their sign,", apart)?;
     for _ in 0..100 {
         let x = (low * below - high * above) / (below - above);
         let y = f(x)?;

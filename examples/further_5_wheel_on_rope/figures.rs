@@ -14,9 +14,7 @@ fn spun(p: &Parameters, spin: f64) -> Wheel {
 
 /// The points of a line where there is something to be computed.
 fn found(at: impl IntoIterator<Item = f64>, y: impl Fn(f64) -> Result<f64>) -> Vec<(f64, f64)> {
-    at.into_iter()
-        .filter_map(|x| Some((x, y(x).ok()?)))
-        .collect()
+    at.into_iter().filter_map(|x| Some((x, y(x).ok()?))).collect()
 }
 
 /// Time of the moving picture, s.
@@ -189,10 +187,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (b, radius, size) = (wheel.rope, p.radius, wheel.lever + p.radius);
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.2 * end, 0.7 * end], move |t| {
         let state = run.at(t.min(end))?;
-        let Place {
-            rope: [r, _],
-            axle: [e, _],
-        } = place(&state);
+        let Place { rope: [r, _], axle: [e, _] } = place(&state);
         let (hook, support) = (r * b, SpaceVector::new(0.0, 0.0, 1.5 * size - b));
         let hub = hook + e * wheel.lever;
         let torque = e.cross(&r) * (0.7 * size);
@@ -206,10 +201,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let (inner, outer, w) = (0.9 * radius, radius, 0.02 * size);
         let rim = [(-w, inner), (-w, outer), (w, outer), (w, inner)];
         let path = sampled(times((t - 1.5).max(0.0), t.min(end), 60), |t| {
-            let Place {
-                rope: [r, _],
-                axle: [e, _],
-            } = place(&run.at(t)?);
+            let Place { rope: [r, _], axle: [e, _] } = place(&run.at(t)?);
             Ok(r * b + e * wheel.lever)
         })?;
         let scene = View::of(SpaceVector::new(0.0, 0.0, -b + 0.2 * size), 1.5 * size)

@@ -46,21 +46,14 @@ fn cup(distance: f64, radius: f64, (high, low): (f64, f64)) -> View {
     };
     let side = |a: f64| {
         [high, low].map(|z| {
-            SpaceVector::new(
-                (distance + radius) * cos(a),
-                (distance + radius) * sin(a),
-                z,
-            )
+            SpaceVector::new((distance + radius) * cos(a), (distance + radius) * sin(a), z)
         })
     };
-    View::of(
-        SpaceVector::new(0.0, 0.0, 0.5 * (high + low)),
-        0.6 * (high - low) + 0.3 * distance,
-    )
-    .line(ring(high), Ink::Ink)
-    .line(ring(low), Ink::Frame)
-    .line(side(0.6 + 0.5 * PI), Ink::Ink)
-    .line(side(0.6 - 0.5 * PI), Ink::Ink)
+    View::of(SpaceVector::new(0.0, 0.0, 0.5 * (high + low)), 0.6 * (high - low) + 0.3 * distance)
+        .line(ring(high), Ink::Ink)
+        .line(ring(low), Ink::Frame)
+        .line(side(0.6 + 0.5 * PI), Ink::Ink)
+        .line(side(0.6 - 0.5 * PI), Ink::Ink)
 }
 
 figures! { p: &Parameters;

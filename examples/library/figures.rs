@@ -18,13 +18,7 @@ fn hung(angle: f64) -> Sketch {
         .body(outline, Ink::Body, 0.25)
         .arrow(up, (up.0, up.1 + pull), Ink::Force, "", Side::Left)
         .arrow(low, (low.0, low.1 - pull), Ink::Force, "", Side::Right)
-        .arrow(
-            (1.0, -0.8),
-            (1.0, -1.1),
-            Ink::Frame,
-            "to the Earth",
-            Side::Left,
-        )
+        .arrow((1.0, -0.8), (1.0, -1.1), Ink::Frame, "to the Earth", Side::Left)
         .arrow((-0.75, 1.0), (-1.1, 1.0), Ink::Frame, "flies", Side::Below)
         .text(
             place(0.5, 0.17),
@@ -115,11 +109,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let columns = ["t [s]", "alpha [rad]", "omega [rad/s]"];
     Trajectory::sampled(columns, times(0.0, DAY, 720), |t| {
         let state = motion.try_state(t)?;
-        Ok([
-            t,
-            swing(p, t, &state),
-            scene.body().angular_velocity(&state).z(),
-        ])
+        Ok([t, swing(p, t, &state), scene.body().angular_velocity(&state).z()])
     })
 }
 

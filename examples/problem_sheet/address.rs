@@ -15,9 +15,7 @@ use kit::{name_of_flag, rounded_up, supported_digits};
 /// Name, value, unit and meaning of each parameter of the page, but for the error asked for.
 pub fn parameters(drawn: &Drawn) -> Result<Vec<[String; 4]>, String> {
     let sections = drawn.report.sections().map_err(|e| e.to_string())?;
-    let table = sections
-        .iter()
-        .find(|table| table.heading() == "parameters");
+    let table = sections.iter().find(|table| table.heading() == "parameters");
     let rows = table.map_or(&[][..], |table| table.rows());
     let one = |row: &Vec<String>| {
         let name = name_of_flag(&row[0]).to_owned();
@@ -39,11 +37,7 @@ pub fn of(drawn: &Drawn) -> Result<String, String> {
             claim.printed_bound(),
             rounded_up(claim.judged_within),
         ];
-        fields
-            .into_iter()
-            .chain(slips)
-            .collect::<Vec<String>>()
-            .join(",")
+        fields.into_iter().chain(slips).collect::<Vec<String>>().join(",")
     };
     let checks: Vec<String> = asked(&drawn.report).into_iter().map(check).collect();
     let code = base64(checks.join(";").as_bytes());
@@ -53,15 +47,10 @@ pub fn of(drawn: &Drawn) -> Result<String, String> {
         .map(|[name, value, ..]| format!("{name}={value}"))
         .collect();
     let sum = hash(&format!("{stem}?{}&sheet={code}", all.join("&")));
-    let own: Vec<String> = drawn
-        .flags
-        .iter()
-        .map(|(flag, value)| format!("{flag}={value}"))
-        .collect();
+    let own: Vec<String> =
+        drawn.flags.iter().map(|(flag, value)| format!("{flag}={value}")).collect();
     let query = own.join("&");
-    Ok(format!(
-        "{stem}.html?{query}&sheet={code}.{sum:016x}#check-your-answer"
-    ))
+    Ok(format!("{stem}.html?{query}&sheet={code}.{sum:016x}#check-your-answer"))
 }
 
 /// Bytes in base64 (RFC 4648), as fonts stand in a style sheet.
@@ -69,9 +58,7 @@ pub fn base64(bytes: &[u8]) -> String {
     const LETTERS: &[u8] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for three in bytes.chunks(3) {
-        let all = three
-            .iter()
-            .fold(0, |all, byte| all << 8 | u32::from(*byte))
+        let all = three.iter().fold(0, |all, byte| all << 8 | u32::from(*byte))
             << (8 * (3 - three.len()));
         for n in 0..4 {
             let letter = LETTERS[(all >> (18 - 6 * n)) as usize & 63];

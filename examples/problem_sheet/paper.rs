@@ -11,11 +11,7 @@ use typeset::text::{escape, number_html, shortened, unit_html};
 
 /// The book's fonts, so that formulas look the same everywhere, without a network.
 const FONTS: [(&str, &str, &[u8]); 4] = [
-    (
-        "Book Serif",
-        "",
-        include_bytes!("../../book/theme/fonts/serif.woff2"),
-    ),
+    ("Book Serif", "", include_bytes!("../../book/theme/fonts/serif.woff2")),
     (
         "Book Serif",
         "font-style: italic;",
@@ -26,11 +22,7 @@ const FONTS: [(&str, &str, &[u8]); 4] = [
         "font-weight: 600 700;",
         include_bytes!("../../book/theme/fonts/serif-semibold.woff2"),
     ),
-    (
-        "Book Maths",
-        "",
-        include_bytes!("../../book/theme/fonts/maths.woff2"),
-    ),
+    ("Book Maths", "", include_bytes!("../../book/theme/fonts/maths.woff2")),
 ];
 
 fn document(title: &str, more: &str, body: &str) -> String {
@@ -79,14 +71,9 @@ pub fn sheets(asked: &Asked, sheets: &[Sheet]) -> Result<String, String> {
 
 fn problem(asked: &Asked, drawn: &Drawn, n: usize, place: &str) -> Result<String, String> {
     let (exercise, stem) = (drawn.exercise, drawn.exercise.page.stem());
-    let flags: Option<Vec<(&str, f64)>> = drawn
-        .flags
-        .iter()
-        .map(|(flag, value)| Some((&**flag, value.parse().ok()?)))
-        .collect();
-    let figures = exercise
-        .page
-        .figures_with(&flags.ok_or("a value is no number")?);
+    let flags: Option<Vec<(&str, f64)>> =
+        drawn.flags.iter().map(|(flag, value)| Some((&**flag, value.parse().ok()?))).collect();
+    let figures = exercise.page.figures_with(&flags.ok_or("a value is no number")?);
     let figures = figures.map_err(|e| e.to_string())?;
     let setting = Setting {
         stem,
@@ -101,14 +88,9 @@ fn problem(asked: &Asked, drawn: &Drawn, n: usize, place: &str) -> Result<String
     let title = escape(&exercise.title);
     let (questions, key) = questions(drawn);
     // Lines of it are broken before a flag.
-    let command = format!(
-        "cargo run --example {stem} -- {} --check {key}=VALUE",
-        drawn.typed()
-    );
-    let command = command
-        .replace(" --", "\n--")
-        .replace("\n-- ", " -- ")
-        .replace("\n--", "</span> <span>--");
+    let command = format!("cargo run --example {stem} -- {} --check {key}=VALUE", drawn.typed());
+    let command =
+        command.replace(" --", "\n--").replace("\n-- ", " -- ").replace("\n--", "</span> <span>--");
     let command = format!("<span>{command}</span>");
     Ok(format!(
         "<section>\n<h2><span class=\"n\">{n}</span> {title}</h2>\n{statement}\
@@ -124,11 +106,8 @@ fn besides(drawn: &Drawn, parameters: &[[String; 4]]) -> String {
     let items: Vec<String> = (parameters.iter())
         .filter(|[name, ..]| !stated.contains(name))
         .filter_map(|[_, value, unit, meaning]| {
-            let unit = if unit == "-" {
-                String::new()
-            } else {
-                format!("\u{202f}{}", unit_html(unit))
-            };
+            let unit =
+                if unit == "-" { String::new() } else { format!("\u{202f}{}", unit_html(unit)) };
             Some(format!(
                 "{}: <span class=\"glued\">{}{unit}</span>",
                 words(meaning),
@@ -181,9 +160,7 @@ pub fn answer(claim: &Claim) -> String {
     let printed = claim.printed();
     let digits = digits_asked(claim.judged_within) as usize + 2;
     // One that ends in a 5 is not rounded there, but a digit later.
-    (digits..16)
-        .find_map(|digits| shortened(&printed, digits))
-        .unwrap_or(printed)
+    (digits..16).find_map(|digits| shortened(&printed, digits)).unwrap_or(printed)
 }
 
 /// The answers: for each problem a table with a row for each student.
@@ -217,18 +194,12 @@ pub fn answers(asked_for: &Asked, sheets: &[Sheet]) -> String {
         let mut rows = String::new();
         for sheet in sheets {
             let drawn = &sheet.problems[n];
-            let values = drawn
-                .flags
-                .iter()
-                .map(|(_, value)| format!("<td>{}</td>", number(value)));
+            let values = drawn.flags.iter().map(|(_, value)| format!("<td>{}</td>", number(value)));
             let found = asked(&drawn.report).into_iter();
             let found =
                 found.map(|claim| format!("<td class=\"a\">{}</td>", number(&answer(claim))));
             let (values, found): (String, String) = (values.collect(), found.collect());
-            rows += &format!(
-                "<tr><th>{}</th>{values}{found}</tr>\n",
-                escape(&sheet.student)
-            );
+            rows += &format!("<tr><th>{}</th>{values}{found}</tr>\n", escape(&sheet.student));
         }
         let meanings = claims.iter();
         let meanings = meanings.map(|c| format!("<code>{}</code> {}", c.key, words(&c.meaning)));

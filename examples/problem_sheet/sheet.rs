@@ -47,9 +47,7 @@ pub struct Sheet<'e> {
 pub fn drawn<'e>(asked: &Asked, all: &'e [Exercise]) -> Result<Vec<Sheet<'e>>, String> {
     let chosen = exercise::chosen(all, &asked.problems)?;
     let sheet = |student: &String| {
-        let drawn = chosen
-            .iter()
-            .map(|exercise| draw(exercise, asked.seed, student));
+        let drawn = chosen.iter().map(|exercise| draw(exercise, asked.seed, student));
         let (student, problems) = (student.clone(), drawn.collect::<Result<_, _>>()?);
         Ok(Sheet { student, problems })
     };
@@ -59,10 +57,7 @@ pub fn drawn<'e>(asked: &Asked, all: &'e [Exercise]) -> Result<Vec<Sheet<'e>>, S
 /// The sheets and the answers, as HTML.
 pub fn written(asked: &Asked, all: &[Exercise]) -> Result<[String; 2], String> {
     let sheets = drawn(asked, all)?;
-    Ok([
-        paper::sheets(asked, &sheets)?,
-        paper::answers(asked, &sheets),
-    ])
+    Ok([paper::sheets(asked, &sheets)?, paper::answers(asked, &sheets)])
 }
 
 /// `sheet.html` has its answers in `sheet.answers.html`.
@@ -93,9 +88,7 @@ pub fn students(text: &str) -> Result<Vec<String>, String> {
             return Err("a name is empty; write names parted by commas, or a number".into());
         }
         if names[..n].contains(name) {
-            return Err(format!(
-                "{name} stands twice, and would get the same numbers twice"
-            ));
+            return Err(format!("{name} stands twice, and would get the same numbers twice"));
         }
     }
     Ok(names)
@@ -128,41 +121,25 @@ pub fn command() -> Command {
                 .value_parser(seed),
         )
         .arg(
-            arg(
-                "problems",
-                "LIST",
-                "Numbers of exercises, parted by commas, or all",
-            )
-            .default_value("all"),
+            arg("problems", "LIST", "Numbers of exercises, parted by commas, or all")
+                .default_value("all"),
         )
         .arg(
-            arg(
-                "students",
-                "LIST",
-                "Names, parted by commas, or how many: a sheet for each",
-            )
-            .value_parser(students),
+            arg("students", "LIST", "Names, parted by commas, or how many: a sheet for each")
+                .value_parser(students),
         )
         .arg(
             arg("title", "TEXT", "Stands at the head of each sheet").default_value("Problem sheet"),
         )
         .arg(
-            arg(
-                "book",
-                "ADDRESS",
-                "Where the book is; as it stands, what `cargo book` builds",
-            )
-            .default_value(BUILT)
-            .value_parser(address),
+            arg("book", "ADDRESS", "Where the book is; as it stands, what `cargo book` builds")
+                .default_value(BUILT)
+                .value_parser(address),
         )
         .arg(
-            arg(
-                "out",
-                "FILE",
-                "The sheet; the answers go beside it, to FILE with .answers",
-            )
-            .default_value("sheet.html")
-            .value_parser(value_parser!(PathBuf)),
+            arg("out", "FILE", "The sheet; the answers go beside it, to FILE with .answers")
+                .default_value("sheet.html")
+                .value_parser(value_parser!(PathBuf)),
         )
 }
 
@@ -174,20 +151,14 @@ pub fn run(matches: &ArgMatches) -> Result<String, String> {
         seed: matches.get_one("seed").copied().unwrap_or(1),
         problems: match problems.trim() {
             "all" => Vec::new(),
-            list => list
-                .split(',')
-                .map(|number| number.trim().to_owned())
-                .collect(),
+            list => list.split(',').map(|number| number.trim().to_owned()).collect(),
         },
         students: (matches.get_one::<Vec<String>>("students").cloned())
             .unwrap_or_else(|| vec![String::new()]),
         title: text("title"),
         book: text("book"),
     };
-    let out = matches
-        .get_one::<PathBuf>("out")
-        .cloned()
-        .unwrap_or_default();
+    let out = matches.get_one::<PathBuf>("out").cloned().unwrap_or_default();
     let [sheet, answers] = written(&asked, &exercise::all()?)?;
     let files = [(out.clone(), &*sheet), (answers_path(&out), &*answers)];
     let replaced = write_whole(&files).map_err(|e| e.to_string())?;

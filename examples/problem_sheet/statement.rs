@@ -24,10 +24,7 @@ impl Setting<'_> {
     /// What cannot be set, in words.
     pub fn html(&self, problem: &str) -> Result<String, String> {
         let mut html = String::new();
-        let mut blocks = problem
-            .split("\n\n")
-            .map(str::trim)
-            .filter(|block| !block.is_empty());
+        let mut blocks = problem.split("\n\n").map(str::trim).filter(|block| !block.is_empty());
         while let Some(block) = blocks.next() {
             if let Some(names) = directive(block, "figure") {
                 let caption = blocks.next().ok_or("a figure has no caption")?;
@@ -44,10 +41,7 @@ impl Setting<'_> {
             } else if let Some(items) = list(block, |line| line.strip_prefix("- ")) {
                 html += &self.items("ul", &items)?;
             } else if block.starts_with(['#', '|', '<']) {
-                return Err(format!(
-                    "a problem sheet cannot set this: {}",
-                    first_line(block)
-                ));
+                return Err(format!("a problem sheet cannot set this: {}", first_line(block)));
             } else {
                 html += &format!("<p>{}</p>\n", self.line(block)?);
             }
@@ -56,9 +50,7 @@ impl Setting<'_> {
     }
 
     fn items(&self, tag: &str, items: &[&str]) -> Result<String, String> {
-        let set = items
-            .iter()
-            .map(|item| Ok(format!("<li>{}</li>", self.line(item)?)));
+        let set = items.iter().map(|item| Ok(format!("<li>{}</li>", self.line(item)?)));
         let set: String = set.collect::<Result<_, String>>()?;
         Ok(format!("<{tag}>{set}</{tag}>\n"))
     }
@@ -67,9 +59,8 @@ impl Setting<'_> {
     fn figures(&self, names: &str, caption: &str) -> Result<String, String> {
         let mut panels = String::new();
         for name in names.split_whitespace() {
-            let name = name
-                .strip_prefix(self.stem)
-                .map_or(name, |name| name.trim_start_matches(':'));
+            let name =
+                name.strip_prefix(self.stem).map_or(name, |name| name.trim_start_matches(':'));
             let svg = (self.figure)(name).ok_or(format!("{} draws no figure {name}", self.stem))?;
             panels += &figure::inline(&svg, &format!("{}-{name}-", self.prefix))?;
         }
@@ -102,10 +93,8 @@ impl Setting<'_> {
                 let set = maths::mathml(&tex, false)
                     .map_err(|e| format!("TeX: {} in {tex}", e.reason))?;
                 // What follows a formula closely stays with it.
-                let end = rest.len()
-                    - rest
-                        .trim_start_matches([',', '.', ';', ':', '?', ')'])
-                        .len();
+                let end =
+                    rest.len() - rest.trim_start_matches([',', '.', ';', ':', '?', ')']).len();
                 html += &format!("<span class=\"glued\">{set}{}</span>", &rest[..end]);
                 rest = &rest[end..];
                 before = ')';
@@ -123,11 +112,7 @@ impl Setting<'_> {
                 && let Some((text, after)) = rest[1..].split_once("](")
                 && let Some((to, after)) = after.split_once(')')
             {
-                html += &format!(
-                    "<a href=\"{}\">{}</a>",
-                    escape(&self.link(to)),
-                    self.line(text)?
-                );
+                html += &format!("<a href=\"{}\">{}</a>", escape(&self.link(to)), self.line(text)?);
                 (rest, before) = (after, ')');
             } else {
                 html += &match (first, before) {
@@ -159,10 +144,7 @@ impl Setting<'_> {
         while let Some((before, after)) = rest.split_once("{{") {
             let (inner, after) = after.split_once("}}").ok_or("{{ is not closed")?;
             done += before;
-            match ["param ", "given ", "num "]
-                .iter()
-                .any(|kind| inner.starts_with(kind))
-            {
+            match ["param ", "given ", "num "].iter().any(|kind| inner.starts_with(kind)) {
                 true => done += &self.number(inner, |cell| Some(number_tex(cell)))?,
                 // A group in a group is TeX's own.
                 false => done += &format!("{{{{{inner}}}}}"),
@@ -177,28 +159,20 @@ impl Setting<'_> {
         let mut words = inner.split_whitespace();
         let kind = words.next().unwrap_or("");
         let (what, with_unit) = (words.next().unwrap_or(""), words.next().is_some());
-        let wrong = || {
-            format!(
-                "a problem sheet cannot set {{{{{inner}}}}} of {}",
-                self.stem
-            )
-        };
+        let wrong = || format!("a problem sheet cannot set {{{{{inner}}}}} of {}", self.stem);
         match kind {
             "test" => Ok(String::new()),
             "given" => set(what).ok_or_else(wrong),
             "param" => {
-                let name = what
-                    .strip_prefix(self.stem)
-                    .and_then(|name| name.strip_prefix(':'));
+                let name = what.strip_prefix(self.stem).and_then(|name| name.strip_prefix(':'));
                 let name = name.ok_or_else(wrong)?.split('@').next().unwrap_or("");
                 let own = self.parameters.iter().find(|[own, ..]| own == name);
                 let [_, value, unit, _] = own.ok_or_else(wrong)?;
                 let value = set(value).unwrap_or_else(|| escape(value));
                 Ok(match with_unit {
-                    true => format!(
-                        "<span class=\"glued\">{value}\u{202f}{}</span>",
-                        unit_html(unit)
-                    ),
+                    true => {
+                        format!("<span class=\"glued\">{value}\u{202f}{}</span>", unit_html(unit))
+                    }
                     false => value,
                 })
             }
@@ -215,9 +189,7 @@ fn first_line(block: &str) -> &str {
 /// What stands in a block `{{kind …}}`.
 fn directive<'b>(block: &'b str, kind: &str) -> Option<&'b str> {
     let inner = block.strip_prefix("{{")?.strip_suffix("}}")?;
-    inner
-        .strip_prefix(kind)
-        .filter(|rest| rest.starts_with(' '))
+    inner.strip_prefix(kind).filter(|rest| rest.starts_with(' '))
 }
 
 fn is_test(block: &str) -> bool {

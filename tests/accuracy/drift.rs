@@ -3,6 +3,7 @@
 //! Root mean squares over eight starts: one random walk proves nothing. A million periods
 //! are in `benches/record/drift.txt`, whose first rows are computed again here.
 
+#[rustfmt::skip] // it is formatted with the examples
 #[path = "../../examples/accuracy_races/drift.rs"]
 #[allow(
     dead_code,

@@ -11,16 +11,16 @@ use std::{fmt::Write, fs};
 const KINDS: [(&str, usize, usize); 5] = [
     ("effects_", 1450, 800),
     ("further_", 1350, 800),
-    ("_ex", 920, 600),
+    ("_ex", 834, 600),
     ("ch1", 1950, 900),
     // The tables of the whole: accuracy, the hard cases, the library.
     ("", 4050, 1800),
 ];
 
 /// The mean of the exercises, all examples, and all tests of pages: allowed, and wanted.
-const MEAN: [usize; 2] = [730, 450];
-const EXAMPLES: [usize; 2] = [48_500, 33_000];
-const TESTS: [usize; 2] = [12_500, 8_000];
+const MEAN: [usize; 2] = [661, 450];
+const EXAMPLES: [usize; 2] = [44_050, 33_000];
+const TESTS: [usize; 2] = [12_000, 8_000];
 
 /// The lines of every Rust source below a path, by the stem of the page that it belongs to.
 fn lines(path: &Path, stem: Option<&str>, found: &mut BTreeMap<String, usize>) {

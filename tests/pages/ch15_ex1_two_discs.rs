@@ -1,43 +1,10 @@
 //! Exercise 15.1. The simulation knows the friction of two faces and no conservation law; that it
 //! confirms the formulas is part of the report.
 
-use crate::answers::{cell, confirmed, refused, value};
+use crate::answers::cell;
+use pages::ch15_ex1_two_discs::physics::*;
 use pages::ch15_ex1_two_discs::*;
 use support::{Errors, assert_error, assert_largest};
-
-#[test]
-fn the_instances_of_the_notes_come_out() {
-    for (key, instance) in [("common", 8.75), ("lost", 23.4375), ("time", 1.875)] {
-        assert_eq!(value(&EXAMPLE, key), instance, "{key}");
-    }
-}
-
-#[test]
-fn other_discs_are_confirmed() {
-    confirmed(&EXAMPLE, [
-        "--upper=0.0001 --drop=0", "--lower=80", "--upper-rate=-3 --lower-rate=-2.9 --drop=0",
-        "--upper-rate=0 --friction=0.001 --drop=5",
-        "--upper-rate=900 --lower-rate=-900 --tolerance=1e-6",
-    ], 5);
-    // Those that are laid down or slip backward are drawn as well.
-    for (drop, upper_rate) in [(0.0, 40.0), (0.2, -40.0)] {
-        let p = Parameters { drop, upper_rate, ..Parameters::default() };
-        assert_eq!(EXAMPLE.figures(&p).map(|drawn| drawn.len()), Ok(7));
-    }
-}
-
-#[test]
-fn what_does_not_slip_is_refused() {
-    refused(&EXAMPLE, [
-        ("--upper=0", "upper = 0 is not allowed"),
-        ("--upper-rate=0 --lower-rate=0", "the larger of the two rates = 0 is not allowed"),
-        ("--lower-rate=40", "over the larger rate, = 0 is not allowed"),
-        ("--friction=-1", "friction = -1 is not allowed"),
-        ("--drop=-0.1", "drop = -0.1 is not allowed"),
-        ("--friction=400", "with time left to slip, = 0.2 is not allowed"),
-        ("--upper-rate=nan", "not a finite number"),
-    ]);
-}
 
 /// The heat that the faces take up, torque times slip summed over the time, is the same for three
 /// laws of friction, and the times are not.

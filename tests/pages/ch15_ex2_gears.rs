@@ -1,40 +1,11 @@
 //! Exercise 15.2. That simulation, particles and formulas agree is part of the report: a claim that
 //! differs from its oracle is an error.
 
-use crate::answers::{confirmed, measured, refused, value};
+use crate::answers::measured;
+use pages::ch15_ex2_gears::physics::*;
 use pages::ch15_ex2_gears::*;
 use rotation_dynamics::math::exp;
 use support::{Errors, assert_largest};
-
-#[test]
-fn the_instances_of_the_notes_come_out() {
-    for (key, instance) in [("rate_b", -60.0), ("momentum", 0.3), ("motor", 0.6)] {
-        assert_eq!(value(&EXAMPLE, key), instance, "{key}");
-    }
-}
-
-#[test]
-fn other_gears_are_confirmed() {
-    confirmed(&EXAMPLE, [
-        "--radius-a=0.01 --arm-rate=-5", "--inertia-b=0.00001 --mass-b=0.01", "--inertia-a=0.01",
-        "--rate=0.01 --friction=0.001", "--radius-a=3 --radius-b=0.02 --arm-rate=30",
-        "--rate=0.002 --arm-rate=700", "--tolerance=1e-6", "--inertia-a=1000 --inertia-b=0.000001",
-        "--inertia-b=10 --mass-b=1000 --friction=0.001", "--radius-b=0.001 --radius-a=0.5",
-        "--with bearing", "--with bearing=0.98",
-    ], 12);
-}
-
-#[test]
-fn what_cannot_mesh_is_refused() {
-    refused(&EXAMPLE, [
-        ("--radius-b=0", "radius_b = 0 is not allowed"),
-        ("--radius-a=10 --radius-b=0.001", "radius_a/radius_b = 10000"),
-        ("--inertia-a=-1", "inertia_a = -1 is not allowed"),
-        ("--friction=0", "friction = 0 is not allowed"),
-        ("--rate=inf", "not a finite number"),
-        ("--with bearing=2", "bearing over the torque of the rims = 2 is not allowed"),
-    ]);
-}
 
 /// The centre of B is at rest, so B has one angular momentum about all points of the plane; carried
 /// by an arm it has not.

@@ -1,37 +1,12 @@
 //! Exercise 15.3, coins of two sizes. That simulations and formulas agree is part of the report:
 //! a claim that differs from its oracle is an error.
 
-use crate::answers::{confirmed, errors_of, measured, refused};
+use crate::answers::measured;
 use core::f64::consts::{PI, TAU};
+use pages::ch15_ex3_coins::physics::*;
 use pages::ch15_ex3_coins::*;
 use rotation_dynamics::math::{atan2, cos, sin};
 use support::{Errors, assert_largest};
-
-#[test]
-fn the_instances_of_the_notes_come_out() {
-    let instances = [("omega", 16.0 / 3.0), ("momentum", 2.432e-5), ("energy", 3.072e-5)];
-    assert_largest!(errors_of(&EXAMPLE, instances), 3, @"3.97");
-}
-
-#[test]
-fn formulas_and_simulations_agree_for_all_radii() {
-    let outer = ["0.0005", "0.012", "0.02", "0.3", "1.5"].into_iter();
-    let outside = outer.map(|r| format!("--outer={r} --rate=0.3"));
-    let inside = ["0.001", "0.0133333", "0.0195"].map(|r| format!("--outer={r} --side=inside"));
-    let others = ["--tolerance=1e-6", "--mass=100", "--outer=0.01979 --side=inside"].map(String::from);
-    confirmed(&EXAMPLE, outside.chain(inside).chain(others), 11);
-}
-
-#[test]
-fn what_does_not_fit_is_refused() {
-    refused(&EXAMPLE, [
-        ("--outer=0", "outer = 0 is not allowed"),
-        ("--outer=0.02 --side=inside", "inside a ring, = 1 is not allowed"),
-        ("--outer=50", "outer/inner = 2500"),
-        ("--rate=0", "at rest nothing rolls"),
-        ("--side=under", "invalid value"),
-    ]);
-}
 
 /// Polygons with equal sides roll on each other: from one side to the next the moving one turns
 /// by what the corners of the two leave open, inside by their difference. Radii are in proportion

@@ -1,45 +1,14 @@
 //! Exercise 15.6, the cone that rolls about its vertex. That particles and formulas agree is
 //! part of the report: a claim that differs from its oracle is an error.
 
-use crate::answers::{confirmed, errors_of, ledger, refused};
+use crate::answers::ledger;
+use pages::ch15_ex6_cone::physics::*;
 use pages::ch15_ex6_cone::*;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::solids;
 use core::f64::consts::TAU;
 use rotation_dynamics::math::{cos, exp, sin, tan};
 use support::{EPS, Errors, assert_largest};
-
-#[test]
-fn the_instances_of_the_notes_come_out() {
-    assert_largest!(errors_of(&EXAMPLE, [
-        ("omega", -3.547_833_630_058_67),
-        ("l_rho", -0.089_755_429_562_472_2),
-        ("l_up", 0.131_291_554_321_4),
-        ("energy", 0.159_218_665_741_05),
-        ("omega_tip", 6.231_600_004_822_99),
-        ("turns", 2.567_932_455_547_78),
-    ]), 6, @"36.2");
-}
-
-#[test]
-fn formulas_and_particles_agree_for_every_cone() {
-    let angles = ["0.01", "0.1", "0.8", "1.107", "1.2", "1.5"].into_iter();
-    let cone = |a| ["0.01", "1"].map(|rate| format!("--half-angle={a} --rate={rate} --height=0.1"));
-    let others = ["--mass=0.01 --gravity=1.62", "--friction=5 --rate=6.2", "--tolerance=1e-6"];
-    confirmed(&EXAMPLE, angles.flat_map(cone).chain(others.map(String::from)), 15);
-}
-
-#[test]
-fn what_cannot_roll_is_refused() {
-    refused(&EXAMPLE, [
-        ("--half-angle=0", "half_angle = 0 is not allowed"),
-        ("--half-angle=1.6", "from 0.001 to 1.5698"),
-        ("--rate=7 --friction=2", "beyond which the cone tips, = 7 is not allowed"),
-        ("--rate=5", "beyond which the cone slips, = 5 is not allowed"),
-        ("--rate=0", "rate = 0 is not allowed"),
-        ("--mass=nan", "not a finite number"),
-    ]);
-}
 
 /// The particles have the mass, the centre and the moments about the vertex of the library's
 /// solid cone.
@@ -137,10 +106,7 @@ fn left_to_itself_it_loses_what_the_card_measures() {
 /// The squares of the two rates at which a cone tips and slips, the larger over the smaller.
 #[test]
 fn with_a_coefficient_of_one_tipping_and_slipping_are_close() {
-    let apart = |a: f64| {
-        let ratio = tips(a) * needed(a, 1.0);
-        ratio.max(1.0 / ratio)
-    };
+    let apart = |a: f64| (tips(a) * needed(a, 1.0)).max(1.0 / (tips(a) * needed(a, 1.0)));
     let mut errors = Errors::of("ratio from 0.2 to 1.35 rad");
     (0..=115).for_each(|k| errors.push(apart(0.2 + 0.01 * f64::from(k))));
     assert_largest!(errors, 116, @"1.25");

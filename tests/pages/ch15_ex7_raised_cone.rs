@@ -1,43 +1,12 @@
 //! Exercise 15.7, the cone with its vertex raised. That particles and formulas agree is part of
 //! the report: a claim that differs from its oracle is an error.
 
-use crate::answers::{confirmed, errors_of, ledger, refused};
+use crate::answers::ledger;
+use pages::ch15_ex7_raised_cone::physics::*;
 use pages::ch15_ex7_raised_cone::*;
 use core::f64::consts::TAU;
 use rotation_dynamics::math::{cos, exp, sin, tan};
 use support::{Errors, assert_largest};
-
-#[test]
-fn the_instances_of_the_notes_come_out() {
-    assert_largest!(errors_of(&EXAMPLE, [
-        ("omega_rho", -3.547_833_630_058_67),
-        ("l_rho", -0.034_246_250_717_791_1),
-        ("l_up", 0.169_239_541_285_344),
-        ("energy", 0.187_679_655_964_008),
-        ("pressure", 14.881_206_253_589),
-    ]), 5, @"28.0");
-}
-
-#[test]
-fn formulas_and_particles_agree_for_every_cone() {
-    let angles = ["0.05", "0.1", "0.8", "1.2", "1.4"].into_iter();
-    let cone = |a| ["0.5", "50"].map(|rate| format!("--half-angle={a} --rate={rate} --height=0.1"));
-    let others = ["--mass=0.01 --gravity=1.62", "--tolerance=1e-6"];
-    confirmed(&EXAMPLE, angles.flat_map(cone).chain(others.map(String::from)), 12);
-}
-
-#[test]
-fn what_is_no_cone_is_refused() {
-    refused(&EXAMPLE, [
-        ("--half-angle=0", "half_angle = 0 is not allowed"),
-        ("--half-angle=1.6", "from 0.001 to 1.5698"),
-        ("--rate=0", "rate = 0 is not allowed"),
-        ("--rate=0.1", "h Omega^2/g = 0.000305"),
-        ("--height=-1", "height = -1 is not allowed"),
-        ("--mass=inf", "not a finite number"),
-        ("--tolerance=1e-15", "tolerance = 1e-15 is not allowed"),
-    ]);
-}
 
 /// Without the table, but with its force N, the axis stays level; with a hundredth less it
 /// does not.

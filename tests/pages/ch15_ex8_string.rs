@@ -1,45 +1,13 @@
 //! Exercise 15.8, a string pulled in. That the simulated string confirms the formulas is part of
 //! the report: a claim that differs from its oracle is an error.
 
-use crate::answers::{confirmed, errors_of, refused};
 use kit::simpson;
-use pages::ch15_ex8_string::pull::{Pulled, across, energy, radius};
+use pages::ch15_ex8_string::physics::*;
+use pages::ch15_ex8_string::pull::Pulled;
 use pages::ch15_ex8_string::*;
 use rotation_dynamics::integrators::{after, place_and_velocity};
 use rotation_dynamics::math::{hypot, sincos};
 use support::{Errors, assert_largest};
-
-#[test]
-fn the_instances_of_the_notes_come_out() {
-    assert_largest!(errors_of(&EXAMPLE, [
-        ("force", 2.304),
-        ("angular_velocity", 4.8),
-        ("speed", 5.77_f64.sqrt()),
-        ("angle", 9.0),
-        ("work", 0.351),
-    ]), 5, @"2.85");
-}
-
-#[test]
-fn other_strings_are_confirmed() {
-    confirmed(&EXAMPLE, [
-        "--pull=1 --time=0.5", "--pull=10 --time=0.07", "--pull=0.01 --time=30",
-        "--speed=30 --mass=5 --pull=0.5 --time=1", "--hole=0.01", "--pull=0.005 --time=130",
-        "--tolerance=1e-6",
-    ], 7);
-}
-
-#[test]
-fn what_cannot_be_pulled_is_refused() {
-    refused(&EXAMPLE, [
-        ("--radius=-0.8", "radius = -0.8 is not allowed"),
-        ("--pull=0", "pull = 0 is not allowed"),
-        ("--time=8e-9", "what is pulled in, = 1e-9 is not"),
-        ("--time=7.6", "what is left of the string, = 0.04"),
-        ("--hole=0.9", "hole/radius = 1.125"),
-        ("--pull=400 --time=1e-3", "pull/|speed| = 266.6"),
-    ]);
-}
 
 /// Forty times up to the edge of the hole: the simulation runs along the spiral, the string
 /// pulls, and the angular momentum stays.

@@ -1,7 +1,8 @@
 //! Exercise 16.3, the cylinder in the corner. That simulations confirm the formulas is part of
 //! the report: a claim or a limit that differs from its oracle is an error.
 
-use crate::answers::{cell, computed, confirmed, errors_of, refused};
+use crate::answers::cell;
+use pages::ch16_ex3_corner::physics::*;
 use pages::ch16_ex3_corner::*;
 use rotation_dynamics::Error;
 use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, ode, size_or};
@@ -11,78 +12,11 @@ use support::{Errors, assert_largest};
 /// The spin of the page in units of sqrt(g/R).
 const SPIN: f64 = 6.06;
 
-#[test]
-fn the_instances_of_the_notes_come_out() {
-    assert_largest!(errors_of(&EXAMPLE, [
-        ("n_floor", 27.689_364_705_882_4),
-        ("n_wall", 6.922_341_176_470_59),
-        ("alpha", 57.686_176_470_588_2),
-        ("t_stop", 1.040_110_537_237_49),
-        ("turns", 4.966_162_000_899_39),
-        ("t_roll", 0.815_772_970_382_343),
-        ("v_roll", 2.0),
-    ]), 7, @"26.9");
-    // The damaged twin: friction that is larger by a thousandth.
-    let off = computed(&EXAMPLE, "--friction=0.25025", "t_stop");
-    assert!((off / 1.040_110_537_237_49 - 1.0).abs() > 1e-4, "{off}");
-}
-
-#[test]
-fn formulas_and_simulations_agree() {
-    let frictions = ["0.001", "0.03", "0.9", "1", "2.5", "8"].map(|mu| format!("--friction={mu}"));
-    let spins = ["0.05", "1", "900"].map(|spin| format!("--spin={spin}"));
-    let others = [
-        "--radius=1e-4", "--radius=300", "--mass=1e-6", "--gravity=0.01", "--fading=1e-4",
-        "--fading=10", "--sense=away", "--tolerance=1e-4",
-    ];
-    let both = frictions.iter().flat_map(|mu| spins.iter().map(move |spin| format!("{mu} {spin}")));
-    confirmed(&EXAMPLE, both.chain(others.map(String::from)), 26);
-    confirmed(&EXAMPLE, [
-        "--spin=-60", "--spin=-60 --sense=away", "--friction=0", "--friction=0 --spin=-1",
-        "--friction=1e-6", "--friction=10", "--spin=1e-6", "--spin=1e6", "--fading=0",
-        "--fading=1e3", "--with lean=0.5", "--with lean=1.2",
-    ], 12);
-}
-
-/// A spin the other way round is the corner in a mirror: the same times and forces.
-#[test]
-fn the_other_spin_is_a_mirror() {
-    for key in ["n_floor", "n_wall", "alpha", "t_stop", "turns", "v_roll", "way", "t_fading"] {
-        assert_eq!(computed(&EXAMPLE, "--spin=-60", key), computed(&EXAMPLE, "", key), "{key}");
-    }
-}
-
-#[test]
-fn what_is_no_cylinder_in_a_corner_is_refused() {
-    refused(&EXAMPLE, [
-        ("--radius=-0.1", "radius = -0.1 is not allowed"),
-        ("--mass=0", "mass = 0 is not allowed"),
-        ("--friction=-0.2", "at least 0"),
-        ("--spin=0", "without spin the cylinder stays at rest"),
-        ("--spin=1e15", "spin sqrt(R/g)"),
-        ("--with lean=-0.5", "backward, and not down to the floor"),
-        ("--friction=100", "dry friction allows two motions"),
-        ("--fading=1e6", "fading*spin*radius = 6000000"),
-        ("--with lean=1.5", "climbs out"),
-        ("--sense=up", "sense"),
-    ]);
-}
-
-/// Its figures are drawn for other cylinders as well.
-#[test]
-fn figures_are_drawn_for_other_cylinders() {
-    for (friction, spin, radius) in [(2.0, 5.0, 0.1), (9.0, 60.0, 0.1), (0.01, 300.0, 0.1), (1.0, 0.1, 5.0)] {
-        let flags = [("friction", friction), ("spin", spin), ("radius", radius)];
-        assert_eq!(EXAMPLE.page().figures_with(&flags).unwrap().len(), 8, "{flags:?}");
-    }
-}
-
 /// What the scene says about its contacts is true, with a wall that leans and friction that fades.
 #[test]
 fn the_contacts_are_declared_truly() {
     let scene = Cylinder { mu: [0.2, 0.4], fading: 0.3, lean: 0.25 };
-    let state = MechanismState { q: [0.2, 1.3, -0.4], v: [0.7, -0.3, 0.9] };
-    let found = misdeclared(&scene, &state);
+    let found = misdeclared(&scene, &MechanismState { q: [0.2, 1.3, -0.4], v: [0.7, -0.3, 0.9] });
     assert!(found < 1e-9, "{found}");
 }
 
@@ -92,7 +26,7 @@ fn other_surfaces_brake_as_predicted() {
     let (mut errors, mut damaged) = (Errors::of("braking, relative"), Errors::of("alike, upright"));
     for mu in [[0.1, 0.7], [0.9, 0.0], [2.0, 0.4], [0.3, 3.0]] {
         for lean in [-0.6, -0.2, 0.0, 0.2] {
-            let cylinder = Cylinder { mu, fading: 0.0, lean };
+            let cylinder = Cylinder::new(mu, lean);
             let stop = SPIN / cylinder.braking();
             let ride = set_down(cylinder, SPIN, 2.0 * stop, 1e-13).unwrap();
             errors.push_at(ride.event("floor sticks").unwrap().t / stop - 1.0, (mu, lean));
@@ -105,17 +39,17 @@ fn other_surfaces_brake_as_predicted() {
     assert_largest!(errors, 16, @"4.44e-16");
     damaged.exceed(0.02, 16);
     // Where the wall leans by more than arctan(1/mu) it climbs.
-    let climbs = Cylinder { mu: [0.9, 1.5], fading: 0.0, lean: 0.7 };
+    let climbs = Cylinder::new([0.9, 1.5], 0.7);
     assert!(set_down(climbs, SPIN, 0.5, 1e-13).unwrap().at(0.5).unwrap().q[1] > 1.01);
     // A rough floor jams it under a wall that overhangs far: no forces balance.
-    let jams = Cylinder { mu: [2.0, 0.4], fading: 0.0, lean: -1.2 };
+    let jams = Cylinder::new([2.0, 0.4], -1.2);
     assert!(jams.pressed()[0] < 0.0 && set_down(jams, SPIN, 1.0, 1e-13).is_err());
 }
 
 /// On a floor without friction nothing presses it to the wall, and it spins on.
 #[test]
 fn a_smooth_floor_lets_it_spin() {
-    let cylinder = Cylinder { mu: [0.0, 0.7], fading: 0.0, lean: 0.0 };
+    let cylinder = Cylinder::new([0.0, 0.7], 0.0);
     let ride = set_down(cylinder, SPIN, 1e4, 1e-13).unwrap();
     assert!(ride.events().is_empty());
     assert_eq!(ride.at(1e4).unwrap().v[2], SPIN);
@@ -178,23 +112,4 @@ fn friction_of_signs_flickers_where_there_is_none() {
     assert!(rolling.len() == 489 && rolling.iter().all(|f| (f.abs() - mu).abs() < 1e-9));
     let turns = rolling.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
     assert!(turns > 300, "{turns}");
-}
-
-/// The time by the formula is the integral over the spin, for friction that fades.
-#[test]
-fn fading_friction_takes_the_time_of_the_formula() {
-    let (mut errors, mut damaged) = (Errors::of("relative"), Errors::of("steady"));
-    for (mu, fading, w) in [(0.25, 0.05, 6.0), (1.7, 2.0, 30.0), (0.05, 1e-3, 0.5)] {
-        let n = 20_000;
-        let h = w / f64::from(n);
-        let step = |i| {
-            let mu = mu / (1.0 + fading * h * (f64::from(i) + 0.5));
-            h * (1.0 + mu * mu) / (2.0 * mu * (1.0 + mu))
-        };
-        let sum: f64 = (0..n).map(step).sum();
-        errors.push_at(faded(mu, fading, w) / sum - 1.0, (mu, fading));
-        damaged.push(w / Cylinder::alike(mu).braking() / sum - 1.0);
-    }
-    assert_largest!(errors, 3, @"1.67e-10");
-    damaged.exceed(1e-5, 3);
 }

@@ -1,48 +1,11 @@
 //! Exercise 16.4, a disc that unwinds from a string. That Newton's law in the plane and Lagrange's
 //! equations in angles confirm each other is part of the report.
 
-use crate::answers::{confirmed, errors_of, number, refused};
 use kit::simpson;
-use pages::ch16_ex4_unwinding_disc::string::{Disc, Leaves};
+use pages::ch16_ex4_unwinding_disc::physics::{Disc, Leaves};
 use pages::ch16_ex4_unwinding_disc::*;
 use rotation_dynamics::math::{acos, atan2, cos, hypot, sin, sincos};
 use support::{Errors, assert_largest};
-
-#[test]
-fn the_instances_of_the_notes_come_out() {
-    assert_largest!(errors_of(&EXAMPLE, [
-        ("a", 6.537_766_666_666_666),
-        ("tension", 9.806_65),
-        ("omega", 16.344_416_666_666_667),
-        ("t_end", 0.553_095_709_523_567_5),
-        ("v_end", 3.616_010_693_199_528),
-    ]), 5, @"1.96");
-}
-
-#[test]
-fn other_discs_are_confirmed() {
-    confirmed(&EXAMPLE, [
-        "--shape=1", "--shape=0.1 --time=0.4", "--shape=50 --time=0.3", "--wound=10 --free=5",
-        "--wound=0.25 --time=0.2", "--radius=0.02 --free=0.1", "--mass=0.05 --stiffness=100",
-        "--gravity=1.62", "--tolerance=1e-6",
-    ], 9);
-    assert_eq!(number(&EXAMPLE, "--radius=0.1", "peak_long"), 45.0);
-    assert!(number(&EXAMPLE, "--free=100", "climb") > 0.99999);
-    assert_eq!(number(&EXAMPLE, "--shape=1", "peak_long"), 13.0);
-}
-
-#[test]
-fn what_does_not_unwind_is_refused() {
-    refused(&EXAMPLE, [
-        ("--radius=-0.2", "radius = -0.2 is not allowed"),
-        ("--shape=0", "shape = 0 is not allowed"),
-        ("--time=0.6", "no string is left to unwind"),
-        ("--free=0.1", "at 1 the disc touches the roof"),
-        ("--wound=0.001 --time=0.01", "wound/radius = 0.005"),
-        ("--shape=1e-4 --time=0.4", "near the axis falls"),
-        ("--stiffness=0", "stiffness = 0 is not allowed"),
-    ]);
-}
 
 /// The solver knows accelerations only. The string has its length all the way, measured along its
 /// straight part and the rim, and the energy stays; without the rotation it does not.

@@ -7,6 +7,7 @@
 //! Nothing here is timed: the same bits, and so the same record, on every machine. It
 //! takes some minutes; `tests/accuracy/drift.rs` computes the shorter times again.
 
+#[rustfmt::skip] // it is formatted with the examples
 #[path = "../../../examples/accuracy_races/drift.rs"]
 #[allow(dead_code, reason = "the example draws what is tabulated here")]
 mod drift;

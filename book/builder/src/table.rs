@@ -17,7 +17,7 @@ const CARD_LEGEND: &str = "\u{201c}In\u{201d} means that leaving the effect out 
      value beside the word. <a href=\"effects.html#how-to-read-the-table\">How to read this \
      table</a>.";
 
-/// The most characters of a cell that is not broken: "height_ratio_release".
+/// The most characters of a cell that is not broken.
 const LONGEST_SHORT: usize = 20;
 
 /// The text of all cells, for the search index.

@@ -194,7 +194,7 @@ macro_rules! effect_card {
 /// The function returns those of the drawings.
 #[macro_export]
 macro_rules! figures {
-    ($p:tt : $parameters:ty $(, $shared:ident = $of:expr)*;
+    ($p:tt : $parameters:ty $(, $shared:tt = $of:expr)*;
      $( $(#[doc = $alt:literal])* $name:ident $( ($told:expr) )? : $drawing:expr ; )+) => {
         /// All figures of the page.
         pub fn figures($p: $parameters) -> $crate::Result<Vec<$crate::Figure>> {

@@ -7,6 +7,7 @@ mod case;
 mod causes;
 mod control;
 mod crossings;
+#[rustfmt::skip] // it is formatted with the examples
 #[path = "../../../examples/accuracy/honesty.rs"]
 mod honesty;
 mod limits;

@@ -1,31 +1,55 @@
 //! A ball hits a dumbbell, simulated with contacts that push: no conservation law is used, and
 //! whoever meets again is hit again. Mass of the ball, length of the stick and speed are 1.
 
+// ANCHOR: physics
 use rotation_dynamics::integrators::{Dop853, Work, ode, size_or};
-use rotation_dynamics::math::{hypot, sincos};
+use rotation_dynamics::math::{cos, hypot, sincos};
 use rotation_dynamics::planar::contact::{
     Contact, ContactEvent, ContactMotion, Mechanism, MechanismState, motion,
 };
 use rotation_dynamics::{Error, Result};
 
+/// Place or velocity in the plane.
+pub type Plane = [f64; 2];
+
+/// What the three laws give; masses in m, lengths in l, speeds in v0.
+#[derive(Debug, Clone, Copy)]
+pub struct Answer {
+    pub impulse: f64,
+    pub ball: f64,   // velocity of the ball after the hit, along its own before
+    pub centre: f64, // velocity of the middle of the stick, in the same direction
+    pub angular_velocity: f64,
+}
+
+impl Answer {
+    pub fn new(restitution: f64, slant: f64) -> Self {
+        let across = cos(slant);
+        // Struck by the impulse J at this slant the mass gets away with J (1 + across^2).
+        let impulse = (1.0 + restitution) / (2.0 + across * across);
+        let (ball, angular_velocity) = (1.0 - impulse, 2.0 * impulse * across);
+        Self { impulse, ball, centre: impulse, angular_velocity }
+    }
+}
+
+/// After a hit at right angles, in l, when the stick has turned by `angle`: the ball, from the
+/// sum of the radii on, and the two masses on their cycloids.
+pub fn cycloids(a: Answer, reach: f64, angle: f64) -> [Plane; 3] {
+    let (s, c) = sincos(angle);
+    let mass = |sign: f64| [0.5 * (angle + sign * s), 0.5 * (1.0 - sign * c)];
+    let ball = [a.ball / a.angular_velocity * angle - reach, 0.0];
+    [ball, mass(1.0), mass(-1.0)]
+}
+
 /// Ball and dumbbell, seen from above: the dumbbell lies along y.
 #[derive(Debug, Clone, Copy)]
 pub struct Hit {
-    /// Coefficient of restitution.
     pub restitution: f64,
-    /// Direction in which the ball comes, from the x axis, rad.
-    pub slant: f64,
-    /// Radius of the ball and that of a mass together.
-    pub reach: f64,
-    /// By how much the ball comes off the line to the middle of the mass.
-    pub aside: f64,
-    /// Mass of the dumbbell, and its moment of inertia.
-    pub mass: f64,
-    pub moment: f64,
+    pub slant: f64,  // direction in which the ball comes, from the x axis, rad
+    pub reach: f64,  // radius of the ball and that of a mass together
+    pub aside: f64,  // by how much the ball comes off the line to the middle of the mass
+    pub mass: f64,   // of the dumbbell
+    pub moment: f64, // of inertia of the dumbbell
 }
-
-/// Place or velocity in the plane.
-pub type Plane = [f64; 2];
 
 /// The middle of the lower mass and of the upper one, seen from the middle of the stick.
 pub fn arms(angle: f64) -> [Plane; 2] {
@@ -46,14 +70,7 @@ pub fn velocities(MechanismState { q, v }: &MechanismState<5>) -> [Plane; 2] {
 impl Hit {
     /// Across the stick.
     pub const fn across(restitution: f64, reach: f64) -> Self {
-        Self {
-            restitution,
-            slant: 0.0,
-            reach,
-            aside: 0.0,
-            mass: 1.0,
-            moment: 0.25,
-        }
+        Self { restitution, slant: 0.0, reach, aside: 0.0, mass: 1.0, moment: 0.25 }
     }
 }
 
@@ -87,6 +104,7 @@ impl Mechanism<5, 2> for Hit {
     }
     // ANCHOR_END: scene
 }
+// ANCHOR_END: physics
 
 /// How far the ball is from where it hits, at the start.
 pub const APPROACH: f64 = 0.8;
@@ -94,9 +112,7 @@ pub const APPROACH: f64 = 0.8;
 /// The approach, the hit at t = 0, and what follows.
 pub struct Blow {
     motion: ContactMotion<Hit, 5, 2>,
-    /// Just before and just after.
-    pub before: MechanismState<5>,
-    pub after: MechanismState<5>,
+    pub after: MechanismState<5>, // just after the first hit
 }
 
 impl Blow {
@@ -108,13 +124,8 @@ impl Blow {
         // Nothing pulls, so steps would be long, and a ball could pass a mass within one.
         let method = Dop853::new(step)?.with_longest_step(0.2 * hit.reach.min(0.25))?;
         let motion = motion(hit, &method, MechanismState { q, v }, APPROACH + end)?;
-        let first = motion.event("lower bounces")?;
-        let (before, after) = (first.before, first.after);
-        Ok(Self {
-            motion,
-            before,
-            after,
-        })
+        let after = motion.event("lower bounces")?.after;
+        Ok(Self { motion, after })
     }
 
     /// The state at this time after the hit.
@@ -188,12 +199,6 @@ pub fn rubbed(after: &MechanismState<5>, friction: f64) -> Result<(f64, Work)> {
     let far = |y: &[f64; 6]| hypot(y[0], y[1]) - 1.0;
     let (there, work) = Dop853::new(1e-11)?.zero(&law, start, 1, 20.0 / speed, far)?;
     Ok((1.0 - hypot(there.state[3], there.state[4]) / speed, work))
-}
-
-/// Kinetic energy of all.
-pub fn energy(MechanismState { v, .. }: &MechanismState<5>) -> f64 {
-    let square = |k: usize| v[k] * v[k] + v[k + 1] * v[k + 1];
-    0.5 * (square(0) + 0.25 * v[2] * v[2] + square(3))
 }
 
 /// How far the ball is from the middle of the lower mass and of the upper one.

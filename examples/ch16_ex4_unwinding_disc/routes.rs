@@ -1,107 +1,15 @@
-//! A disc on a string that is wound on its rim and tied to it, in a plane: Newton's law, and the
-//! same by Lagrange in angles. Mass, radius and g are 1; x to the right, y up, the hook at (0, 0).
+//! The other routes: the turn on a string that gives, Lagrange's equations in angles, and a string
+//! so long that it stays vertical.
 
-use core::f64::consts::{FRAC_PI_2, PI};
+use super::physics::*;
+use core::f64::consts::FRAC_PI_2;
 use kit::times;
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, Event, Solution, ode, size_or};
-use rotation_dynamics::math::{atan2, cos, hypot, sin, sincos};
-use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
+use rotation_dynamics::math::{cos, hypot, sin, sincos};
+use rotation_dynamics::planar::Run;
 
-/// The disc, and its string at the start.
-#[derive(Debug, Clone, Copy)]
-pub struct Disc {
-    /// Moment of inertia.
-    pub shape: f64,
-    /// Length of the string that is wound up.
-    pub wound: f64,
-    /// Length between hook and disc.
-    pub free: f64,
-}
-
-/// Where the string leaves the disc.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Leaves {
-    /// Its rim, the disc on the left of the string.
-    Unwinding,
-    /// The knot at its end.
-    Knot,
-    /// Its rim, the disc on the right.
-    Winding,
-}
-
-/// What the taut string does.
-#[derive(Debug, Clone, Copy)]
-pub struct Taut {
-    /// From the centre of the disc to where the string leaves it.
-    pub arm: [f64; 2],
-    pub tension: f64,
-    /// Acceleration of the centre.
-    pub acceleration: [f64; 2],
-    /// Angular acceleration.
-    pub spin: f64,
-    /// What must not be negative: length wound up, or how far the knot has turned away.
-    pub margin: f64,
-    /// The rate at which string is wound up or, negative, unwound.
-    pub winds: f64,
-}
-
-// ANCHOR: newton
 impl Disc {
-    pub fn length(&self) -> f64 {
-        self.wound + self.free
-    }
-
-    /// The string where it is taut. The state: the centre, the direction from it to the knot,
-    /// and their rates. The string pulls along `-u` at the end of the arm, which turns the disc
-    /// by `-tension * lever`; its far end is at rest, so there the acceleration is known.
-    pub fn taut(&self, leaves: Leaves, &[x, y, knot, vx, vy, rate]: &[f64; 6]) -> Taut {
-        let (sk, ck) = sincos(knot);
-        // The side of the string on which the disc is.
-        let side = if leaves == Leaves::Winding { 1.0 } else { -1.0 };
-        let ([ux, uy], arm, bend, margin, winds);
-        if leaves == Leaves::Knot {
-            let (far, [wx, wy]) = (hypot(x + ck, y + sk), [vx - rate * sk, vy + rate * ck]);
-            [ux, uy] = [(x + ck) / far, (y + sk) / far];
-            let along = ux * ck + uy * sk;
-            let across = ux * wy - uy * wx;
-            arm = [ck, sk];
-            bend = across * across / far - rate * rate * along;
-            (margin, winds) = (-along, 0.0);
-        } else {
-            let square = x * x + y * y;
-            let straight = (square - 1.0).sqrt();
-            [ux, uy] = [
-                (straight * x + side * y) / square,
-                (straight * y - side * x) / square,
-            ];
-            let across = ux * vy - uy * vx;
-            arm = [side * uy, -side * ux];
-            bend = across * across / straight;
-            let angle = atan2(ux, -uy) + if side > 0.0 { PI } else { 0.0 };
-            (margin, winds) = (side * (knot - angle), side * (rate - across / straight));
-        }
-        let lever = arm[0] * uy - arm[1] * ux;
-        let tension = (bend - uy) / (1.0 + lever * lever / self.shape);
-        let acceleration = [-tension * ux, -tension * uy - 1.0];
-        let spin = -tension * lever / self.shape;
-        Taut {
-            arm,
-            tension,
-            acceleration,
-            spin,
-            margin,
-            winds,
-        }
-    }
-    // ANCHOR_END: newton
-
-    /// The motion from rest: down, over the knot, and up until no more string is wound up.
-    pub fn run(&self, step: f64) -> Result<Run<Leaves, 6>> {
-        let start = [-1.0, -self.free, -self.wound, 0.0, 0.0, 0.0];
-        simulate(self, &Dop853::new(step)?, Leaves::Unwinding, start, 1e5)
-    }
-
     /// Energy of a state, from the hook.
     pub fn energy(&self, &[_, y, _, vx, vy, rate]: &[f64; 6]) -> f64 {
         0.5 * (vx * vx + vy * vy + self.shape * rate * rate) + y
@@ -173,35 +81,6 @@ impl Disc {
         let up = method.solve(&reel, 0.0, &[string, rate, l, turns], 1e5, &[top])?;
         let climb = l - up.end_state()[2];
         Ok([over.end_time(), peak, climb, up.end_time()])
-    }
-}
-
-impl Phased<6> for Disc {
-    type Phase = Leaves;
-
-    fn derivative(&self, leaves: Leaves, y: &[f64; 6]) -> [f64; 6] {
-        let taut = self.taut(leaves, y);
-        let [ax, ay] = taut.acceleration;
-        [y[3], y[4], y[5], ax, ay, taut.spin]
-    }
-
-    fn conditions(&self, leaves: Leaves) -> Vec<Condition<'_, Leaves, 6>> {
-        let margin = move |y: &[f64; 6]| self.taut(leaves, y).margin;
-        let slack = Condition::contact("slack", move |y| self.taut(leaves, y).tension, Next::End);
-        let roof = Condition::gap("roof", |y: &[f64; 6]| -1.0 - y[1], Next::End);
-        let winds = move |y: &[f64; 6]| self.taut(leaves, y).winds;
-        let next = match leaves {
-            Leaves::Unwinding => Condition::gap("all unwound", margin, Next::Enter(Leaves::Knot)),
-            Leaves::Knot => {
-                Condition::opening_gap("winds up", margin, Next::Enter(Leaves::Winding))
-            }
-            Leaves::Winding => Condition::gap("top", winds, Next::End),
-        };
-        vec![slack, roof, next]
-    }
-
-    fn scale(&self, y: &[f64; 6]) -> [f64; 6] {
-        size_or([1.0; 6])(y)
     }
 }
 

@@ -1,0 +1,128 @@
+//! Bat and ball: in closed form, and a scene of contacts that hold and push, whose bodies are rigid
+//! and bounce, or whose ball pushes as one does that is pressed flat.
+
+// ANCHOR: physics
+use super::Parameters;
+use kit::prelude::*;
+use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState};
+
+/// From the middle of the bat to the hands, and from the hands to the blow.
+pub fn arms(p: &Parameters) -> [f64; 2] {
+    [0.5 * p.length - p.hands, p.hit - p.hands]
+}
+
+/// Moment of inertia over the mass, about the middle (`arm` = 0) or a point so far from it.
+pub fn inertia(p: &Parameters, arm: f64) -> f64 {
+    p.length * p.length / 12.0 + arm * arm
+}
+
+/// Where a blow is not felt, from the hands.
+pub fn centre(p: &Parameters) -> f64 {
+    let [arm, _] = arms(p);
+    inertia(p, arm) / arm
+}
+
+/// Impulse of the hands over that of the ball, both on the bat.
+pub fn reaction(p: &Parameters) -> f64 {
+    let [_, hit] = arms(p);
+    hit / centre(p) - 1.0
+}
+
+/// Impulse of the ball on the bat: held by the hands, or free.
+pub fn impulse(p: &Parameters, held: bool) -> f64 {
+    let [arm, hit] = arms(p);
+    let yielding = match held {
+        true => hit * hit / inertia(p, arm),
+        false => 1.0 + (hit - arm) * (hit - arm) / inertia(p, 0.0),
+    };
+    (1.0 + p.restitution) * p.speed / (1.0 / p.ball + yielding / p.mass)
+}
+
+/// Velocity that the place of the hands gets by an impulse on a free bat, over J/m.
+pub fn free_hands(p: &Parameters) -> f64 {
+    let [arm, hit] = arms(p);
+    1.0 - (hit - arm) * arm / inertia(p, 0.0)
+}
+
+/// Bat and ball; the hands are at the origin, the bat lies along x, the ball comes along y.
+#[derive(Debug, Clone)]
+pub struct Strike {
+    pub p: Parameters,
+    pub held: bool,             // whether the hands hold it as a hinge does
+    pub stiffness: Option<f64>, // force over depth^(3/2), N/m^(3/2); none if ball and bat are rigid
+}
+
+impl Strike {
+    /// Rigid bodies; the ball comes along y, whatever the sign of its velocity.
+    pub fn rigid(p: &Parameters, held: bool) -> Self {
+        let (p, stiffness) = (p.but(|p| p.speed = p.speed.abs()), None);
+        Self { p, held, stiffness }
+    }
+
+    /// A soft, elastic ball that touches the bat for about the time `contact` (Hertz's law).
+    pub fn soft(p: &Parameters) -> Self {
+        let p = p.but(|p| (p.speed, p.restitution) = (p.speed.abs(), 1.0));
+        let reduced = 0.5 * impulse(&p, true) / p.speed;
+        let depth = p.speed * p.contact / 2.943_275;
+        let stiffness = Some(1.25 * reduced * p.speed * p.speed / pow(depth, 2.5));
+        Self { p, held: true, stiffness }
+    }
+
+    /// How far the ball is from the bat, its gradient, and its second rate at constant velocities.
+    fn gap(&self, MechanismState { q, v }: &MechanismState<5>) -> (f64, [f64; 5], f64) {
+        let (s, c) = sincos(q[2]);
+        let ([x, y], [u, w]) = ([q[3] - q[0], q[4] - q[1]], [v[3] - v[0], v[4] - v[1]]);
+        let (along, up, rate) = (c * x + s * y, c * y - s * x, c * u + s * w);
+        let bias = 2.0 * v[2] * rate + v[2] * v[2] * up;
+        (-up, [-s, c, along, s, -c], bias)
+    }
+
+    /// Force between the two, N.
+    pub fn push(&self, state: &MechanismState<5>) -> f64 {
+        let depth = (-self.gap(state).0).max(0.0);
+        self.stiffness.unwrap_or(0.0) * depth * depth.sqrt()
+    }
+}
+
+// ANCHOR: scene
+/// Coordinates: the middle of the bat, its angle, the ball.
+impl Mechanism<5, 3> for Strike {
+    fn mass(&self, _: &[f64; 5]) -> [[f64; 5]; 5] {
+        let (m, ball) = (self.p.mass, self.p.ball);
+        let diagonal = [m, m, m * inertia(&self.p, 0.0), ball, ball];
+        core::array::from_fn(|j| core::array::from_fn(|k| if j == k { diagonal[j] } else { 0.0 }))
+    }
+
+    fn force(&self, state: &MechanismState<5>) -> [f64; 5] {
+        let (push, (_, gradient, _)) = (self.push(state), self.gap(state));
+        gradient.map(|part| part * push)
+    }
+
+    fn contacts(&self, state: &MechanismState<5>) -> [Contact<5>; 3] {
+        let (MechanismState { q, v }, [arm, _]) = (state, arms(&self.p));
+        let ((s, c), square) = (sincos(q[2]), v[2] * v[2]);
+        let ((gap, gradient, bias), none) = (self.gap(state), [0.0; 5]);
+        let ball = match self.stiffness {
+            None => Contact::new("ball", gap, gradient, bias).restitution(self.p.restitution),
+            Some(_) => Contact::joint("ball", 0.0, none, 0.0),
+        };
+        // The place that the hands hold stays at the origin.
+        let hold = |name, gap, gradient, bias| match self.held {
+            true => Contact::joint(name, gap, gradient, bias),
+            false => Contact::joint(name, 0.0, none, 0.0),
+        };
+        let x = [1.0, 0.0, arm * s, 0.0, 0.0];
+        let y = [0.0, 1.0, -arm * c, 0.0, 0.0];
+        let along = hold("along", q[0] - arm * c, x, arm * c * square);
+        let across = hold("hands", q[1] - arm * s, y, arm * s * square);
+        [ball, along, across]
+    }
+    // ANCHOR_END: scene
+
+    fn scale(&self, _: &MechanismState<5>) -> MechanismState<5> {
+        let (l, v) = (self.p.length, self.p.speed);
+        let (q, v) = ([l, l, 1.0, l, l], [v, v, v / l, v, v]);
+        MechanismState { q, v }
+    }
+}
+// ANCHOR_END: physics
