@@ -81,39 +81,13 @@ pub struct Step {
     pub core: bool,
 }
 
-const RIGID: Step = Step {
-    name: "rigid",
-    elastic: false,
-    slow: false,
-    ocean: false,
-    core: false,
-};
-const ELASTIC: Step = Step {
-    name: "the mantle yields",
-    elastic: true,
-    ..RIGID
-};
-const FLUID: Step = Step {
-    name: "the core is fluid",
-    core: true,
-    ..ELASTIC
-};
-const OCEAN: Step = Step {
-    name: "the oceans follow",
-    ocean: true,
-    ..FLUID
-};
-const WHOLE: Step = Step {
-    name: "the mantle creeps",
-    slow: true,
-    ..OCEAN
-};
+const RIGID: Step = Step { name: "rigid", elastic: false, slow: false, ocean: false, core: false };
+const ELASTIC: Step = Step { name: "the mantle yields", elastic: true, ..RIGID };
+const FLUID: Step = Step { name: "the core is fluid", core: true, ..ELASTIC };
+const OCEAN: Step = Step { name: "the oceans follow", ocean: true, ..FLUID };
+const WHOLE: Step = Step { name: "the mantle creeps", slow: true, ..OCEAN };
 /// A mantle that does not yield, with a fluid core.
-const SHELL: Step = Step {
-    name: "rigid, the core fluid",
-    core: true,
-    ..RIGID
-};
+const SHELL: Step = Step { name: "rigid, the core fluid", core: true, ..RIGID };
 /// From Euler's Earth to ours.
 pub const LEDGER: [Step; 5] = [RIGID, ELASTIC, FLUID, OCEAN, WHOLE];
 
@@ -180,10 +154,8 @@ fn euler<E: Effect>(scene: &Scene<E>, sizes: [f64; 3]) -> impl Ode<3> {
 
 /// The angular velocity of a body with this momentum, both on its axes.
 fn turning<E: Effect>(scene: &Scene<E>, l: &[f64; 3]) -> BodyVector {
-    let state = State {
-        attitude: Attitude::IDENTITY,
-        angular_momentum: SpaceVector::from_array(*l),
-    };
+    let state =
+        State { attitude: Attitude::IDENTITY, angular_momentum: SpaceVector::from_array(*l) };
     scene.angular_velocity(0.0, &state)
 }
 // ANCHOR_END: euler
@@ -285,14 +257,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The ledger: one effect after the other.
 fn ledger(p: &Parameters, report: &mut Report) -> Result<()> {
-    let columns = [
-        "step",
-        "k/k_s",
-        "first order",
-        "exact",
-        "simulated",
-        "to the observed",
-    ];
+    let columns = ["step", "k/k_s", "first order", "exact", "simulated", "to the observed"];
     let (mut table, days) = (Table::new("ledger", columns)?, p.day / DAY);
     for step in LEDGER {
         let (exact, simulated) = (step.period(p)? * days, step.simulated(p, 1e-10)? * days);
@@ -311,12 +276,8 @@ fn ledger(p: &Parameters, report: &mut Report) -> Result<()> {
 
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let f = flattening(p)?;
-    let with = |part: f64, cavity: f64, love: f64| Parameters {
-        core: part,
-        cavity,
-        love,
-        ..p.clone()
-    };
+    let with =
+        |part: f64, cavity: f64, love: f64| Parameters { core: part, cavity, love, ..p.clone() };
     let [sphere, tiny, nearly] = [
         with(p.core, 0.0, 0.0),
         with(1e-9, p.cavity, p.love),
@@ -340,31 +301,15 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (whole, days) = (WHOLE.period(p)?, p.day / DAY);
     let without = |step: Step| Ok::<_, kit::Error>((whole - step.period(p)?) * days);
     let [stiff, prompt, dry, frozen] = [
-        Step {
-            elastic: false,
-            ..WHOLE
-        },
-        Step {
-            slow: false,
-            ..WHOLE
-        },
-        Step {
-            ocean: false,
-            ..WHOLE
-        },
-        Step {
-            core: false,
-            ..WHOLE
-        },
+        Step { elastic: false, ..WHOLE },
+        Step { slow: false, ..WHOLE },
+        Step { ocean: false, ..WHOLE },
+        Step { core: false, ..WHOLE },
     ];
     let (left, uneven, whole) = (p.fluid * (1.0 - WHOLE.following(p)?), 0.0053, whole * days);
     let year = TAU / excited::YEAR;
     // The simulations that confirm the claims, and three more circuits.
-    let told = |key| {
-        report
-            .claim(key)
-            .map_or(f64::NAN, |claim| claim.oracle.value)
-    };
+    let told = |key| report.claim(key).map_or(f64::NAN, |claim| claim.oracle.value);
     let (all, lasting) = (told("whole"), told("left_over"));
     let slower = all - told("ocean");
     let ran = |step: Step| Ok::<_, kit::Error>(all - step.simulated(p, 1e-10)? * days);

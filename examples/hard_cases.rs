@@ -56,11 +56,7 @@ use rotation_dynamics::{Error, Result as Solved};
 use std::sync::Arc;
 
 /// A row: the case, what goes wrong there, and what comes of it by the methods of its family.
-pub struct Case(
-    pub &'static str,
-    &'static str,
-    fn(&[By]) -> Result<Answered>,
-);
+pub struct Case(pub &'static str, &'static str, fn(&[By]) -> Result<Answered>);
 
 /// The naive method, which everyone writes first, and its error.
 pub type Naive = (&'static str, f64);
@@ -191,21 +187,11 @@ impl Computed {
             for (n, (answer, bound)) in answers.into_iter().enumerate() {
                 let key = format!("{}, {}", case.0, family.method(n));
                 all = bound.min(all);
-                held = if answer.is_ok() {
-                    bound.min(held)
-                } else {
-                    held
-                };
+                held = if answer.is_ok() { bound.min(held) } else { held };
                 cells.push(Cell::of(key, answer, bound)?);
             }
             let least = if held.is_nan() { all } else { held };
-            rows.push(Row {
-                case,
-                condition,
-                naive,
-                least,
-                cells,
-            });
+            rows.push(Row { case, condition, naive, least, cells });
         }
         Ok(Self { family, rows })
     }

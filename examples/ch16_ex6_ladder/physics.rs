@@ -5,7 +5,7 @@
 use super::{Parameters, rounding};
 use core::f64::consts::FRAC_PI_2;
 use kit::prelude::*;
-use rotation_dynamics::exact::ladder::Ladder as Exact;
+use models::ladder::Ladder as Exact;
 use rotation_dynamics::planar::contact::{
     Contact, ContactMotion, Mechanism, MechanismState, Surface, kept_within, motion_within,
 };

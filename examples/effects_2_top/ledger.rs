@@ -27,9 +27,7 @@ pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
             format!("{:.1}", at.spin()),
             format!("{:.4}", at.tilt()),
         ];
-        let cells = cells
-            .into_iter()
-            .chain(work.map(|w| format!("{:.3}", -1e3 * w)));
+        let cells = cells.into_iter().chain(work.map(|w| format!("{:.3}", -1e3 * w)));
         table.push([name.to_string()].into_iter().chain(cells))?;
         from = to;
     }
@@ -37,17 +35,9 @@ pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
     estimates(p, &life, report)?;
     let energy = |t: f64| -> Result<f64> { Ok(life.top().energy(&life.configuration(t)?)) };
     let change = energy(from)? - energy(0.0)?;
-    let claim = claim(
-        "lost",
-        "energy lost from the throw to the fall",
-        -1e3 * change,
-        "mJ",
-    );
-    report.add(
-        claim
-            .within(-1e-2 * change)
-            .against("work of friction and air, summed", -1e3 * lost),
-    )
+    let claim = claim("lost", "energy lost from the throw to the fall", -1e3 * change, "mJ");
+    report
+        .add(claim.within(-1e-2 * change).against("work of friction and air, summed", -1e3 * lost))
 }
 
 /// Work (J) of sliding, pivoting and air between two times.
@@ -60,17 +50,10 @@ fn works<F: TipFriction>(
     let mut sums = [0.0; 3];
     let h = (to - from) / f64::from(n);
     for i in 0..=n {
-        let weight = if i == 0 || i == n {
-            1.0
-        } else {
-            2.0 + 2.0 * f64::from(i % 2)
-        };
+        let weight = if i == 0 || i == n { 1.0 } else { 2.0 + 2.0 * f64::from(i % 2) };
         let (at, forces) = life.forces(from + h * f64::from(i))?;
         let powers = life.top().powers(&at, &forces);
-        for (sum, power) in sums
-            .iter_mut()
-            .zip([powers.sliding, powers.couple, powers.effects])
-        {
+        for (sum, power) in sums.iter_mut().zip([powers.sliding, powers.couple, powers.effects]) {
             *sum += weight * power * h / 3.0;
         }
     }
@@ -91,10 +74,7 @@ impl TipFriction for Smoothed {
     fn sliding(&self, slip: SpaceVector, _: f64) -> Grip {
         let speed = slip.norm().max(1e-9 * self.epsilon);
         let tanh = 1.0 - 2.0 / (exp(2.0 * speed / self.epsilon) + 1.0);
-        Grip {
-            force: slip * (-self.coefficient * tanh / speed),
-            torque: 0.0,
-        }
+        Grip { force: slip * (-self.coefficient * tanh / speed), torque: 0.0 }
     }
 
     fn holds(&self) -> f64 {
@@ -110,38 +90,22 @@ pub fn without(p: &Parameters, report: &mut Report) -> Result<()> {
     let (point, patch) = (Dry::new(p.friction)?, p.rubbing()?);
     let smoothed = |epsilon| {
         let coefficient = p.friction;
-        p.toy(Smoothed {
-            coefficient,
-            epsilon,
-        })
+        p.toy(Smoothed { coefficient, epsilon })
     };
     let bare = Top::new(p.shape()?, GRAVITY)?.on(patch).sloping(p.slope)?;
     let rows = [
         ("nothing", tilts(&p.toy(patch)?, p)?),
-        (
-            "the patch: dry friction at a point",
-            tilts(&p.toy(point)?, p)?,
-        ),
-        (
-            "the slip: a tip that never slides",
-            tilts(&p.toy(NoSlip)?, p)?,
-        ),
+        ("the patch: dry friction at a point", tilts(&p.toy(point)?, p)?),
+        ("the slip: a tip that never slides", tilts(&p.toy(NoSlip)?, p)?),
         ("all friction: a smooth floor", tilts(&p.toy(Smooth)?, p)?),
         ("the air", tilts(&bare, p)?),
         ("the patch: a tanh of 0.1 m/s", tilts(&smoothed(0.1)?, p)?),
         ("the patch: a tanh of 3 mm/s", tilts(&smoothed(3e-3)?, p)?),
     ];
-    let ends = rows
-        .each_ref()
-        .map(|(_, run)| (run.tilts[2], run.work.derivatives));
+    let ends = rows.each_ref().map(|(_, run)| (run.tilts[2], run.work.derivatives));
     for (name, run) in rows {
         let cells = run.tilts.map(|tilt| format!("{tilt:.4}"));
-        table.push(
-            [name.to_string()]
-                .into_iter()
-                .chain(cells)
-                .chain([run.fate]),
-        )?;
+        table.push([name.to_string()].into_iter().chain(cells).chain([run.fate]))?;
     }
     report.add(table)?;
     let [all, point, _, smooth, ..] = ends;
@@ -167,9 +131,7 @@ fn tilts<F: TipFriction, E: rotation_dynamics::effects::Effect + Clone>(
         Ok(tilts.iter().sum::<f64>() / 101.0)
     };
     let tilts = [tilt(1.0)?, tilt(5.0)?, tilt(20.0)?];
-    let grips = run
-        .event("grips")
-        .map(|event| (event.t, run.configuration_at(event).tilt()));
+    let grips = run.event("grips").map(|event| (event.t, run.configuration_at(event).tilt()));
     let fate = match (grips, tilts[2] < ASLEEP) {
         (Ok((t, tilt)), _) => format!("grips after {t:.2} s at {tilt:.3} rad and rises no more"),
         (_, true) => "falls asleep".into(),
@@ -195,17 +157,10 @@ fn card(p: &Parameters, [all, point, smooth]: [(f64, u64); 3], report: &mut Repo
     let hop = p.friction * p.tilt * nod * nod * LEVER * p.throw().precession / (nod * GRAVITY);
     let earth = 7.292e-5 / p.precession(least * 1.05);
     let cost = |(_, other): (f64, u64)| format!("{other} derivatives, {} derivatives", all.1);
-    let told = |key| {
-        report
-            .claim(key)
-            .map_or(f64::NAN, |claim| claim.oracle.value)
-    };
+    let told = |key| report.claim(key).map_or(f64::NAN, |claim| claim.oracle.value);
     let (leans, wakes) = (told("leans"), told("wakes"));
     // A tenth of friction and patch creeps alike and pivots with a hundredth.
-    let firm = p.life_on(
-        Patch::new(0.1 * p.friction, 0.1 * patch)?,
-        10.0 * p.tolerance,
-    )?;
+    let firm = p.life_on(Patch::new(0.1 * p.friction, 0.1 * patch)?, 10.0 * p.tolerance)?;
     let longer = firm.event("wakes")?.t / wakes - 1.0;
     let rising = risen(p, 0.01 * p.tip)?;
     effect_card! { report,
@@ -232,9 +187,7 @@ fn risen(p: &Parameters, arm: f64) -> Result<f64> {
     let top = top.resisted_by(RollingResistance::new(arm, 1e-2)?);
     let run = top.simulate(&p.throw().rolling(), 3.0, 1e-10)?;
     let mean = |from: f64| -> Result<f64> {
-        let tilts = sampled(times(from, from + 0.99, 99), |t| {
-            Ok(run.configuration(t)?.tilt())
-        })?;
+        let tilts = sampled(times(from, from + 0.99, 99), |t| Ok(run.configuration(t)?.tilt()))?;
         Ok(tilts.iter().sum::<f64>() / 100.0)
     };
     Ok(0.5 * (mean(0.0)? - mean(2.0)?))
@@ -242,32 +195,17 @@ fn risen(p: &Parameters, arm: f64) -> Result<f64> {
 
 /// Rules of thumb, and what the simulation says.
 fn estimates(p: &Parameters, life: &Life, report: &mut Report) -> Result<()> {
-    let point = p
-        .toy(Dry::new(p.friction)?)?
-        .simulate(&p.throw(), 5.0, p.tolerance)?;
+    let point = p.toy(Dry::new(p.friction)?)?.simulate(&p.throw(), 5.0, p.tolerance)?;
     let grips = point.configuration_at(point.event("grips")?).tilt();
     let upright = p.tilt / p.rise_rate();
     let brake = -p.air()?.axial_torque(p.spin) / AXIAL;
     let notes = 2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL;
     let when = |name| -> Result<f64> { Ok(life.event(name)?.t) };
-    let mut table = Table::new(
-        "estimates",
-        "what, unit, rule of thumb, simulated".split(", "),
-    )?;
+    let mut table = Table::new("estimates", "what, unit, rule of thumb, simulated".split(", "))?;
     let rows = [
-        (
-            "to stand upright, by sliding all the way",
-            "s",
-            upright,
-            when("sleeps")?,
-        ),
+        ("to stand upright, by sliding all the way", "s", upright, when("sleeps")?),
         ("tilt at which a point grips", "rad", p.grip_tilt(), grips),
-        (
-            "spin down by the air of the throw alone",
-            "s",
-            p.spin / brake,
-            when("wakes")?,
-        ),
+        ("spin down by the air of the throw alone", "s", p.spin / brake, when("wakes")?),
         (
             "spin at which it wakes, sharp tip held",
             "rad/s",
@@ -282,12 +220,7 @@ fn estimates(p: &Parameters, life: &Life, report: &mut Report) -> Result<()> {
         ),
     ];
     for (what, unit, told, simulated) in rows {
-        table.push([
-            what.into(),
-            unit.into(),
-            format!("{told:.3}"),
-            format!("{simulated:.3}"),
-        ])?;
+        table.push([what.into(), unit.into(), format!("{told:.3}"), format!("{simulated:.3}")])?;
     }
     report.add(table)
 }

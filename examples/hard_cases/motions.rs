@@ -65,11 +65,7 @@ const CLOSED_FORM: By = By("closed form", 2.0, How::ClosedForm);
 // A request must be proved.
 pub const SOLVE: By = By("solve", 4096.0, How::Request);
 const STEPPING: By = By("solve, stepping", 4096.0, How::Solve);
-const GAUSS: By = By(
-    "Gauss-Legendre 16",
-    8.0,
-    How::Steps(Method::GaussLegendre16, 1.0),
-);
+const GAUSS: By = By("Gauss-Legendre 16", 8.0, How::Steps(Method::GaussLegendre16, 1.0));
 const SPLIT: By = By("SRKN 14a", 8.0, How::Steps(Method::Srkn14, 0.08));
 const DOP853: By = By("DOP853", 32.0, How::Dop853);
 const RK4: By = By("RK4", 64.0, How::Steps(Method::Rk4, 0.001));
@@ -123,13 +119,7 @@ const MANY: f64 = 50.0;
 impl Motion {
     pub const fn free(moments: [f64; 3], attitude: Attitude, rates: [f64; 3], end: f64) -> Self {
         let gravity = None;
-        Self {
-            moments,
-            gravity,
-            attitude,
-            rates,
-            end,
-        }
+        Self { moments, gravity, attitude, rates, end }
     }
 
     /// Of moments across and along, with this torque of gravity on its lying axis (N m).
@@ -303,9 +293,9 @@ impl Motion {
 
     /// Steps in which the fastest rotation turns by an angle.
     fn steps(&self, angle: f64) -> u64 {
-        let mut fastest = self.gravity.map_or(0.0, |[weight, lever]| {
-            2.0 * (weight * lever.abs() / self.moments[0]).sqrt()
-        });
+        let mut fastest = self
+            .gravity
+            .map_or(0.0, |[weight, lever]| 2.0 * (weight * lever.abs() / self.moments[0]).sqrt());
         let mut seen = vec![self.rates];
         if let Ok(exact) = self.closed(self.attitude, self.omega()) {
             let at = |k: u32| exact.kinematics(self.end * f64::from(k) / f64::from(SEEN));

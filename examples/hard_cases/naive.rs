@@ -216,8 +216,7 @@ pub fn path_by_momentum(motion: &Motion, count: u32) -> Solved<Vec<(Attitude, f6
     let read = |q: &[f64; 4]| Attitude::from_quaternion(*q);
     let slope = |q: &[f64; 4]| turning(*q, rates(read(q).unwrap_or(motion.attitude)));
     let path = path(slope, motion.attitude.quaternion(), motion.end, count);
-    path.map(|q| read(&q).map(|attitude| (attitude, rates(attitude)[1])))
-        .collect()
+    path.map(|q| read(&q).map(|attitude| (attitude, rates(attitude)[1]))).collect()
 }
 
 /// The tilt by the arc cosine of the axis's height, the others by arc tangents of elements of

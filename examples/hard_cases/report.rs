@@ -106,20 +106,15 @@ fn flip() -> Result<Problem<()>> {
 /// A line for each family.
 fn summary(all: &[Arc<Computed>]) -> Result<Table> {
     let columns = "family, what it is, cases, cells, hold, refused, error/bound, naive";
-    Table::of(
-        "families",
-        columns.split(", "),
-        all,
-        |one: &Arc<Computed>| {
-            let parts = one.cells().filter_map(|(_, cell)| cell.part());
-            let worst = short(parts.fold(0.0, f64::max), 2);
-            let broken = one.rows.iter().map(Row::broken);
-            let broken = short(broken.fold(f64::INFINITY, f64::min), 2);
-            let (key, title) = (one.family.key.to_owned(), one.family.title.to_owned());
-            let [cases, cells, hold, refused] = one.count().map(|n| n.to_string());
-            Ok([key, title, cases, cells, hold, refused, worst, broken])
-        },
-    )
+    Table::of("families", columns.split(", "), all, |one: &Arc<Computed>| {
+        let parts = one.cells().filter_map(|(_, cell)| cell.part());
+        let worst = short(parts.fold(0.0, f64::max), 2);
+        let broken = one.rows.iter().map(Row::broken);
+        let broken = short(broken.fold(f64::INFINITY, f64::min), 2);
+        let (key, title) = (one.family.key.to_owned(), one.family.title.to_owned());
+        let [cases, cells, hold, refused] = one.count().map(|n| n.to_string());
+        Ok([key, title, cases, cells, hold, refused, worst, broken])
+    })
 }
 
 /// The name of an error: `GimbalLock`.

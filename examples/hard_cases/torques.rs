@@ -11,15 +11,8 @@ use rotation_dynamics::effects::{CoulombBearing, PrescribedTorque, Profile};
 /// Moment about the axis (kg m^2), and the spin at the start (rad/s).
 const I3: f64 = 1.6;
 const SPIN: f64 = 2.0;
-const METHODS: [By; 2] = [
-    SOLVE,
-    By("Gauss-Legendre 16, piece by piece", 8.0, How::Own),
-];
-const FORETOLD: By = By(
-    "foretold by the method's own polynomial or solution",
-    64.0,
-    How::Own,
-);
+const METHODS: [By; 2] = [SOLVE, By("Gauss-Legendre 16, piece by piece", 8.0, How::Own)];
+const FORETOLD: By = By("foretold by the method's own polynomial or solution", 64.0, How::Own);
 
 /// RK4 in so many equal steps, whatever the torque does.
 type Straight = (&'static str, u64);

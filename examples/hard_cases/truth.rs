@@ -66,9 +66,7 @@ impl Truth {
             let series = self.series();
             // The longest step that the last coefficients allow.
             let reach = [ORDER - 1, ORDER].map(|n| {
-                let largest = series
-                    .iter()
-                    .fold(1e-300, |m: f64, s| m.max(s[n].hi().abs()));
+                let largest = series.iter().fold(1e-300, |m: f64, s| m.max(s[n].hi().abs()));
                 pow(LEFT / largest, 1.0 / n as f64)
             });
             let step = match reach[0].min(reach[1]) {

@@ -18,10 +18,7 @@ pub struct Drawn<'e> {
 impl Drawn<'_> {
     /// The flags as they are typed.
     pub fn typed(&self) -> String {
-        let typed = self
-            .flags
-            .iter()
-            .map(|(flag, value)| format!("--{flag} {value}"));
+        let typed = self.flags.iter().map(|(flag, value)| format!("--{flag} {value}"));
         typed.collect::<Vec<_>>().join(" ")
     }
 }
@@ -47,19 +44,13 @@ pub fn draw<'e>(exercise: &'e Exercise, seed: u64, student: &str) -> Result<Draw
         let flags: Vec<(String, String)> = grids.iter().map(one).collect();
         match computed(exercise, &flags) {
             Ok(report) => {
-                return Ok(Drawn {
-                    exercise,
-                    flags,
-                    report,
-                });
+                return Ok(Drawn { exercise, flags, report });
             }
             Err(why) => last = format!("{flags:?}: {why}"),
         }
     }
     let number = &exercise.number;
-    Err(format!(
-        "{number}: of {TRIES} sets of numbers none can be used; the last, {last}"
-    ))
+    Err(format!("{number}: of {TRIES} sets of numbers none can be used; the last, {last}"))
 }
 
 /// One of the values of the grid.
@@ -72,14 +63,8 @@ pub fn computed(exercise: &Exercise, flags: &[(String, String)]) -> Result<Repor
     let number = |(flag, value): &(String, String)| Some((flag.clone(), value.parse().ok()?));
     let flags: Option<Vec<(String, f64)>> = flags.iter().map(number).collect();
     let flags = flags.ok_or("a value is no number")?;
-    let flags: Vec<(&str, f64)> = flags
-        .iter()
-        .map(|(flag, value)| (&**flag, *value))
-        .collect();
-    let report = exercise
-        .page
-        .report_with(&flags)
-        .map_err(|e| e.to_string())?;
+    let flags: Vec<(&str, f64)> = flags.iter().map(|(flag, value)| (&**flag, *value)).collect();
+    let report = exercise.page.report_with(&flags).map_err(|e| e.to_string())?;
     report.output().map_err(|e| e.to_string())?;
     alike(&report, exercise.usual())?;
     Ok(report)
@@ -97,32 +82,16 @@ fn alike(report: &Report, usual: &Report) -> Result<(), String> {
     let slipping = |claim: &Claim| {
         let near =
             |value: f64| (value - claim.value).abs() <= claim.judged_within * claim.value.abs();
-        claim
-            .slips
-            .iter()
-            .map(|slip| near(slip.value))
-            .collect::<Vec<_>>()
+        claim.slips.iter().map(|slip| near(slip.value)).collect::<Vec<_>>()
     };
     for (here, there) in here.into_iter().zip(there) {
-        let hints = |claim: &Claim| {
-            claim
-                .slips
-                .iter()
-                .map(|s| s.hint.clone())
-                .collect::<Vec<_>>()
-        };
+        let hints = |claim: &Claim| claim.slips.iter().map(|s| s.hint.clone()).collect::<Vec<_>>();
         if hints(here) != hints(there) || here.unit != there.unit {
             return Err(format!("the page knows other slips for {}", here.key));
         }
-        let new = slipping(here)
-            .iter()
-            .zip(slipping(there))
-            .any(|(here, there)| *here && !there);
+        let new = slipping(here).iter().zip(slipping(there)).any(|(here, there)| *here && !there);
         if new || (here.value == 0.0 && there.value != 0.0) {
-            return Err(format!(
-                "{} comes out right by mistake, or is zero",
-                here.key
-            ));
+            return Err(format!("{} comes out right by mistake, or is zero", here.key));
         }
     }
     Ok(())

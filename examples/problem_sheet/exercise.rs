@@ -19,11 +19,7 @@ pub struct Exercise {
 impl Exercise {
     /// The numbers of the page itself.
     pub fn usual(&self) -> &Report {
-        let sound = || {
-            self.page
-                .report()
-                .expect("the defaults of a page are sound")
-        };
+        let sound = || self.page.report().expect("the defaults of a page are sound");
         self.usual.get_or_init(sound)
     }
 }
@@ -45,39 +41,22 @@ pub fn all() -> Result<Vec<Exercise>, String> {
 fn read(page: &'static dyn Page) -> Result<Exercise, String> {
     let stem = page.stem();
     let file = format!("book/src/{stem}.md");
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../..")
-        .join(&file);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(&file);
     let text = std::fs::read_to_string(path).map_err(|e| format!("cannot read {file}: {e}"))?;
     let text = text.replace("\r\n", "\n");
     let title = text.strip_prefix("# ").and_then(|text| text.lines().next());
     let (Some(title), Some(problem)) = (title, problem(&text)) else {
-        return Err(format!(
-            "{file} has no title, or no section 'The problem' with an end"
-        ));
+        return Err(format!("{file} has no title, or no section 'The problem' with an end"));
     };
-    let numbered = title
-        .strip_prefix("Exercise ")
-        .and_then(|rest| rest.split_once(':'));
+    let numbered = title.strip_prefix("Exercise ").and_then(|rest| rest.split_once(':'));
     let number = match numbered {
         Some((number, _)) => number.to_owned(),
         None => {
-            "F".to_owned()
-                + stem
-                    .trim_start_matches("further_")
-                    .split('_')
-                    .next()
-                    .unwrap_or(stem)
+            "F".to_owned() + stem.trim_start_matches("further_").split('_').next().unwrap_or(stem)
         }
     };
     let (title, problem) = (title.to_owned(), problem.to_owned());
-    Ok(Exercise {
-        page,
-        number,
-        title,
-        problem,
-        usual: OnceLock::new(),
-    })
+    Ok(Exercise { page, number, title, problem, usual: OnceLock::new() })
 }
 
 /// Those with these numbers, in this order; all of them if none is named.
@@ -86,32 +65,20 @@ pub fn chosen<'e>(all: &'e [Exercise], numbers: &[String]) -> Result<Vec<&'e Exe
     for number in numbers {
         let found = all.iter().find(|exercise| exercise.number == *number);
         let Some(found) = found else {
-            let known: Vec<&str> = all
-                .iter()
-                .map(|exercise| exercise.number.as_str())
-                .collect();
-            return Err(format!(
-                "there is no problem '{number}'; there are: {}",
-                known.join(", ")
-            ));
+            let known: Vec<&str> = all.iter().map(|exercise| exercise.number.as_str()).collect();
+            return Err(format!("there is no problem '{number}'; there are: {}", known.join(", ")));
         };
         if chosen.iter().any(|exercise| exercise.number == *number) {
             return Err(format!("problem {number} stands twice"));
         }
         chosen.push(found);
     }
-    Ok(if numbers.is_empty() {
-        all.iter().collect()
-    } else {
-        chosen
-    })
+    Ok(if numbers.is_empty() { all.iter().collect() } else { chosen })
 }
 
 /// What the answer box asks for: the claims with a group, or all if none has one.
 pub fn asked(report: &Report) -> Vec<&Claim> {
     let grouped = report.claims().iter().any(|claim| claim.group.is_some());
     let claims = report.claims().iter();
-    claims
-        .filter(|claim| !grouped || claim.group.is_some())
-        .collect()
+    claims.filter(|claim| !grouped || claim.group.is_some()).collect()
 }

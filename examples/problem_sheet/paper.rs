@@ -136,9 +136,7 @@ fn questions(drawn: &Drawn) -> (String, String) {
     }
     let mut html = String::new();
     for group in groups {
-        let of = claims
-            .iter()
-            .filter(|claim| claim.group.as_deref() == group);
+        let of = claims.iter().filter(|claim| claim.group.as_deref() == group);
         let item = |claim: &&Claim| {
             let unit = match claim.unit.as_str() {
                 "-" => String::new(),
