@@ -25,9 +25,8 @@ pub enum FlowRegime {
 ///
 /// Which of both holds is settled once, by the spin for which the effect is made; then the
 /// law has no jump (at Re = 3e5 the turbulent one is 1.7 times the other). A motion
-/// that leaves its range is for the user to notice: [`reynolds`](Self::reynolds),
-/// [`regime_at`](Self::regime_at). Rim and shaft are left out (a disc of thickness h: a part
-/// of 2 h/R), and so is the axis's own motion.
+/// that leaves its range is for the user to notice, by [`reynolds`](Self::reynolds). Rim and shaft are
+/// left out (a disc of thickness h: a part of 2 h/R), and so is the axis's own motion.
 ///
 /// Neither power of omega is analytic at omega = 0, so the effect does not call itself smooth, and
 /// solutions are stepped by DOP853 alone. A symmetric body is an exception: the drag never brings
