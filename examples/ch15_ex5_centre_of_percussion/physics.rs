@@ -24,8 +24,7 @@ pub fn centre(p: &Parameters) -> f64 {
 
 /// Impulse of the hands over that of the ball, both on the bat.
 pub fn reaction(p: &Parameters) -> f64 {
-    let [_, hit] = arms(p);
-    hit / centre(p) - 1.0
+    arms(p)[1] / centre(p) - 1.0
 }
 
 /// Impulse of the ball on the bat: held by the hands, or free.
@@ -55,15 +54,13 @@ pub struct Strike {
 impl Strike {
     /// Rigid bodies; the ball comes along y, whatever the sign of its velocity.
     pub fn rigid(p: &Parameters, held: bool) -> Self {
-        let (p, stiffness) = (p.but(|p| p.speed = p.speed.abs()), None);
-        Self { p, held, stiffness }
+        Self { p: p.but(|p| p.speed = p.speed.abs()), held, stiffness: None }
     }
 
     /// A soft, elastic ball that touches the bat for about the time `contact` (Hertz's law).
     pub fn soft(p: &Parameters) -> Self {
         let p = p.but(|p| (p.speed, p.restitution) = (p.speed.abs(), 1.0));
-        let reduced = 0.5 * impulse(&p, true) / p.speed;
-        let depth = p.speed * p.contact / 2.943_275;
+        let (reduced, depth) = (0.5 * impulse(&p, true) / p.speed, p.speed * p.contact / 2.943_275);
         let stiffness = Some(1.25 * reduced * p.speed * p.speed / pow(depth, 2.5));
         Self { p, held: true, stiffness }
     }

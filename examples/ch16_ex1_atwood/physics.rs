@@ -1,8 +1,8 @@
 //! Atwood's machine in closed form and from Newton's law for each body, with a rope that holds on
 //! the pulley or slips, and that may be heavy.
 
-// ANCHOR: physics
 use core::f64::consts::PI;
+// ANCHOR: physics
 use kit::solved;
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, after, ode, size_or};
@@ -32,8 +32,7 @@ pub enum Grip {
 pub type Forces = [f64; 4];
 
 impl Machine {
-    /// In closed form, for a rope without mass. Beside a much lighter mass g - a would have lost
-    /// its digits, so each tension is formed without it.
+    /// In closed form, for a rope without mass; each tension without g - a, which may lose digits.
     pub fn closed_form(&self) -> (Grip, Forces) {
         let ([m1, m2], pulley, k) = (self.masses, self.pulley, self.grip);
         let part = self.gravity / (m1 + m2 + pulley);
@@ -45,8 +44,7 @@ impl Machine {
         // It slips on the heavier side, where it would pull too much to be held.
         let (heavier, lighter) = (m1.max(m2), m1.min(m2));
         let part = self.gravity / (heavier + k * lighter);
-        let size = (heavier - k * lighter) * part;
-        let behind = 2.0 * heavier * lighter * part;
+        let (size, behind) = ((heavier - k * lighter) * part, 2.0 * heavier * lighter * part);
         let (grip, [t1, t2]) = match m1 < m2 {
             true => (Grip::Behind, [behind, k * behind]),
             false => (Grip::Ahead, [k * behind, behind]),
@@ -107,8 +105,7 @@ impl Phased<4> for Machine {
     }
 
     fn conditions(&self, grip: Grip) -> Vec<Condition<'_, Grip, 4>> {
-        let left = |y: &[f64; 4]| self.height - y[0].abs();
-        let arrives = Condition::gap("arrives", left, Next::End);
+        let arrives = Condition::gap("arrives", |y: &[f64; 4]| self.height - y[0].abs(), Next::End);
         let slips = |side: usize, next| {
             let lacks = move |y: &[f64; 4]| self.lacks(y[0])[side];
             Condition::gap("slips", lacks, Next::Enter(next))

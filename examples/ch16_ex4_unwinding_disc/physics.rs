@@ -20,8 +20,7 @@ pub fn unwound(p: &Parameters, length: f64) -> f64 {
     (2.0 * length / fall(p)[0]).sqrt()
 }
 
-/// The disc and its string at the start. Mass, radius and g are 1; x to the right, y up, the hook
-/// at (0, 0).
+/// The disc and its string at the start; mass, radius and g are 1, y is up from the hook at (0, 0).
 #[derive(Debug, Clone, Copy)]
 pub struct Disc {
     pub shape: f64, // moment of inertia

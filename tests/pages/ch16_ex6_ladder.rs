@@ -64,24 +64,6 @@ fn the_simulation_agrees_with_the_closed_form() {
     assert!(twin.largest() > 1e-10);
 }
 
-/// The moment of the release is located to the accuracy of the run, not to that of
-/// the interpolant: its error falls with the tolerance down to round-off.
-#[test]
-fn the_release_is_located() {
-    let ladder = exact(0.25);
-    let error = |scene: Scene, tolerance: f64| {
-        let run = simulated(scene, tolerance, 0.25);
-        let release = run.event("wall lets go").unwrap();
-        (release.t / ladder.release_time() - 1.0).abs()
-    };
-    let mut errors = Errors::of("time of the release, in tolerances");
-    for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14] {
-        errors.push_at(error(uniform(), tolerance) / tolerance, tolerance);
-    }
-    assert_largest!(errors, 6, @"0.0245");
-    assert!(error(damaged(), 1e-12) > 1e-10);
-}
-
 /// What a solver does that keeps the wall: the wall pulls, the ladder lands early and
 /// too fast, and no tolerance helps.
 #[test]
