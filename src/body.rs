@@ -54,10 +54,7 @@ impl Kinematics {
     /// With this attitude and angular velocity (rad/s).
     #[inline]
     pub const fn new(attitude: Attitude, angular_velocity: BodyVector) -> Self {
-        Self {
-            attitude,
-            angular_velocity,
-        }
+        Self { attitude, angular_velocity }
     }
 
     /// Without rotation, turned as space is: a list is filled with it before a batch.
@@ -76,16 +73,10 @@ impl State {
     ///
     /// Errors: a component that is not finite.
     pub fn new(attitude: Attitude, angular_momentum: SpaceVector) -> Result<Self> {
-        for (name, value) in ["L_X", "L_Y", "L_Z"]
-            .into_iter()
-            .zip(angular_momentum.to_array())
-        {
+        for (name, value) in ["L_X", "L_Y", "L_Z"].into_iter().zip(angular_momentum.to_array()) {
             finite(name, value)?;
         }
-        Ok(Self {
-            attitude,
-            angular_momentum,
-        })
+        Ok(Self { attitude, angular_momentum })
     }
 }
 
@@ -113,10 +104,7 @@ impl RigidBody {
         for (name, value) in [("omega_1", w1), ("omega_2", w2), ("omega_3", w3)] {
             finite(name, value)?;
         }
-        State::new(
-            attitude,
-            attitude.to_space(BodyVector::new(i1 * w1, i2 * w2, i3 * w3)),
-        )
+        State::new(attitude, attitude.to_space(BodyVector::new(i1 * w1, i2 * w2, i3 * w3)))
     }
 
     /// Attitude and angular velocity of this state. A rate below 1e-16 of

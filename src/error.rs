@@ -35,23 +35,11 @@ pub enum Error {
     /// An input is NaN or infinite.
     NotFinite { name: &'static str, value: f64 },
     /// An input is outside the range in which it has a meaning: `allowed` names that range.
-    OutOfRange {
-        name: &'static str,
-        value: f64,
-        allowed: Cow<'static, str>,
-    },
+    OutOfRange { name: &'static str, value: f64, allowed: Cow<'static, str> },
     /// Two lists that belong together have different lengths.
-    Lengths {
-        name: &'static str,
-        found: usize,
-        expected: usize,
-    },
+    Lengths { name: &'static str, found: usize, expected: usize },
     /// One entry of a list is refused.
-    AtIndex {
-        name: &'static str,
-        index: usize,
-        reason: Box<Error>,
-    },
+    AtIndex { name: &'static str, index: usize, reason: Box<Error> },
     /// A torque, force, derivative, event or mass matrix has a value that is not allowed (mostly NaN
     /// or infinity) at a time and a state, whose numbers are these `variables`.
     FunctionOutOfRange {
@@ -76,35 +64,17 @@ pub enum Error {
     Sliding { effect: String, t: f64 },
     /// Runs do not agree, or not within this `limit` of torques, and the torque was looked at only once
     /// `every` so many seconds.
-    Unseen {
-        effect: String,
-        requested: f64,
-        every: f64,
-        limit: Option<u64>,
-    },
+    Unseen { effect: String, requested: f64, every: f64, limit: Option<u64> },
     /// The scene, the method or the start does not allow these effects.
-    Incompatible {
-        effects: String,
-        reason: Cow<'static, str>,
-    },
+    Incompatible { effects: String, reason: Cow<'static, str> },
     /// The way to `t_end` takes more "torques" (from `t` on), or more "steps" or "changes of phase"
     /// (by `t`), than the limit.
-    LimitReached {
-        what: &'static str,
-        t: f64,
-        t_end: f64,
-        limit: u64,
-    },
+    LimitReached { what: &'static str, t: f64, t_end: f64, limit: u64 },
     /// The caller cancelled the solution.
     Cancelled { torques: u64 },
     /// No step is short enough for the tolerance; or none that doubles can add to `t`, where they are
     /// the time `clock` (s) apart.
-    StepUnderflow {
-        t: f64,
-        step: f64,
-        clock: Option<f64>,
-        state: Vec<f64>,
-    },
+    StepUnderflow { t: f64, step: f64, clock: Option<f64>, state: Vec<f64> },
     /// The equations for the stages of an implicit step (of the length `h`, in s) do not converge.
     NoConvergence { t: f64, h: f64, change: f64 },
     /// The time is so late or so early that its last bit leaves the phase of the motion open.
@@ -114,55 +84,28 @@ pub enum Error {
     /// A 3x3 matrix is not a rotation: R^T R differs from 1, or R is a reflection.
     NotRotation { deviation: f64, determinant: f64 },
     /// Two of three turns are about one line, and the rates of the angles are not defined.
-    GimbalLock {
-        sequence: &'static str,
-        angle: f64,
-        locked: &'static str,
-    },
+    GimbalLock { sequence: &'static str, angle: f64, locked: &'static str },
     /// No body that turns freely has these moments (kg m^2). One exceeds the sum of the other two
     /// by `excess`, or they belong to a rod or point mass (`excess` = 0); rounding explains
     /// `slack`.
-    NotABody {
-        moments: [f64; 3],
-        excess: f64,
-        slack: f64,
-    },
+    NotABody { moments: [f64; 3], excess: f64, slack: f64 },
     /// A contact or phase begins whose own condition does not hold: its `value` is negative, or the
     /// `rate` (per s) of a contact's gap.
-    CannotHold {
-        name: &'static str,
-        t: f64,
-        value: f64,
-        rate: Option<f64>,
-    },
+    CannotHold { name: &'static str, t: f64, value: f64, rate: Option<f64> },
     /// Dry friction and one-sided contacts allow no motion from here, or more than one (Painlevé).
-    ContactsUndetermined {
-        t: f64,
-        state: Vec<f64>,
-        tried: usize,
-        motions: Vec<String>,
-    },
+    ContactsUndetermined { t: f64, state: Vec<f64>, tried: usize, motions: Vec<String> },
     /// An impact with restitution and friction would end with more energy (J).
     ImpactGainsEnergy { t: f64, before: f64, after: f64 },
     /// The run ends between `t` and `until`, while infinitely many bounces go on, too low (m) to be
     /// told from rest.
-    BouncesUnresolved {
-        contact: &'static str,
-        height: f64,
-        t: f64,
-        until: f64,
-    },
+    BouncesUnresolved { contact: &'static str, height: f64, t: f64, until: f64 },
     /// An event did not come.
     NotReached { name: &'static str, until: f64 },
     /// The condition of a motion is not known, because its inputs are not.
     ConditionUnknown { name: &'static str },
     /// The error that was requested cannot be delivered. `best`: the error that was reached; with a
     /// `condition`, the error that the inputs, as doubles, allow (half a turn or more: none).
-    NotDelivered {
-        requested: f64,
-        best: f64,
-        condition: Option<f64>,
-    },
+    NotDelivered { requested: f64, best: f64, condition: Option<f64> },
 }
 
 /// `Result` with this crate's [`Error`].
@@ -176,11 +119,7 @@ impl Error {
         allowed: impl Into<Cow<'static, str>>,
     ) -> Self {
         let allowed = allowed.into();
-        Self::OutOfRange {
-            name,
-            value,
-            allowed,
-        }
+        Self::OutOfRange { name, value, allowed }
     }
 
     /// [`Error::FunctionOutOfRange`] at a state with these variables.
@@ -231,11 +170,7 @@ impl Error {
 
     /// [`Error::AtIndex`] of these.
     pub(crate) fn at_index(name: &'static str, index: usize, reason: Self) -> Self {
-        Self::AtIndex {
-            name,
-            index,
-            reason: Box::new(reason),
-        }
+        Self::AtIndex { name, index, reason: Box::new(reason) }
     }
 
     /// A contradiction found at a probe.
@@ -386,10 +321,7 @@ impl fmt::Display for Error {
 /// Where a claim was tried.
 fn place(t: f64, probe: bool) -> String {
     match probe {
-        true => format!(
-            "probed at t = {}, at another attitude and momentum,",
-            plain(t)
-        ),
+        true => format!("probed at t = {}, at another attitude and momentum,", plain(t)),
         false => format!("at t = {}", plain(t)),
     }
 }
@@ -437,11 +369,7 @@ impl std::error::Error for Error {}
 /// # Errors
 /// [`Error::NotFinite`], with this name, if it is not.
 pub fn finite(name: &'static str, value: f64) -> Result<f64> {
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(Error::NotFinite { name, value })
-    }
+    if value.is_finite() { Ok(value) } else { Err(Error::NotFinite { name, value }) }
 }
 
 /// Checks that every entry of a list is finite.
@@ -456,11 +384,7 @@ pub(crate) fn all_finite(name: &'static str, values: &[f64]) -> Result<()> {
 
 /// Returns the time if it is finite and the phase is known there.
 pub(crate) fn known(t: f64, latest: f64) -> Result<f64> {
-    if finite("t", t)?.abs() <= latest {
-        Ok(t)
-    } else {
-        Err(Error::PhaseLost { t, latest })
-    }
+    if finite("t", t)?.abs() <= latest { Ok(t) } else { Err(Error::PhaseLost { t, latest }) }
 }
 
 /// Returns `value` if it is finite and greater than zero.
@@ -472,11 +396,7 @@ pub fn positive(name: &'static str, value: f64) -> Result<f64> {
     if value > 0.0 {
         Ok(value)
     } else {
-        Err(Error::out_of_range(
-            name,
-            value,
-            "it must be greater than 0",
-        ))
+        Err(Error::out_of_range(name, value, "it must be greater than 0"))
     }
 }
 

@@ -93,10 +93,7 @@ impl<F: Frame> Vector<F> {
     /// The vector with these components.
     #[inline]
     pub const fn new(x: f64, y: f64, z: f64) -> Self {
-        Self {
-            components: Vector3::new(x, y, z),
-            frame: PhantomData,
-        }
+        Self { components: Vector3::new(x, y, z), frame: PhantomData }
     }
 
     /// The zero vector.
@@ -120,10 +117,7 @@ impl<F: Frame> Vector<F> {
     /// The vector with these components, as a nalgebra column.
     #[inline]
     pub(crate) const fn from_column(components: Vector3<f64>) -> Self {
-        Self {
-            components,
-            frame: PhantomData,
-        }
+        Self { components, frame: PhantomData }
     }
 
     /// The components, as a nalgebra column without its frame.

@@ -75,10 +75,7 @@ impl Scene<()> {
 
     /// The body under effects that were chosen at run time: all effects of the scene are in the list.
     pub fn with_list(self, effects: EffectList) -> Scene<EffectList> {
-        Scene {
-            body: self.body,
-            effects,
-        }
+        Scene { body: self.body, effects }
     }
 }
 
@@ -115,10 +112,7 @@ impl<E: Effect> Scene<E> {
                 "gravity would act twice in this scene: one weight at one place is allowed"
             );
         }
-        Scene {
-            body: self.body,
-            effects: (self.effects, effect),
-        }
+        Scene { body: self.body, effects: (self.effects, effect) }
     }
 }
 
@@ -178,10 +172,8 @@ impl<E: AnyEffect + ?Sized> Scene<E> {
         let potential = |by: f64| {
             let turned = state.attitude.turned_in_space(slip * by);
             turned.map_or(f64::NAN, |attitude| {
-                let state = State {
-                    attitude,
-                    angular_momentum: state.angular_momentum + torque * by,
-                };
+                let state =
+                    State { attitude, angular_momentum: state.angular_momentum + torque * by };
                 self.effects.potential_energy(t, &self.body, &state)
             })
         };
@@ -197,11 +189,8 @@ impl<E: AnyEffect + ?Sized> Scene<E> {
 
     /// The quantities that every motion of this scene keeps.
     pub fn invariants(&self) -> impl Iterator<Item = Invariant> + use<E> {
-        let Conserved {
-            energy,
-            momentum: [x, y, z],
-            axial_momentum,
-        } = self.effects.properties().conserved;
+        let Conserved { energy, momentum: [x, y, z], axial_momentum } =
+            self.effects.properties().conserved;
         // Without symmetry the body's own motion changes L_z.
         let axial = axial_momentum && self.body.moments().is_symmetric();
         [

@@ -22,10 +22,7 @@ kit::parameters! {
 }
 
 fn report(p: &Parameters) -> Result<Report> {
-    let mut report = Report::new(
-        "A rod on a pivot",
-        "a thin rod turns about a point of itself",
-    )?;
+    let mut report = Report::new("A rod on a pivot", "a thin rod turns about a point of itself")?;
     let inertia = p.length * p.length / 12.0 + p.offset * p.offset;
     let halves = [p.length / 2.0 - p.offset, p.length / 2.0 + p.offset];
     let by_halves = halves.map(|l| l * l * l / 3.0).iter().sum::<f64>() / p.length;
@@ -83,12 +80,7 @@ impl Scratch {
     fn names(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.0).expect("the directory is there");
         let mut names: Vec<String> = entries
-            .map(|e| {
-                e.expect("an entry")
-                    .file_name()
-                    .to_string_lossy()
-                    .into_owned()
-            })
+            .map(|e| e.expect("an entry").file_name().to_string_lossy().into_owned())
             .collect();
         names.sort();
         names
@@ -120,10 +112,7 @@ fn the_default_output_reads_back_as_written() {
     assert!(parameters.rows().iter().all(|row| row[0] != "--mass"));
     // Writing it again gives the same text.
     let again: String = parsed.tables.iter().map(|t| format!("\n{t}")).collect();
-    assert_eq!(
-        format!("{}\n{}\n{again}", parsed.title, parsed.description),
-        locked
-    );
+    assert_eq!(format!("{}\n{}\n{again}", parsed.title, parsed.description), locked);
 }
 
 #[test]
@@ -143,18 +132,12 @@ fn flags_set_parameters_and_negative_numbers_are_numbers() {
     ] {
         let outcome = answer(arguments);
         assert_eq!(outcome.code, 0, "{arguments}: {}", outcome.stderr);
-        assert!(
-            outcome.stdout.contains(&format!("inertia  {inertia}")),
-            "{arguments}"
-        );
+        assert!(outcome.stdout.contains(&format!("inertia  {inertia}")), "{arguments}");
     }
     assert!(answer("--mass 2").stdout.contains("--mass    2"));
     // A column with a negative number keeps its digits below each other, and reads back.
     let text = answer("--offset -0.5 --mass 2").stdout;
-    assert!(
-        text.contains("--length   3 ") && text.contains("--offset  -0.5 "),
-        "{text}"
-    );
+    assert!(text.contains("--length   3 ") && text.contains("--offset  -0.5 "), "{text}");
     let parsed = parse(&text).expect("the text follows its grammar");
     let again: String = parsed.tables.iter().map(|t| format!("\n{t}")).collect();
     assert!(text.ends_with(&again));
@@ -174,10 +157,7 @@ fn bad_input_is_refused_with_its_reason() {
         ("--length 30°", "the unit is m, not deg"),
         ("--length 1,234.5", "decimals come after a point"),
         ("--length --offset 1", "a value is required for '--length"),
-        (
-            "--length 0",
-            "length = 0 is not allowed: it must be greater than 0",
-        ),
+        ("--length 0", "length = 0 is not allowed: it must be greater than 0"),
         ("--length -3", "length = -3 is not allowed"),
         ("--length 1 --length 2", "cannot be used multiple times"),
         ("--start asleep", "possible values: rest, turning, broken"),
@@ -186,21 +166,14 @@ fn bad_input_is_refused_with_its_reason() {
         ("--check inertia=NaN", "that is not a number"),
         ("--check inertia=1e999", "that is not a finite number"),
         ("--check inertia=1,234.5", "decimals come after a point"),
-        (
-            "--check inerta=3",
-            "there is no inerta; there are: inertia, mass",
-        ),
+        ("--check inerta=3", "there is no inerta; there are: inertia, mass"),
         ("--check inertia=3 --json", "cannot be used with"),
         ("stray", "unexpected argument"),
     ] {
         let outcome = answer(arguments);
         assert_eq!(outcome.code, 2, "{arguments}");
         assert_eq!(outcome.stdout, "", "{arguments}");
-        assert!(
-            outcome.stderr.contains(told),
-            "{arguments}: {}",
-            outcome.stderr
-        );
+        assert!(outcome.stderr.contains(told), "{arguments}: {}", outcome.stderr);
     }
 }
 
@@ -242,16 +215,8 @@ fn json_holds_the_same_bits() {
 fn an_answer_is_judged() {
     let cases = [
         ("inertia=0.75", 0, "right: inertia = 0.750000000000 m^2"),
-        (
-            "inertia=0.7507",
-            1,
-            "nearly: your inertia is right to 2 digits; give 4",
-        ),
-        (
-            "inertia=0.7508",
-            1,
-            "nearly: your inertia is right to 2 digits",
-        ),
+        ("inertia=0.7507", 1, "nearly: your inertia is right to 2 digits; give 4"),
+        ("inertia=0.7508", 1, "nearly: your inertia is right to 2 digits"),
         ("inertia=3", 1, "that is about the end of the rod"),
         ("inertia=-0.75", 1, "the sign is not"),
         ("inertia=1.5", 1, "too large by a factor 2"),
@@ -286,10 +251,7 @@ fn files_are_written_whole() {
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     let text = fs::read_to_string(&csv).expect("the file is there");
     let lines: Vec<&str> = text.lines().collect();
-    assert_eq!(
-        (lines[0], lines[3], lines.len()),
-        ("t [s],angle [rad]", "0.2,0.1", 6)
-    );
+    assert_eq!((lines[0], lines[3], lines.len()), ("t [s],angle [rad]", "0.2,0.1", 6));
     assert_eq!(scratch.names(), ["figures", "rod.csv"]);
     let figure = fs::read_to_string(svg.join("rod__line.svg")).expect("the figure is there");
     assert!(figure.ends_with("</svg>\n"));
@@ -302,11 +264,7 @@ fn a_failure_leaves_the_old_file_and_nothing_else() {
     fs::write(&csv, "old\n").expect("writable");
     let refused = |arguments: &[&std::ffi::OsStr]| {
         let outcome = EXAMPLE.answer(arguments);
-        assert_eq!(
-            (outcome.code, outcome.stdout.as_str()),
-            (2, ""),
-            "{arguments:?}"
-        );
+        assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{arguments:?}");
         assert!(!outcome.stderr.is_empty(), "{arguments:?}");
         assert_eq!(fs::read_to_string(&csv).expect("still there"), "old\n");
     };
@@ -333,22 +291,15 @@ fn a_failure_leaves_the_old_file_and_nothing_else() {
 fn links_and_pipes_are_written_through_and_devices_refused() {
     use std::os::unix::fs::{PermissionsExt, symlink};
     let scratch = Scratch::new("links");
-    let (file, link, dangling) = (
-        scratch.0.join("rod.csv"),
-        scratch.0.join("link.csv"),
-        scratch.0.join("dangling.csv"),
-    );
+    let (file, link, dangling) =
+        (scratch.0.join("rod.csv"), scratch.0.join("link.csv"), scratch.0.join("dangling.csv"));
     let csv = |path: &std::path::Path| EXAMPLE.answer(["--csv".as_ref(), path.as_os_str()]);
     fs::write(&file, "old\n").expect("writable");
     fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).expect("ours");
     symlink("rod.csv", &link).expect("a link");
     let outcome = csv(&link);
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
-    assert!(
-        outcome
-            .stderr
-            .contains("1 of these files were there before")
-    );
+    assert!(outcome.stderr.contains("1 of these files were there before"));
     assert!(link.is_symlink(), "the link stays a link");
     let text = fs::read_to_string(&file).expect("written through");
     assert!(text.starts_with("t [s]"), "{text}");
@@ -393,10 +344,7 @@ fn links_and_pipes_are_written_through_and_devices_refused() {
     let read = reader.join().expect("no panic").expect("readable");
     assert_eq!(read, text);
     let names = scratch.names();
-    assert!(
-        names.iter().all(|name| !name.ends_with(".tmp")),
-        "{names:?}"
-    );
+    assert!(names.iter().all(|name| !name.ends_with(".tmp")), "{names:?}");
 }
 
 /// Once for real, as a reader types it: the ladder, with its output going to a pipe
@@ -406,14 +354,7 @@ fn a_real_example_survives_a_closed_pipe_and_refuses_bad_input() {
     use std::process::{Command, Stdio};
     let run = |arguments: &[&str]| {
         let mut command = Command::new(env!("CARGO"));
-        command.args([
-            "run",
-            "--quiet",
-            "--offline",
-            "--example",
-            "ch16_ex6_ladder",
-            "--",
-        ]);
+        command.args(["run", "--quiet", "--offline", "--example", "ch16_ex6_ladder", "--"]);
         command
             .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
             .args(arguments)
@@ -428,18 +369,11 @@ fn a_real_example_survives_a_closed_pipe_and_refuses_bad_input() {
     assert!(unread.status.success(), "{told}");
     assert!(!told.contains("panicked"), "{told}");
 
-    let read = run(&["--check", "t_release=1e9"])
-        .wait_with_output()
-        .expect("it ends");
+    let read = run(&["--check", "t_release=1e9"]).wait_with_output().expect("it ends");
     assert_eq!(read.status.code(), Some(1));
-    assert_eq!(
-        String::from_utf8_lossy(&read.stdout),
-        "not yet: your t_release is not right\n"
-    );
+    assert_eq!(String::from_utf8_lossy(&read.stdout), "not yet: your t_release is not right\n");
 
-    let refused = run(&["--length", "-3"])
-        .wait_with_output()
-        .expect("it ends");
+    let refused = run(&["--length", "-3"]).wait_with_output().expect("it ends");
     assert_eq!((refused.status.code(), refused.stdout.len()), (Some(2), 0));
     assert!(String::from_utf8_lossy(&refused.stderr).starts_with("error: length = -3"));
 }
@@ -489,20 +423,11 @@ fn swing(arguments: &str) -> Outcome {
 /// The rows of the effects that are in, as `name value unit`.
 fn effects_in(arguments: &str) -> Vec<String> {
     let outcome = swing(arguments);
-    assert_eq!(
-        (outcome.code, outcome.stderr.as_str()),
-        (0, ""),
-        "{arguments}"
-    );
+    assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""), "{arguments}");
     let parsed = parse(&outcome.stdout).expect("the text follows its grammar");
     let table = parsed.table("parameters").expect("there are parameters");
     let effect = |row: &Vec<String>| {
-        Some(format!(
-            "{} {} {}",
-            row[0].strip_prefix("--with ")?,
-            row[1],
-            row[2]
-        ))
+        Some(format!("{} {} {}", row[0].strip_prefix("--with ")?, row[1], row[2]))
     };
     table.rows().iter().filter_map(effect).collect()
 }
@@ -513,19 +438,13 @@ fn effects_are_put_in_and_left_out_by_name() {
     let cases: [(&str, &[&str]); 8] = [
         ("", &[weight]),
         ("--with friction", &["friction 0.02 N m s", weight]),
-        (
-            "--with friction=0.03 --length 2",
-            &["friction 0.03 N m s", weight],
-        ),
+        ("--with friction=0.03 --length 2", &["friction 0.03 N m s", weight]),
         (
             "--with=friction=3e-2 --with air-drag=0",
             &["friction 0.03 N m s", "air-drag 0 kg/m^3", weight],
         ),
         ("--without gravity", &[]),
-        (
-            "--without gravity --with air-drag",
-            &["air-drag 1.2 kg/m^3"],
-        ),
+        ("--without gravity --with air-drag", &["air-drag 1.2 kg/m^3"]),
         ("--with gravity=-1.62", &["gravity -1.62 m/s^2"]),
         // It is out already.
         ("--without friction", &[weight]),
@@ -535,20 +454,10 @@ fn effects_are_put_in_and_left_out_by_name() {
     }
     // What a reader answers, what is read by machines, and what sheets set sees them too.
     let judged = swing("--with friction=0.03 --check decay=0.015");
-    assert_eq!(
-        (judged.code, judged.stdout.as_str()),
-        (0, "right: decay = 0.015 1/s\n")
-    );
-    assert!(
-        swing("--json --with friction")
-            .stdout
-            .contains("\"value\": 0.01,")
-    );
+    assert_eq!((judged.code, judged.stdout.as_str()), (0, "right: decay = 0.015 1/s\n"));
+    assert!(swing("--json --with friction").stdout.contains("\"value\": 0.01,"));
     assert!(!swing("--json --without gravity").stdout.contains("square"));
-    let set = SWING
-        .page()
-        .report_with(&[("friction", 0.5), ("air-drag", 0.1)])
-        .expect("sound");
+    let set = SWING.page().report_with(&[("friction", 0.5), ("air-drag", 0.1)]).expect("sound");
     assert_eq!(set.claim("decay").map(|claim| claim.value), Some(0.3));
 }
 
@@ -560,69 +469,36 @@ fn effects_that_cannot_be_are_refused_by_name() {
             "there is no effect 'frction'; there are: friction, air-drag, gravity; do you mean friction?",
         ),
         ("--without grvty", "do you mean gravity?"),
-        (
-            "--with length",
-            "there is no effect 'length'; there are: friction, air-drag, gravity\n",
-        ),
-        (
-            "--with magnetism=2",
-            "there are: friction, air-drag, gravity\n",
-        ),
-        (
-            "--with friction=-3",
-            "friction = -3 is not allowed: it must be greater than 0",
-        ),
-        (
-            "--with air-drag=2.5",
-            "air_drag = 2.5 is not allowed: it must be from 0 to 2",
-        ),
-        (
-            "--with friction=strong",
-            "--with friction=strong: that is not a number",
-        ),
+        ("--with length", "there is no effect 'length'; there are: friction, air-drag, gravity\n"),
+        ("--with magnetism=2", "there are: friction, air-drag, gravity\n"),
+        ("--with friction=-3", "friction = -3 is not allowed: it must be greater than 0"),
+        ("--with air-drag=2.5", "air_drag = 2.5 is not allowed: it must be from 0 to 2"),
+        ("--with friction=strong", "--with friction=strong: that is not a number"),
         ("--with friction=", "that is not a number"),
         ("--with friction=nan", "NaN is not a finite number"),
         ("--with friction=1,5,2", "decimals come after a point"),
-        (
-            "--with friction --with friction=1",
-            "the effect friction stands twice after --with",
-        ),
-        (
-            "--without gravity --without gravity",
-            "the effect gravity stands twice after --without",
-        ),
+        ("--with friction --with friction=1", "the effect friction stands twice after --with"),
+        ("--without gravity --without gravity", "the effect gravity stands twice after --without"),
         (
             "--without friction --with friction",
             "the effect friction stands after --with and after --without: is it in or out?",
         ),
         ("--without friction=1", "there is no effect 'friction=1'"),
         ("--with", "a value is required"),
-        (
-            "--friction 0.02",
-            "friction is an effect: --with friction=VALUE or --without friction",
-        ),
+        ("--friction 0.02", "friction is an effect: --with friction=VALUE or --without friction"),
         ("--fricton 0.02", "unexpected argument"),
     ];
     for (arguments, told) in cases {
         let outcome = swing(arguments);
-        assert_eq!(
-            (outcome.code, outcome.stdout.as_str()),
-            (2, ""),
-            "{arguments}"
-        );
-        assert!(
-            outcome.stderr.contains(told),
-            "{arguments}: {}",
-            outcome.stderr
-        );
+        assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{arguments}");
+        assert!(outcome.stderr.contains(told), "{arguments}: {}", outcome.stderr);
     }
     assert_eq!(cases.len(), 17);
     // An example without effects says so, and does not offer the flags.
     let none = answer("--with friction");
     assert_eq!(none.code, 2);
     assert!(
-        none.stderr
-            .contains("this example has none to put in or leave out"),
+        none.stderr.contains("this example has none to put in or leave out"),
         "{}",
         none.stderr
     );

@@ -102,14 +102,7 @@ fn bounces_without_end_are_refused() {
     let ball = Ball { restitution: 0.5 };
     let (run, refused) = simulate_so_far(&ball, &method(), (), [5.0, 0.0], 4.0);
     assert!(
-        matches!(
-            refused,
-            Some(Error::LimitReached {
-                what: "changes of phase",
-                limit: 1000,
-                ..
-            })
-        ),
+        matches!(refused, Some(Error::LimitReached { what: "changes of phase", limit: 1000, .. })),
         "{refused:?}"
     );
     let error = simulate(&ball, &method(), (), [5.0, 0.0], 4.0).unwrap_err();
@@ -123,37 +116,19 @@ fn bounces_without_end_are_refused() {
 fn a_phase_must_be_entered_in_its_own_conditions() {
     let ball = Ball { restitution: 0.5 };
     let error = simulate(&ball, &method(), (), [-1.0, 0.0], 1.0).unwrap_err();
-    let broken = Error::CannotHold {
-        name: "height",
-        t: 0.0,
-        value: -1.0,
-        rate: None,
-    };
+    let broken = Error::CannotHold { name: "height", t: 0.0, value: -1.0, rate: None };
     assert_eq!(error, broken);
     assert!(simulate(&ball, &method(), (), [f64::NAN, 0.0], 1.0).is_err());
     assert!(simulate(&ball, &method(), (), [1.0, 0.0], f64::INFINITY).is_err());
     let back = simulate(&ball, &method(), (), [1.0, 0.0], -0.25).unwrap_err();
-    assert!(
-        matches!(
-            back,
-            Error::OutOfRange {
-                name: "t_end",
-                value: -0.25,
-                ..
-            }
-        ),
-        "{back}"
-    );
+    assert!(matches!(back, Error::OutOfRange { name: "t_end", value: -0.25, .. }), "{back}");
 }
 
 #[test]
 fn what_did_not_happen_is_said() {
     let ball = Ball { restitution: 0.5 };
     let run = simulate(&ball, &method(), (), [5.0, 0.0], 0.5).unwrap();
-    assert!(matches!(
-        run.transition("height"),
-        Err(Error::NotReached { until: 0.5, .. })
-    ));
+    assert!(matches!(run.transition("height"), Err(Error::NotReached { until: 0.5, .. })));
     assert!(matches!(run.at(0.6), Err(Error::OutsideRun { .. })));
     assert!(matches!(run.at(-0.1), Err(Error::OutsideRun { .. })));
     assert!(run.at(f64::NAN).is_err());
@@ -186,10 +161,8 @@ impl Phased<2> for Dome {
 fn a_ball_leaves_the_dome_at_two_thirds() {
     let cos = rotation_dynamics::math::cos;
     let mut errors = Errors::in_units_of(EPS, "height where it leaves");
-    let (mut early, mut late) = (
-        Errors::in_units_of(EPS, "a step early"),
-        Errors::in_units_of(EPS, "a step late"),
-    );
+    let (mut early, mut late) =
+        (Errors::in_units_of(EPS, "a step early"), Errors::in_units_of(EPS, "a step late"));
     let mut pulls = Errors::of("the push of a dome that never lets go");
     for angle in [0.05, 0.25, 0.8, 1.3] {
         let height = |y: &[f64; 2]| cos(y[0]) / cos(angle);
@@ -238,14 +211,5 @@ fn the_dial_delivers() {
     }
     // A start 1e-12 from the top of the dome: its growth of errors leaves no 1e-13.
     let error = simulate_within(&Dome, 1e-13, (), [1e-12, 0.0], 100.0);
-    assert!(
-        matches!(
-            error,
-            Err(Error::NotDelivered {
-                condition: None,
-                ..
-            })
-        ),
-        "{error:?}"
-    );
+    assert!(matches!(error, Err(Error::NotDelivered { condition: None, .. })), "{error:?}");
 }

@@ -30,31 +30,21 @@ fn a_contradicted_number_cannot_be_claimed() {
         (f64::INFINITY, 1.0, f64::INFINITY),
     ] {
         assert!(
-            matches!(
-                added(claim(value, oracle, bound)),
-                Err(Error::Contradicted { .. })
-            ),
+            matches!(added(claim(value, oracle, bound)), Err(Error::Contradicted { .. })),
             "{value} {oracle} {bound}"
         );
         refused += 1;
     }
     assert_eq!(refused, 7);
-    let told = added(claim(1.0, 2.0, 0.5))
-        .expect_err("contradicted")
-        .to_string();
-    assert_eq!(
-        told,
-        "rate = 1.0 is contradicted: oracle gives 2.0, and they may differ by 0.5"
-    );
+    let told = added(claim(1.0, 2.0, 0.5)).expect_err("contradicted").to_string();
+    assert_eq!(told, "rate = 1.0 is contradicted: oracle gives 2.0, and they may differ by 0.5");
     assert!(added(slow(1e-16)).is_ok());
     assert!(added(slow(1e-14)).is_err());
     assert!(added(slow(f64::NAN)).is_err());
 }
 
 fn slow(gives: f64) -> Limit {
-    limit("slow", 0.0, gives)
-        .because("nothing moves")
-        .within(1e-15)
+    limit("slow", 0.0, gives).because("nothing moves").within(1e-15)
 }
 
 #[test]
@@ -87,13 +77,7 @@ fn text_that_would_break_a_table_is_refused() {
 
 fn sound() -> Report {
     let mut report = Report::new("A title", "What the scene is.").expect("sound");
-    report
-        .add(
-            claim(1.25, 1.25, 1e-3)
-                .slip(2.0, "that is twice")
-                .answer("rates"),
-        )
-        .expect("sound");
+    report.add(claim(1.25, 1.25, 1e-3).slip(2.0, "that is twice").answer("rates")).expect("sound");
     report.add(slow(1e-16)).expect("sound");
     let drag = effect("air drag").number("rho C A l / m", 0.0123);
     report.add(drag.costs(4.56e-7, "rad")).expect("sound");
@@ -105,9 +89,7 @@ fn sound() -> Report {
         again: None,
     });
     price.expect("sound");
-    let table = Table::new("masses", ["m", "t"])
-        .and_then(|t| t.row(["1", "-2"]))
-        .expect("sound");
+    let table = Table::new("masses", ["m", "t"]).and_then(|t| t.row(["1", "-2"])).expect("sound");
     report.add(table).expect("sound");
     report
 }
@@ -146,12 +128,7 @@ fn a_report_refuses_what_it_cannot_print() {
     assert!(report.add(other("a").slip(f64::NAN, "no number")).is_err());
     assert!(report.add(other("a").slip(1.0, "two  spaces")).is_err());
     assert!(report.add(other("a")).is_ok());
-    assert!(
-        report
-            .add(Table::new("masses", ["m"]).expect("sound"))
-            .is_err(),
-        "the name is taken"
-    );
+    assert!(report.add(Table::new("masses", ["m"]).expect("sound")).is_err(), "the name is taken");
     let price = report.add(Price {
         method: "RK4".into(),
         requested: Some(1e-9),
@@ -169,9 +146,7 @@ fn a_report_refuses_what_it_cannot_print() {
 /// The order of the rules: right, listed slip, nearly, usual slip, wrong.
 #[test]
 fn answers_are_judged_by_the_stated_rules() {
-    let judged = claim(0.25, 0.25, 1e-6)
-        .judged_within(1e-4)
-        .slip(0.2501, "nearly a slip");
+    let judged = claim(0.25, 0.25, 1e-6).judged_within(1e-4).slip(0.2501, "nearly a slip");
     for (answer, verdict) in [
         (0.25, Verdict::Right),
         (0.250_004, Verdict::Right),
@@ -229,10 +204,7 @@ kit::parameters! {
 fn parameters_are_declared_once_and_checked() {
     use kit::ParameterSet;
     let default = Kinds::default();
-    assert_eq!(
-        (default.far_off, default.part, default.which),
-        (2.0, None, "first")
-    );
+    assert_eq!((default.far_off, default.part, default.which), (2.0, None, "first"));
     assert!(default.check().is_ok());
     let names: Vec<String> = Kinds::FLAGS.iter().map(|flag| flag.name()).collect();
     assert_eq!(names, ["far-off", "part", "which"]);
@@ -240,40 +212,17 @@ fn parameters_are_declared_once_and_checked() {
     assert_eq!(rows(&default), 2, "what is not set is not listed");
     let mut refused = 0;
     for (far_off, part, message) in [
-        (
-            0.0,
-            None,
-            "far_off = 0 is not allowed: it must lie between 0 and 3",
-        ),
-        (
-            3.0,
-            None,
-            "far_off = 3 is not allowed: it must lie between 0 and 3",
-        ),
-        (
-            2.0,
-            Some(1.5),
-            "part = 1.5 is not allowed: it must be greater than 0 and at most 1",
-        ),
-        (
-            f64::NAN,
-            Some(1.0),
-            "far_off = NaN is not allowed: it must lie between 0 and 3",
-        ),
+        (0.0, None, "far_off = 0 is not allowed: it must lie between 0 and 3"),
+        (3.0, None, "far_off = 3 is not allowed: it must lie between 0 and 3"),
+        (2.0, Some(1.5), "part = 1.5 is not allowed: it must be greater than 0 and at most 1"),
+        (f64::NAN, Some(1.0), "far_off = NaN is not allowed: it must lie between 0 and 3"),
     ] {
-        let kinds = Kinds {
-            far_off,
-            part,
-            ..Kinds::default()
-        };
+        let kinds = Kinds { far_off, part, ..Kinds::default() };
         assert_eq!(kinds.check().expect_err("refused").to_string(), message);
         refused += 1;
     }
     assert_eq!(refused, 4);
-    let sound = Kinds {
-        part: Some(1.0),
-        ..Kinds::default()
-    };
+    let sound = Kinds { part: Some(1.0), ..Kinds::default() };
     assert!(sound.check().is_ok() && rows(&sound) == 3);
 }
 
@@ -370,10 +319,7 @@ fn the_card_becomes_a_ledger_where_something_is_measured() {
     report
         .add(vec![
             measured(0.01, 2.0e-3, 2.1e-3).at_cost("closed form, 812 torques"),
-            effect("weight")
-                .number("m g l / L w", 0.03)
-                .costs(6.3, "rad")
-                .included(),
+            effect("weight").number("m g l / L w", 0.03).costs(6.3, "rad").included(),
         ])
         .expect("sound");
     let text = report.text().expect("sound");
@@ -405,24 +351,14 @@ fn neglected_effects(
         ("turns", 4.0, "-"),
     ] {
         let told = kit::claim(key, "a size", value, unit);
-        report
-            .add(told.within(1e-9).against("by hand", value))
-            .expect("sound");
+        report.add(told.within(1e-9).against("by hand", value)).expect("sound");
     }
     let line = effect("wind").number("n", 0.5).costs(error, unit);
     let line = beside.map_or(line.clone(), |key| line.beside(key));
     let added = report.ask(asked).and_then(|()| report.add(line));
-    let sections = added
-        .and_then(|()| report.sections())
-        .map_err(|e| e.to_string())?;
-    let card = sections
-        .iter()
-        .find(|table| table.heading() == "effects")
-        .expect("it has a line");
-    assert_eq!(
-        card.columns().last().map(String::as_str),
-        Some(format!("at {asked:e}").as_str())
-    );
+    let sections = added.and_then(|()| report.sections()).map_err(|e| e.to_string())?;
+    let card = sections.iter().find(|table| table.heading() == "effects").expect("it has a line");
+    assert_eq!(card.columns().last().map(String::as_str), Some(format!("at {asked:e}").as_str()));
     Ok(card.rows()[0].last().cloned().expect("a cell"))
 }
 
@@ -442,29 +378,11 @@ fn an_effect_is_in_or_out_at_the_accuracy_asked_for() {
         (0.01, 0.28, "deg", None, "out, 0.57 deg"),
         (0.01, 0.29, "deg in a day", None, "in, 0.57 deg"),
         (0.01, 0.0125, "rad/s", None, "out, 0.025 rad/s"),
-        (
-            0.01,
-            0.0125 * hair,
-            "rad/s: it slips",
-            None,
-            "in, 0.025 rad/s",
-        ),
-        (
-            0.01,
-            0.0125 * hair,
-            "rad/s",
-            Some("other"),
-            "out, 0.70 rad/s",
-        ),
+        (0.01, 0.0125 * hair, "rad/s: it slips", None, "in, 0.025 rad/s"),
+        (0.01, 0.0125 * hair, "rad/s", Some("other"), "out, 0.70 rad/s"),
         // Not beside the mass.
         (0.1, 0.25, "kg m^2/s later", None, "out, 0.50 kg m^2/s"),
-        (
-            0.1,
-            0.25 * hair,
-            "kg m^2/s later",
-            None,
-            "in, 0.50 kg m^2/s",
-        ),
+        (0.1, 0.25 * hair, "kg m^2/s later", None, "in, 0.50 kg m^2/s"),
         (0.1, 0.1, "turns", Some("mass"), "out, 0.30 kg"),
         (0.1, 0.1, "turns", Some("turns"), "out, 0.40"),
     ] {
@@ -495,11 +413,7 @@ fn an_effect_is_in_or_out_at_the_accuracy_asked_for() {
 /// effect anything may come.
 #[test]
 fn a_prediction_that_no_simulation_bears_out_is_refused() {
-    let add = |line| {
-        Report::new("A title", "What the scene is.")
-            .expect("sound")
-            .add(line)
-    };
+    let add = |line| Report::new("A title", "What the scene is.").expect("sound").add(line);
     let mut ran = 0;
     for (number, predicted, found, sound) in [
         (0.01, 2e-3, 1e-3, true),
@@ -518,29 +432,16 @@ fn a_prediction_that_no_simulation_bears_out_is_refused() {
         (0.01, 2e-3, f64::INFINITY, false),
     ] {
         let added = add(measured(number, predicted, found));
-        assert_eq!(
-            added.is_ok(),
-            sound,
-            "{number} {predicted} {found}: {added:?}"
-        );
+        assert_eq!(added.is_ok(), sound, "{number} {predicted} {found}: {added:?}");
         ran += 1;
     }
     assert_eq!(ran, 13);
-    assert!(
-        add(measured(0.01, 2e-3, None)).is_ok(),
-        "nothing is measured"
-    );
+    assert!(add(measured(0.01, 2e-3, None)).is_ok(), "nothing is measured");
     // What the simulation cannot tell apart is not held against the prediction.
     assert!(add(measured(0.01, 0.0, 1e-9).within(2e-9)).is_ok());
     assert!(add(measured(0.01, 2e-3, 5e-3).within(f64::NAN)).is_err());
-    let told = add(measured(0.01, 2e-3, 5e-3))
-        .expect_err("refused")
-        .to_string();
-    for part in [
-        "leaving out 'air drag'",
-        "0.002",
-        "simulation with it and without gives 0.005",
-    ] {
+    let told = add(measured(0.01, 2e-3, 5e-3)).expect_err("refused").to_string();
+    for part in ["leaving out 'air drag'", "0.002", "simulation with it and without gives 0.005"] {
         assert!(told.contains(part), "{part} in {told}");
     }
 }

@@ -19,31 +19,14 @@ fn document<T: Serialize + for<'de> Deserialize<'de> + PartialEq + Debug>(value:
 
 #[test]
 fn what_is_written_is_read_back_bit_for_bit() -> rotation_dynamics::Result<()> {
-    assert_eq!(
-        document(&SpaceVector::new(1e-300, -0.1, 5e-324)),
-        "[1e-300,-0.1,5e-324]"
-    );
-    let angles = EulerAngles {
-        phi: 0.3,
-        theta: 0.7,
-        zeta: -0.4,
-    };
+    assert_eq!(document(&SpaceVector::new(1e-300, -0.1, 5e-324)), "[1e-300,-0.1,5e-324]");
+    let angles = EulerAngles { phi: 0.3, theta: 0.7, zeta: -0.4 };
     assert_eq!(document(&angles), r#"{"phi":0.3,"theta":0.7,"zeta":-0.4}"#);
-    let angles_of_a_ship = YawPitchRoll {
-        yaw: 2.0,
-        pitch: -0.1,
-        roll: 0.25,
-    };
-    assert_eq!(
-        document(&angles_of_a_ship),
-        r#"{"yaw":2.0,"pitch":-0.1,"roll":0.25}"#
-    );
+    let angles_of_a_ship = YawPitchRoll { yaw: 2.0, pitch: -0.1, roll: 0.25 };
+    assert_eq!(document(&angles_of_a_ship), r#"{"yaw":2.0,"pitch":-0.1,"roll":0.25}"#);
     let moments = PrincipalMoments::new(0.1, 0.7, 0.8)?;
     let body = RigidBody::new(moments);
-    assert_eq!(
-        document(&body),
-        r#"{"moments":{"i1":0.1,"i2":0.7,"i3":0.8}}"#
-    );
+    assert_eq!(document(&body), r#"{"moments":{"i1":0.1,"i2":0.7,"i3":0.8}}"#);
     let parts = [
         solids::cuboid(2.0, 0.1, 0.3, 0.7)?,
         solids::rod(0.3, 1.1)?.displaced(DesignVector::new(0.2, 0.5, -0.1))?,
@@ -89,10 +72,7 @@ fn an_invalid_document_is_refused_with_its_numbers() {
             refusal::<RigidBody>(r#"{"moments": {"i1": -1, "i2": 1, "i3": 1}}"#),
             "I1 = -1 is not allowed",
         ),
-        (
-            refusal::<Attitude>(r#"{"w": 0, "x": 0, "y": 0, "z": 0}"#),
-            "norm of the quaternion = 0",
-        ),
+        (refusal::<Attitude>(r#"{"w": 0, "x": 0, "y": 0, "z": 0}"#), "norm of the quaternion = 0"),
         (
             refusal::<InertiaTensor>("[[1, 0.1, 0], [0.2, 1, 0], [0, 0, 1]]"),
             "across the diagonal = 0.1",
@@ -117,10 +97,7 @@ fn an_invalid_document_is_refused_with_its_numbers() {
             refusal::<EulerAngles>(r#"{"phi": 1, "phi": 2, "theta": 3, "zeta": 4}"#),
             "duplicate field `phi`",
         ),
-        (
-            refusal::<EulerAngles>("3"),
-            "EulerAngles of phi, theta, zeta",
-        ),
+        (refusal::<EulerAngles>("3"), "EulerAngles of phi, theta, zeta"),
         (refusal::<SpaceVector>("[1, 2]"), "array of length 3"),
         (refusal::<SpaceVector>("[1, 2, null]"), "null"),
     ];
@@ -145,10 +122,7 @@ fn other_formats_are_held_to_the_same() {
         let list = SeqDeserializer::<_, ValueError>::new(values.iter().copied());
         PrincipalMoments::deserialize(list)
     };
-    assert_eq!(
-        listed(&[1.0, 2.0, 2.5]).map(PrincipalMoments::to_array),
-        Ok([1.0, 2.0, 2.5])
-    );
+    assert_eq!(listed(&[1.0, 2.0, 2.5]).map(PrincipalMoments::to_array), Ok([1.0, 2.0, 2.5]));
     let error = listed(&[1.0, f64::INFINITY, 1.0]).unwrap_err().to_string();
     assert_eq!(error, "I2 = inf is not a finite number");
     let error = listed(&[1.0, 2.0]).unwrap_err().to_string();

@@ -95,34 +95,27 @@ fn main() -> Outcome<()> {
          one by one, and every motion its 25 digits within K eps (|value| + condition)"
     );
     let title = "Samples of the closed forms";
-    record::write(
-        &name,
-        [title, &description, "benches/measure batch"],
-        |times| {
-            let columns = "motion, K, one by one, in a batch, one by one of many, side by side";
-            let mut samples = Table::new("samples", columns.split(", "))?;
-            let mut set_ups = Table::new("set_up", ["motion", "pairs", "time / µs", "pair / ns"])?;
-            for motion in &motions {
-                let name = motion.name;
-                let of = |bench| times.of(&format!("{name}/{bench}"));
-                let pair = of(PAIRS)?.median / f64::from(SAMPLES);
-                let mut row = vec![name.to_owned(), format!("{:.1}", motion.factor)];
-                for (bench, count) in SAMPLED {
-                    row.push(format!(
-                        "{:.2}",
-                        of(bench)?.median / f64::from(count) / pair
-                    ));
-                }
-                samples.push(row)?;
-                let set_up = of(SET_UP)?.median;
-                set_ups.push([
-                    name.to_owned(),
-                    format!("{:.0}", set_up / pair),
-                    short(1e-3 * set_up, 2),
-                    short(pair, 2),
-                ])?;
+    record::write(&name, [title, &description, "benches/measure batch"], |times| {
+        let columns = "motion, K, one by one, in a batch, one by one of many, side by side";
+        let mut samples = Table::new("samples", columns.split(", "))?;
+        let mut set_ups = Table::new("set_up", ["motion", "pairs", "time / µs", "pair / ns"])?;
+        for motion in &motions {
+            let name = motion.name;
+            let of = |bench| times.of(&format!("{name}/{bench}"));
+            let pair = of(PAIRS)?.median / f64::from(SAMPLES);
+            let mut row = vec![name.to_owned(), format!("{:.1}", motion.factor)];
+            for (bench, count) in SAMPLED {
+                row.push(format!("{:.2}", of(bench)?.median / f64::from(count) / pair));
             }
-            Ok(vec![samples, set_ups])
-        },
-    )
+            samples.push(row)?;
+            let set_up = of(SET_UP)?.median;
+            set_ups.push([
+                name.to_owned(),
+                format!("{:.0}", set_up / pair),
+                short(1e-3 * set_up, 2),
+                short(pair, 2),
+            ])?;
+        }
+        Ok(vec![samples, set_ups])
+    })
 }

@@ -102,15 +102,9 @@ fn time(
             };
             let again = |setting| motion.problem.run(line.method, setting);
             let shown = motion.sweep([run.setting], again);
-            let error = shown
-                .runs()
-                .first()
-                .map_or(f64::NAN, |run| run.errors.attitude);
+            let error = shown.runs().first().map_or(f64::NAN, |run| run.errors.attitude);
             if error.is_nan() || error > asked {
-                Err(format!(
-                    "{}: {} delivers {error:e}, not {asked:e}",
-                    motion.name, line.name
-                ))?;
+                Err(format!("{}: {} delivers {error:e}, not {asked:e}", motion.name, line.name))?;
             }
             let id = BenchmarkId::new(line.name, format!("{asked:e}"));
             group.bench_function(id, |b| b.iter(|| again(run.setting)));

@@ -38,10 +38,7 @@ where
             let method = GaussLegendre::with_precision(steps, precision)?.limited_to(registers);
             let run = || method.advance(problem, 0.0, start, end);
             let error = run()?.0.attitude.angle_to(&exact);
-            assert!(
-                error <= claimed,
-                "{name}: {error:e} is reached, not {claimed:e}"
-            );
+            assert!(error <= claimed, "{name}: {error:e} is reached, not {claimed:e}");
             let id = BenchmarkId::new(format!("{registers:?}"), format!("{claimed:e}"));
             group.bench_function(id, |b| b.iter(run));
         }
@@ -58,19 +55,9 @@ fn free_body(criterion: &mut Criterion<ProcessorTime>) -> Outcome<()> {
     let end = PERIODS * motion.rate_period();
     let scene = Scene::new(RigidBody::new(moments));
     let start = scene.body().state(Attitude::IDENTITY, rates)?;
-    let settings = [
-        (1e-6, 4500, 5e-12),
-        (1e-9, 6750, 5e-15),
-        (1e-11, 9000, 5e-16),
-    ];
+    let settings = [(1e-6, 4500, 5e-12), (1e-9, 6750, 5e-15), (1e-11, 9000, 5e-16)];
     let way = (&start, end, motion.attitude(end));
-    registers(
-        criterion,
-        "free body",
-        &FreeRotation::new(&scene),
-        way,
-        settings,
-    )
+    registers(criterion, "free body", &FreeRotation::new(&scene), way, settings)
 }
 
 /// a = 2, b = 1.2, c = 0.2, E = 0.55.
@@ -85,31 +72,11 @@ fn heavy_top(criterion: &mut Criterion<ProcessorTime>) -> Outcome<()> {
     let rates = BodyVector::new(0.0, precession, 1.0 / a.sqrt());
     let start = body.state(motion.attitude(0.0), rates)?;
     let way = (&start, end, motion.attitude(end));
-    let settings = [
-        (1e-6, 1800, 5e-10),
-        (1e-9, 2800, 5e-13),
-        (1e-11, 3250, 5e-15),
-    ];
-    registers(
-        criterion,
-        "heavy top without its spin",
-        &SpinFree::new(&scene)?,
-        way,
-        settings,
-    )?;
+    let settings = [(1e-6, 1800, 5e-10), (1e-9, 2800, 5e-13), (1e-11, 3250, 5e-15)];
+    registers(criterion, "heavy top without its spin", &SpinFree::new(&scene)?, way, settings)?;
     // As one that is not round.
-    let settings = [
-        (1e-6, 1700, 5e-11),
-        (1e-9, 2500, 5e-13),
-        (1e-11, 4000, 5e-16),
-    ];
-    registers(
-        criterion,
-        "heavy top on its own axes",
-        &BodyAxes::new(&scene)?,
-        way,
-        settings,
-    )
+    let settings = [(1e-6, 1700, 5e-11), (1e-9, 2500, 5e-13), (1e-11, 4000, 5e-16)];
+    registers(criterion, "heavy top on its own axes", &BodyAxes::new(&scene)?, way, settings)
 }
 
 fn main() -> Outcome<()> {

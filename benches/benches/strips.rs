@@ -47,9 +47,7 @@ fn strip(criterion: &mut Criterion<ProcessorTime>, page: &dyn Page) -> Outcome<(
     for (price, again) in &lines {
         let (error, claimed, line) = (again.error()?, price.delivered, name(price));
         if error != claimed {
-            Err(format!(
-                "{stem}: {line} delivers {error:e}, not the {claimed:e} of its strip"
-            ))?;
+            Err(format!("{stem}: {line} delivers {error:e}, not the {claimed:e} of its strip"))?;
         }
     }
 
@@ -75,9 +73,7 @@ fn strip(criterion: &mut Criterion<ProcessorTime>, page: &dyn Page) -> Outcome<(
             let [lower, upper] = time.interval;
             if upper > UNQUIET * lower {
                 let interval = format!("{lower:.3e} to {upper:.3e} samples");
-                Err(format!(
-                    "'{line}' takes {interval}; measure on a quieter machine"
-                ))?;
+                Err(format!("'{line}' takes {interval}; measure on a quieter machine"))?;
             }
             strip.push([
                 price.method.clone(),

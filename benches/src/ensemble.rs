@@ -66,9 +66,7 @@ impl Axes {
     /// The standard deviation of cos(theta).
     pub fn spread_of_tilt(&self) -> f64 {
         let mean = self.mean().z();
-        (self.squared_tilt / self.count as f64 - mean * mean)
-            .max(0.0)
-            .sqrt()
+        (self.squared_tilt / self.count as f64 - mean * mean).max(0.0).sqrt()
     }
 }
 
@@ -80,11 +78,7 @@ pub fn set_up<B: Send>(
     number: usize,
     make: impl Fn(usize) -> Result<B> + Sync + Send,
 ) -> Result<Vec<B>> {
-    (0..number)
-        .into_par_iter()
-        .with_min_len(CHUNK)
-        .map(make)
-        .collect()
+    (0..number).into_par_iter().with_min_len(CHUNK).map(make).collect()
 }
 
 /// The axes of all bodies at each time, reduced as they are formed. Besides one [`Axes`]
@@ -130,14 +124,11 @@ fn axes_of_chunks<B: Sync>(
 
 /// The states of all bodies; as many as the shorter of the two lists has.
 pub fn states<B: Sync, S: Send>(bodies: &[B], states: &mut [S], state: impl Fn(&B) -> S + Sync) {
-    bodies
-        .par_chunks(CHUNK)
-        .zip(states.par_chunks_mut(CHUNK))
-        .for_each(|(bodies, states)| {
-            for (body, slot) in bodies.iter().zip(states) {
-                *slot = state(body);
-            }
-        });
+    bodies.par_chunks(CHUNK).zip(states.par_chunks_mut(CHUNK)).for_each(|(bodies, states)| {
+        for (body, slot) in bodies.iter().zip(states) {
+            *slot = state(body);
+        }
+    });
 }
 
 /// The fraction in [0, 1) that is drawn for quantity `index` of body `body`: the same on
@@ -166,10 +157,7 @@ mod tests {
     }
 
     fn pool(threads: usize) -> rayon::ThreadPool {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .expect("threads")
+        rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads")
     }
 
     /// 10 001 bodies, the last chunk is not full.

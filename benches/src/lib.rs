@@ -3,7 +3,6 @@
 #[path = "../../tests/accuracy/error_control/attack/scenes/mod.rs"]
 pub mod attack;
 pub mod ensemble;
-#[rustfmt::skip] // it is formatted with the examples
 #[path = "../../examples/accuracy/honesty.rs"]
 pub mod honesty;
 pub mod kit;

@@ -79,10 +79,7 @@ pub fn criterion() -> Criterion<ProcessorTime> {
 /// Where the estimates are: `criterion` in the directory for which this program was built.
 fn home() -> PathBuf {
     let program = env::current_exe().unwrap_or_default();
-    program
-        .ancestors()
-        .nth(3)
-        .map_or("criterion".into(), |target| target.join("criterion"))
+    program.ancestors().nth(3).map_or("criterion".into(), |target| target.join("criterion"))
 }
 
 /// The time of one run as criterion estimates it, ns.
@@ -97,10 +94,7 @@ pub struct Time {
 impl Time {
     /// The time in these units (ns).
     pub fn per(self, unit: f64) -> Self {
-        Self {
-            median: self.median / unit,
-            interval: self.interval.map(|end| end / unit),
-        }
+        Self { median: self.median / unit, interval: self.interval.map(|end| end / unit) }
     }
 }
 
@@ -113,9 +107,7 @@ impl Times {
         let (mut times, mut left) = (HashMap::new(), vec![home.to_owned()]);
         while let Some(directory) = left.pop() {
             let json = |name: &str| -> Outcome<Value> {
-                Ok(serde_json::from_str(&fs::read_to_string(
-                    directory.join(name),
-                )?)?)
+                Ok(serde_json::from_str(&fs::read_to_string(directory.join(name))?)?)
             };
             let found = directory.join("estimates.json");
             if directory.ends_with("new") && fs::metadata(found)?.modified()? >= begun {
@@ -189,10 +181,7 @@ pub fn write(
 /// # Errors
 /// A file that cannot be written.
 pub fn save(name: &str, report: &Report) -> Outcome<()> {
-    let (text, record) = (
-        report.text()?,
-        concat!(env!("CARGO_MANIFEST_DIR"), "/record"),
-    );
+    let (text, record) = (report.text()?, concat!(env!("CARGO_MANIFEST_DIR"), "/record"));
     fs::write(format!("{record}/{name}.txt"), &text)?;
     print!("{text}");
     Ok(())
@@ -204,11 +193,9 @@ pub fn save(name: &str, report: &Report) -> Outcome<()> {
 /// A machine that does not say what it is.
 pub fn conditions() -> Outcome<Table> {
     let mut table = Table::new("conditions", ["condition", "value"])?;
-    for (condition, value) in [
-        ("processor", processor()),
-        ("compiler", compiler()),
-        ("date", said_by("date", &["+%F"])),
-    ] {
+    for (condition, value) in
+        [("processor", processor()), ("compiler", compiler()), ("date", said_by("date", &["+%F"]))]
+    {
         let value = value.ok_or(format!("the machine does not tell its {condition}"))?;
         table.push([condition, &value])?;
     }

@@ -87,13 +87,7 @@ impl Motion {
         if outcome.compared == 0 || !(0.0..=claimed).contains(&factor) {
             return Err(format!("{name}: K = {factor}, and {claimed} is claimed"));
         }
-        Ok(Self {
-            name,
-            kind,
-            case,
-            factor,
-            claimed,
-        })
+        Ok(Self { name, kind, case, factor, claimed })
     }
 
     /// Sets the motion up, with an input larger by the part `by`.
@@ -107,9 +101,9 @@ impl Motion {
         };
         let case = &self.case;
         match self.kind {
-            Kind::HeavyTop => top::from_parameters(case, 1.0 + by)
-                .map(Closed::HeavyTop)
-                .map_err(told),
+            Kind::HeavyTop => {
+                top::from_parameters(case, 1.0 + by).map(Closed::HeavyTop).map_err(told)
+            }
             Kind::FreeBody => {
                 let [i1, i2, i3] = case.input_vector("I").map_err(told)?;
                 let omega = case.input_vector("omega0").map_err(told)?;

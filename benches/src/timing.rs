@@ -47,10 +47,7 @@ const BATCH: Duration = Duration::from_micros(200);
 /// # Errors
 /// The first error of a task.
 pub fn interleaved(tasks: &[Task], rounds: usize) -> Result<Vec<Measured>> {
-    let sizes: Vec<u32> = tasks
-        .iter()
-        .map(|task| batch(task))
-        .collect::<Result<_>>()?;
+    let sizes: Vec<u32> = tasks.iter().map(|task| batch(task)).collect::<Result<_>>()?;
     let mut times = vec![Vec::new(); tasks.len()];
     for _ in 0..rounds.max(3) {
         for ((task, &size), times) in tasks.iter().zip(&sizes).zip(&mut times) {

@@ -81,12 +81,7 @@ pub struct Asked {
 impl Asked {
     /// Reads the lines; what is no number stands for none.
     pub fn read(text: &str) -> Self {
-        let mut asked = Self {
-            settings: String::new(),
-            method: None,
-            setting: None,
-            solve: None,
-        };
+        let mut asked = Self { settings: String::new(), method: None, setting: None, solve: None };
         for line in text.lines() {
             match line.split_once('=') {
                 Some(("method", name)) => asked.method = Some(name.into()),
@@ -138,9 +133,5 @@ fn choices(lab: &Lab) -> String {
             method.order()
         )
     });
-    format!(
-        "{{\"methods\": {}, \"span\": {:?}}}",
-        list(methods),
-        lab.span()
-    )
+    format!("{{\"methods\": {}, \"span\": {:?}}}", list(methods), lab.span())
 }

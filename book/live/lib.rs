@@ -99,9 +99,7 @@ pub extern "C" fn frame(t: f64, about: f64, up: f64) -> usize {
     let picture = kept().picture.take();
     let drawn = match &picture {
         None => Err("no moving picture is open".into()),
-        Some(picture) => picture
-            .seen(t, Turn { about, up })
-            .map_err(|e| e.to_string()),
+        Some(picture) => picture.seen(t, Turn { about, up }).map_err(|e| e.to_string()),
     };
     kept().picture = picture;
     match drawn {

@@ -22,8 +22,6 @@ impl Motion for ExactMotion {
     }
 
     fn condition(&self, _t: f64) -> Result<f64> {
-        Err(Error::ConditionUnknown {
-            name: Self::name(self),
-        })
+        Err(Error::ConditionUnknown { name: Self::name(self) })
     }
 }

@@ -81,13 +81,8 @@ pub enum Measure {
 
 impl Measure {
     /// All of them.
-    pub const ALL: [Self; 5] = [
-        Self::Attitude,
-        Self::Rates,
-        Self::Momentum,
-        Self::Energy,
-        Self::Invariants,
-    ];
+    pub const ALL: [Self; 5] =
+        [Self::Attitude, Self::Rates, Self::Momentum, Self::Energy, Self::Invariants];
 }
 
 impl Errors {
@@ -154,11 +149,7 @@ impl Errors {
 
 /// Nothing is no error, even of nothing.
 fn relative(difference: f64, scale: f64) -> f64 {
-    if difference == 0.0 {
-        0.0
-    } else {
-        difference / scale
-    }
+    if difference == 0.0 { 0.0 } else { difference / scale }
 }
 
 /// The largest size of some errors, 0 of none; not a number if one of them is not.
@@ -169,7 +160,5 @@ fn relative(difference: f64, scale: f64) -> f64 {
 /// assert!(largest([1.0, f64::NAN, 2.0]).is_nan());
 /// ```
 pub fn largest(errors: impl IntoIterator<Item = f64>) -> f64 {
-    errors
-        .into_iter()
-        .fold(0.0, |most, e| larger(most, e.abs()))
+    errors.into_iter().fold(0.0, |most, e| larger(most, e.abs()))
 }

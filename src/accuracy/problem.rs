@@ -55,13 +55,7 @@ pub struct Problem<E> {
 impl<E: AnyEffect> Problem<E> {
     /// The motion of `scene` from `start` at t = 0 to `end` (s), where it is at `exact`.
     pub const fn new(scene: Scene<E>, start: State, end: f64, exact: State) -> Self {
-        Self {
-            scene,
-            start,
-            end,
-            exact,
-            closed_form: None,
-        }
+        Self { scene, start, end, exact, closed_form: None }
     }
 
     /// The same with its closed form, the attitude at a time (s): one sample of it is the
@@ -151,18 +145,10 @@ impl<E: AnyEffect> Problem<E> {
                     let (reached, work) = run?;
                     let error = self.error(&reached);
                     if error <= tolerance {
-                        return Ok(Some(Run {
-                            setting,
-                            work,
-                            errors: self.errors(&reached),
-                        }));
+                        return Ok(Some(Run { setting, work, errors: self.errors(&reached) }));
                     }
                     // A run that is lost says nothing of the next.
-                    if error > LOST {
-                        1
-                    } else {
-                        rungs_to_skip(method, error / tolerance)
-                    }
+                    if error > LOST { 1 } else { rungs_to_skip(method, error / tolerance) }
                 }
             };
             level = level.saturating_add(rungs);

@@ -58,10 +58,7 @@ impl Sweep {
         settings: impl IntoIterator<Item = f64>,
         run: impl Fn(f64) -> Result<(Errors, Work)>,
     ) -> Self {
-        let mut sweep = Self {
-            runs: Vec::new(),
-            refused: Vec::new(),
-        };
+        let mut sweep = Self { runs: Vec::new(), refused: Vec::new() };
         for setting in settings {
             let outcome = run(setting).and_then(|(errors, work)| {
                 for measure in Measure::ALL {
@@ -70,11 +67,7 @@ impl Sweep {
                 Ok((errors, work))
             });
             match outcome {
-                Ok((errors, work)) => sweep.runs.push(Run {
-                    setting,
-                    work,
-                    errors,
-                }),
+                Ok((errors, work)) => sweep.runs.push(Run { setting, work, errors }),
                 Err(error) => sweep.refused.push((setting, error)),
             }
         }
@@ -95,10 +88,11 @@ impl Sweep {
     ///
     /// Errors: as [`WorkPrecision::new`].
     pub fn curve(&self, measure: Measure, count: impl Fn(&Work) -> u64) -> Result<WorkPrecision> {
-        WorkPrecision::new(self.runs.iter().map(|run| Point {
-            work: count(&run.work) as f64,
-            error: run.errors.get(measure),
-        }))
+        WorkPrecision::new(
+            self.runs
+                .iter()
+                .map(|run| Point { work: count(&run.work) as f64, error: run.errors.get(measure) }),
+        )
     }
 }
 

@@ -110,11 +110,7 @@ impl EulerAngles {
     /// Accuracy: 1.6 eps of |phi'| + |theta'| + |zeta'|. Source: notes 15.2 (6).
     fn nodal_angular_velocity(&self, rates: EulerRates) -> [f64; 3] {
         let (sin_theta, cos_theta) = math::sincos(self.theta);
-        [
-            rates.theta,
-            rates.phi * sin_theta,
-            rates.zeta + rates.phi * cos_theta,
-        ]
+        [rates.theta, rates.phi * sin_theta, rates.zeta + rates.phi * cos_theta]
     }
 
     /// Angular velocity on the body's axes, in rad/s:
@@ -148,9 +144,8 @@ impl EulerAngles {
     pub fn rates(&self, angular_velocity: BodyVector) -> Result<EulerRates> {
         finite("theta", self.theta)?;
         finite("zeta", self.zeta)?;
-        for (name, value) in ["omega_1", "omega_2", "omega_3"]
-            .into_iter()
-            .zip(angular_velocity.to_array())
+        for (name, value) in
+            ["omega_1", "omega_2", "omega_3"].into_iter().zip(angular_velocity.to_array())
         {
             finite(name, value)?;
         }
@@ -212,10 +207,7 @@ fn sin_cos_of_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = DoubleDouble::sum(a, b);
     let (sin, cos) = math::sincos(sum.hi());
     let (sin_rest, cos_rest) = math::sincos(sum.lo());
-    (
-        sin * cos_rest + cos * sin_rest,
-        cos * cos_rest - sin * sin_rest,
-    )
+    (sin * cos_rest + cos * sin_rest, cos * cos_rest - sin * sin_rest)
 }
 
 /// Twice the argument of `re + i im`, in [-pi, pi]; the sign of both is free.

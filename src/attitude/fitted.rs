@@ -235,11 +235,7 @@ fn leads(which: &'static str, first: f64, second: f64) -> Result<()> {
         return Ok(());
     }
     let allowed = format!("it must be greater than {NO_LEAD:e}, or {which} is not the only one");
-    Err(Error::out_of_range(
-        "lead over the next best",
-        lead,
-        allowed,
-    ))
+    Err(Error::out_of_range("lead over the next best", lead, allowed))
 }
 
 /// Weights over the largest.
@@ -278,9 +274,7 @@ fn direction(name: &'static str, vector: [f64; 3]) -> Result<Vector3<f64>> {
         let allowed = "it must be greater than 0";
         return Err(Error::out_of_range(name, 0.0, allowed));
     }
-    Ok(vector
-        .map(|c| (DoubleDouble::from(c) / length).to_f64())
-        .into())
+    Ok(vector.map(|c| (DoubleDouble::from(c) / length).to_f64()).into())
 }
 
 /// Axes of which z is along the first vector, and y in the plane of both.
@@ -321,9 +315,6 @@ mod tests {
             (v, attitude.to_space(v), 1.0)
         });
         let (found, missed) = Attitude::from_directions(&seen).expect("an attitude");
-        assert!(
-            found.angle_to(&attitude) < 1e-14 && missed < 1e-7,
-            "{found:?}"
-        );
+        assert!(found.angle_to(&attitude) < 1e-14 && missed < 1e-7, "{found:?}");
     }
 }

@@ -19,21 +19,9 @@ impl Attitude {
         let [w, x, y, z] = self.quaternion();
         let (ww, xx, yy, zz) = (w * w, x * x, y * y, z * z);
         [
-            [
-                (ww + xx) - (yy + zz),
-                2.0 * (x * y - w * z),
-                2.0 * (x * z + w * y),
-            ],
-            [
-                2.0 * (x * y + w * z),
-                (ww + yy) - (xx + zz),
-                2.0 * (y * z - w * x),
-            ],
-            [
-                2.0 * (x * z - w * y),
-                2.0 * (y * z + w * x),
-                (ww + zz) - (xx + yy),
-            ],
+            [(ww + xx) - (yy + zz), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+            [2.0 * (x * y + w * z), (ww + yy) - (xx + zz), 2.0 * (y * z - w * x)],
+            [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), (ww + zz) - (xx + yy)],
         ]
     }
 
@@ -65,10 +53,7 @@ impl Attitude {
             + m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2])
             + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
         if deviation > ORTHONORMAL_WITHIN || determinant <= 0.0 {
-            return Err(Error::NotRotation {
-                deviation,
-                determinant,
-            });
+            return Err(Error::NotRotation { deviation, determinant });
         }
         // Four times the squares of w, x, y, z.
         let sum =

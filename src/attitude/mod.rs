@@ -66,9 +66,7 @@ const UNIT_WITHIN: f64 = 4.0 * EPS;
 
 impl Attitude {
     /// Body axes along the fixed axes.
-    pub const IDENTITY: Self = Self {
-        quaternion: [1.0, 0.0, 0.0, 0.0],
-    };
+    pub const IDENTITY: Self = Self { quaternion: [1.0, 0.0, 0.0, 0.0] };
 
     /// The attitude of the quaternion (w, x, y, z), which is normalised.
     ///
@@ -95,9 +93,7 @@ impl Attitude {
         if scale == 1.0 && (norm - 1.0).abs().to_f64() <= UNIT_WITHIN {
             return Ok(Self { quaternion });
         }
-        Ok(Self {
-            quaternion: scaled.map(|c| (DoubleDouble::from(c) / norm).to_f64()),
-        })
+        Ok(Self { quaternion: scaled.map(|c| (DoubleDouble::from(c) / norm).to_f64()) })
     }
 
     /// From components that are unit to a few eps, by construction.
@@ -158,16 +154,8 @@ impl Attitude {
 /// v + 2 w (u x v) + 2 u x (u x v): the added part is small when the rotation is.
 #[inline]
 fn turn([w, x, y, z]: [f64; 4], [a, b, c]: [f64; 3]) -> [f64; 3] {
-    let (p, q, r) = (
-        2.0 * (y * c - z * b),
-        2.0 * (z * a - x * c),
-        2.0 * (x * b - y * a),
-    );
-    [
-        a + (w * p + (y * r - z * q)),
-        b + (w * q + (z * p - x * r)),
-        c + (w * r + (x * q - y * p)),
-    ]
+    let (p, q, r) = (2.0 * (y * c - z * b), 2.0 * (z * a - x * c), 2.0 * (x * b - y * a));
+    [a + (w * p + (y * r - z * q)), b + (w * q + (z * p - x * r)), c + (w * r + (x * q - y * p))]
 }
 
 /// A power of two that brings numbers up to `largest` where neither their
@@ -200,9 +188,5 @@ fn norm<T: Into<DoubleDouble> + Copy, const N: usize>(components: [T; N]) -> Dou
 
 /// The entry of a list that is refused.
 fn at(name: &'static str, index: usize) -> impl FnOnce(Error) -> Error {
-    move |reason| Error::AtIndex {
-        name,
-        index,
-        reason: Box::new(reason),
-    }
+    move |reason| Error::AtIndex { name, index, reason: Box::new(reason) }
 }

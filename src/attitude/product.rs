@@ -18,23 +18,13 @@ pub(crate) fn product<L: Lane>([a, b, c, d]: [L; 4], [w, x, y, z]: [L; 4]) -> [L
 /// v q for a vector v on the fixed axes: twice the rate at which q turns with the rate v.
 #[inline(always)]
 pub(crate) fn vector_times<L: Lane>([a, b, c]: [L; 3], [w, x, y, z]: [L; 4]) -> [L; 4] {
-    [
-        -(a * x + b * y + c * z),
-        a * w + b * z - c * y,
-        b * w + c * x - a * z,
-        c * w + a * y - b * x,
-    ]
+    [-(a * x + b * y + c * z), a * w + b * z - c * y, b * w + c * x - a * z, c * w + a * y - b * x]
 }
 
 /// q v for a vector v on the body's axes.
 #[inline(always)]
 pub(crate) fn times_vector<L: Lane>([w, x, y, z]: [L; 4], [a, b, c]: [L; 3]) -> [L; 4] {
-    [
-        -(a * x + b * y + c * z),
-        a * w + c * y - b * z,
-        b * w + a * z - c * x,
-        c * w + b * x - a * y,
-    ]
+    [-(a * x + b * y + c * z), a * w + c * y - b * z, b * w + a * z - c * x, c * w + b * x - a * y]
 }
 
 /// q exp(e3 angle/2): turned by the angle (rad) about the body's third axis.

@@ -120,11 +120,7 @@ fn about(axis: [f64; 3], angle: f64) -> Result<Attitude> {
     let (direction, _) = scaled(axis);
     let length = norm(direction);
     if length == 0.0 {
-        return Err(Error::out_of_range(
-            "length of the axis",
-            0.0,
-            "it must be greater than 0",
-        ));
+        return Err(Error::out_of_range("length of the axis", 0.0, "it must be greater than 0"));
     }
     Ok(turn_by(direction, length, DoubleDouble::from(angle)))
 }

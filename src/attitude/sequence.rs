@@ -221,10 +221,6 @@ impl Attitude {
         let sine = |a, b, c, d| DoubleDouble::product(a, b) - DoubleDouble::product(c, d);
         // Adding 0 makes a zero positive: the angle is then pi, not -pi.
         let angle = |sin: DoubleDouble, cos| (sin.scaled(2.0) + 0.0).atan2(cos).to_f64();
-        [
-            angle(sine(p, u, r, v), ac - bd),
-            second,
-            angle(sine(p, v, r, u).scaled(hand), ac + bd),
-        ]
+        [angle(sine(p, u, r, v), ac - bd), second, angle(sine(p, v, r, u).scaled(hand), ac + bd)]
     }
 }

@@ -60,22 +60,14 @@ impl Sequence {
     /// the last turn leads from the middle one to that across.
     const fn roles(self) -> ([usize; 3], f64) {
         let ([i, j, k], hand) = self.right_handed();
-        if self.is_proper() {
-            ([k, j, i], -hand)
-        } else {
-            ([i, j, k], hand)
-        }
+        if self.is_proper() { ([k, j, i], -hand) } else { ([i, j, k], hand) }
     }
 
     /// The first axis before the last turn: its components across and along the last.
     fn first_axis(self, second: f64) -> (f64, f64) {
         let (sin, cos) = math::sincos(second);
         let (_, hand) = self.right_handed();
-        if self.is_proper() {
-            (hand * sin, cos)
-        } else {
-            (cos, hand * sin)
-        }
+        if self.is_proper() { (hand * sin, cos) } else { (cos, hand * sin) }
     }
 }
 

@@ -136,10 +136,7 @@ impl DesignedBody {
 
     /// A state of the principal axes, to be read on the axes of the drawing.
     pub const fn from_principal(&self, state: State) -> DesignState {
-        DesignState {
-            body: *self,
-            principal: state,
-        }
+        DesignState { body: *self, principal: state }
     }
 }
 
@@ -206,11 +203,7 @@ fn principal_frame(tensor: &InertiaTensor) -> Result<([f64; 3], Attitude)> {
     let found = tensor.principal_axes();
     let [low, middle, high] = found.moments();
     // Of a rod and a point mass the moments that rounding hides are 0 already.
-    let slack = if low > 0.0 {
-        tensor.known_within()
-    } else {
-        0.0
-    };
+    let slack = if low > 0.0 { tensor.known_within() } else { 0.0 };
     let axes = found.axes().map(DesignVector::to_array);
     if high - low <= slack {
         Ok(([middle; 3], Attitude::IDENTITY))
@@ -243,14 +236,7 @@ fn symmetric_about(axis: [f64; 3], along: f64, across: f64) -> Result<([f64; 3],
 
 /// The right-handed order and signs of the axes with the largest trace: the smallest turn.
 fn nearest(axes: [[f64; 3]; 3], moments: [f64; 3]) -> Result<([f64; 3], Attitude)> {
-    let orders = [
-        [0, 1, 2],
-        [1, 2, 0],
-        [2, 0, 1],
-        [0, 2, 1],
-        [1, 0, 2],
-        [2, 1, 0],
-    ];
+    let orders = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [1, 0, 2], [2, 1, 0]];
     let mut best = (f64::NEG_INFINITY, [0, 1, 2], [1.0; 3]);
     for (n, order) in orders.into_iter().enumerate() {
         let parity = if n < 3 { 1.0 } else { -1.0 };

@@ -196,18 +196,15 @@ impl<'e> Checked<'e> {
 
     /// The length of the torque at the start (N m).
     pub(crate) fn at_start(&self) -> f64 {
-        (self.effect)
-            .torque(self.span[0], &self.body, &self.start)
-            .norm()
+        (self.effect).torque(self.span[0], &self.body, &self.start).norm()
     }
 
     /// Where the effect is looked at: the state itself, and others that fill what there
     /// is of attitudes, momenta and times.
     fn places(&self, state: &State) -> Result<Vec<(f64, State)>> {
         let [from, to] = self.span;
-        let mut times: Vec<f64> = (0..PLACES)
-            .map(|n| from + (to - from) * part(n, 0.414_213_562_373_095_1))
-            .collect();
+        let mut times: Vec<f64> =
+            (0..PLACES).map(|n| from + (to - from) * part(n, 0.414_213_562_373_095_1)).collect();
         times[0] = from;
         times.extend(self.breaks.iter().flat_map(|t| sides(*t)));
         let torque = self.effect.torque(from, &self.body, state).norm();
@@ -247,10 +244,7 @@ impl<'e> Checked<'e> {
         torque: SpaceVector,
         allowed: impl Into<std::borrow::Cow<'static, str>>,
     ) -> Error {
-        let state = [
-            &state.attitude.quaternion()[..],
-            &state.angular_momentum.to_array(),
-        ];
+        let state = [&state.attitude.quaternion()[..], &state.angular_momentum.to_array()];
         Error::of_function(
             format!("torque of \"{}\"", self.name()),
             t,
@@ -312,14 +306,7 @@ impl<'e> Checked<'e> {
     }
 
     fn contradicted(&self, claim: &'static str, t: f64, off: f64, allowed: f64) -> Error {
-        Error::Contradiction {
-            effect: self.name(),
-            claim,
-            t,
-            probe: false,
-            off,
-            allowed,
-        }
+        Error::Contradiction { effect: self.name(), claim, t, probe: false, off, allowed }
     }
 
     /// The scale of the torque against its length, both at the same time and in the same state.
@@ -371,11 +358,7 @@ impl<'e> Checked<'e> {
             let ends: Vec<f64> = [first].into_iter().chain(breaks).chain([last]).collect();
             for ends in ends.windows(2) {
                 let ends = piece([ends[0], ends[1]]);
-                self.no_jump(
-                    ends,
-                    |t| self.acting(t, start),
-                    |t| (self.smooth_claim(t), t),
-                )?;
+                self.no_jump(ends, |t| self.acting(t, start), |t| (self.smooth_claim(t), t))?;
             }
         }
         // What sees the axis only has been held to that: a turn about it changes nothing.
@@ -391,10 +374,7 @@ impl<'e> Checked<'e> {
         if self.properties.on_rates {
             let slowed = |part| {
                 let angular_momentum = start.angular_momentum * part;
-                let state = State {
-                    angular_momentum,
-                    ..*start
-                };
+                let state = State { angular_momentum, ..*start };
                 self.acting(from, &state)
             };
             self.no_jump([1.0, -1.1], slowed, at_start)?;
@@ -413,9 +393,7 @@ impl<'e> Checked<'e> {
                 let turned = start.attitude * Attitude::about_coordinate(axis, angle);
                 SpaceVector::from_array(effect.torque_on_axis(body, turned.axis().to_array()))
             };
-            self.no_jump([0.0, core::f64::consts::TAU], turned, |_| {
-                (SMOOTH, self.span[0])
-            })?;
+            self.no_jump([0.0, core::f64::consts::TAU], turned, |_| (SMOOTH, self.span[0]))?;
         }
         Ok(())
     }
@@ -478,11 +456,7 @@ impl<'e> Checked<'e> {
         let near = BESIDE * from.abs().max(to.abs());
         let after = self.breaks.partition_point(|point| *point <= t);
         let neighbours = &self.breaks[after.saturating_sub(1)..];
-        if neighbours
-            .iter()
-            .take(2)
-            .any(|point| (point - t).abs() < near)
-        {
+        if neighbours.iter().take(2).any(|point| (point - t).abs() < near) {
             SMOOTH_BESIDE
         } else {
             SMOOTH
@@ -519,10 +493,7 @@ impl<'e> Checked<'e> {
             let after = if n + 1 < looks { step(n + 1) } else { 0.0 };
             step(*n) > (ALONE * before.min(after)).max(ROUNDING * size)
         };
-        (0..looks)
-            .filter(alone)
-            .filter_map(|n| self.jump(n, seen))
-            .collect()
+        (0..looks).filter(alone).filter_map(|n| self.jump(n, seen)).collect()
     }
 
     /// Halves the time between two looks, towards the larger difference, until nothing is
@@ -554,10 +525,7 @@ impl<'e> Checked<'e> {
     /// a step passes 2 s. Where the torque goes to and fro all along, no run takes long steps in
     /// quiet and meets a pulse in one of them: 8 s, about as many s as a step has stages.
     pub(crate) fn looks_in_step(&self, seen: &[SpaceVector]) -> Option<usize> {
-        let largest = seen
-            .iter()
-            .map(SpaceVector::norm)
-            .fold(self.largest, f64::max);
+        let largest = seen.iter().map(SpaceVector::norm).fold(self.largest, f64::max);
         let far = |a: SpaceVector, b: SpaceVector| (a - b).norm() > PULSE * largest;
         let changes = |s: usize| {
             (s..seen.len().saturating_sub(s))
@@ -609,12 +577,8 @@ impl<'e> Checked<'e> {
             "that it has no torque about Y",
             "that it has no torque about Z",
         ];
-        for ((kept, m), claim) in properties
-            .conserved
-            .momentum
-            .into_iter()
-            .zip(torque.to_array())
-            .zip(about)
+        for ((kept, m), claim) in
+            properties.conserved.momentum.into_iter().zip(torque.to_array()).zip(about)
         {
             if kept {
                 self.held(claim, t, m.abs(), slack)?;
@@ -654,11 +618,7 @@ impl<'e> Checked<'e> {
     /// The resistance on the piece, with the effects that see the axis only, is all of the torque.
     fn resistance(&self, t: f64, state: &State, torque: SpaceVector, slack: f64) -> Result<()> {
         let (effect, body) = (&self.effect, &self.body);
-        let begun = if self.properties.on_time {
-            self.begun(t)
-        } else {
-            Some(t)
-        };
+        let begun = if self.properties.on_time { self.begun(t) } else { Some(t) };
         let resistance = begun.and_then(|begun| effect.resistance(begun, body));
         let Some(resists) = resistance.and_then(|r| r.torque(body.angular_momentum(state))) else {
             return Ok(());
@@ -750,11 +710,7 @@ impl<'e> Checked<'e> {
         let span = (self.span[1] - self.span[0]).abs();
         let seen = UNNAMED / span;
         let seen = if seen.is_finite() { seen } else { 0.0 };
-        let (own, pace) = if named > 0.0 {
-            (named, named)
-        } else {
-            (rate, rate.max(seen))
-        };
+        let (own, pace) = if named > 0.0 { (named, named) } else { (rate, rate.max(seen)) };
         let step = step_in_time(t, (STEP / pace).max(ROUNDING * t.abs()));
         let moved = [t - step, t + step].map(|t| potential(t, state.attitude));
         let (moving, moving_rounding) = difference(moved, step);
@@ -762,11 +718,8 @@ impl<'e> Checked<'e> {
         let late = 4.0 * EPS * t.abs() / step * moving.abs();
 
         let found = acting.dot(&omega) + turning + moving;
-        let power = if self.properties.conserved.energy {
-            0.0
-        } else {
-            effect.power(t, body, state)
-        };
+        let power =
+            if self.properties.conserved.energy { 0.0 } else { effect.power(t, body, state) };
         let off = (found - power).abs();
         // The phases of torque and power are rounded too, by less than goes on in a step.
         let (part, fastest) = if self.properties.on_time {
@@ -793,10 +746,7 @@ impl<'e> Checked<'e> {
         let Some(width) = self.effect.narrowest() else {
             return Ok(());
         };
-        for (name, value) in [
-            ("narrowest time", width.time),
-            ("narrowest angle", width.angle),
-        ] {
+        for (name, value) in [("narrowest time", width.time), ("narrowest angle", width.angle)] {
             if value != f64::INFINITY {
                 positive(name, value)?;
             }
@@ -815,11 +765,7 @@ fn sides(point: f64) -> [f64; 2] {
 /// middle if they are too near.
 pub(crate) fn piece([from, to]: [f64; 2]) -> [f64; 2] {
     let (first, last) = (sides(from.min(to))[1], sides(from.max(to))[0]);
-    if first <= last {
-        [first, last]
-    } else {
-        [0.5 * from + 0.5 * to; 2]
-    }
+    if first <= last { [first, last] } else { [0.5 * from + 0.5 * to; 2] }
 }
 
 /// True if two times are one break point.

@@ -56,12 +56,7 @@ impl<'f> Torque<'f> {
         name: &'static str,
         torque: impl Fn(f64, &RigidBody, &State) -> SpaceVector + Send + Sync + 'f,
     ) -> Self {
-        Self {
-            name,
-            on_space: Arc::new(torque),
-            break_points: Vec::new(),
-            narrowest: None,
-        }
+        Self { name, on_space: Arc::new(torque), break_points: Vec::new(), narrowest: None }
     }
 
     /// A torque on the body's axes.
@@ -69,9 +64,7 @@ impl<'f> Torque<'f> {
         name: &'static str,
         torque: impl Fn(f64, &RigidBody, &State) -> BodyVector + Send + Sync + 'f,
     ) -> Self {
-        Self::on_space(name, move |t, body, state| {
-            state.attitude.to_space(torque(t, body, state))
-        })
+        Self::on_space(name, move |t, body, state| state.attitude.to_space(torque(t, body, state)))
     }
 
     /// The same, known to be an analytic function of time and state between its break
@@ -114,10 +107,8 @@ impl<const SMOOTH: bool> Torque<'_, SMOOTH> {
     ///
     /// Errors: a width that is not positive.
     pub fn with_narrowest(mut self, feature: Feature) -> Result<Self> {
-        for (name, width) in [
-            ("narrowest time", feature.time),
-            ("narrowest angle", feature.angle),
-        ] {
+        for (name, width) in [("narrowest time", feature.time), ("narrowest angle", feature.angle)]
+        {
             if width != f64::INFINITY {
                 positive(name, width)?;
             }
@@ -132,20 +123,12 @@ pub(crate) fn rising(name: &'static str, times: &[f64]) -> Result<Vec<f64>> {
     all_finite(name, times)?;
     match times.windows(2).position(|pair| pair[0] >= pair[1]) {
         None => Ok(times.to_vec()),
-        Some(index) => Err(Error::not_rising(
-            name,
-            index + 1,
-            times[index],
-            times[index + 1],
-        )),
+        Some(index) => Err(Error::not_rising(name, index + 1, times[index], times[index + 1])),
     }
 }
 
 impl<const SMOOTH: bool> Effect for Torque<'_, SMOOTH> {
-    const PROPERTIES: Properties = Properties {
-        smooth: SMOOTH,
-        ..Properties::ANYTHING
-    };
+    const PROPERTIES: Properties = Properties { smooth: SMOOTH, ..Properties::ANYTHING };
 
     fn name(&self) -> &'static str {
         self.name

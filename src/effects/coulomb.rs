@@ -73,22 +73,10 @@ impl CoulombBearing {
         finite("start time", t_start)?;
         symmetric(body)?;
         let axial_momentum = finite("L_z", body.angular_momentum(start).z())?;
-        let stop = if axial_momentum == 0.0 {
-            t_start
-        } else {
-            t_start + axial_momentum.abs() / tau
-        };
-        let torque = if axial_momentum == 0.0 {
-            0.0
-        } else {
-            tau * -axial_momentum.signum()
-        };
-        Ok(Self {
-            torque,
-            t_start,
-            axial_momentum,
-            stop,
-        })
+        let stop =
+            if axial_momentum == 0.0 { t_start } else { t_start + axial_momentum.abs() / tau };
+        let torque = if axial_momentum == 0.0 { 0.0 } else { tau * -axial_momentum.signum() };
+        Ok(Self { torque, t_start, axial_momentum, stop })
     }
 
     /// The time of the stop (s); `None` if there is no friction, or so little that no `f64`
@@ -123,11 +111,8 @@ fn symmetric(body: &RigidBody) -> Result<()> {
 }
 
 impl Effect for CoulombBearing {
-    const PROPERTIES: Properties = Properties {
-        on_rates: false,
-        smooth: true,
-        ..Properties::ANYTHING
-    };
+    const PROPERTIES: Properties =
+        Properties { on_rates: false, smooth: true, ..Properties::ANYTHING };
 
     fn name(&self) -> &'static str {
         NAME
@@ -151,13 +136,8 @@ impl Effect for CoulombBearing {
 
     /// Until the stop.
     fn resistance(&self, t: f64, _body: &RigidBody) -> Option<Resistance> {
-        t.is_finite().then(|| {
-            if t < self.stop {
-                Resistance::dry(self.torque)
-            } else {
-                Resistance::NONE
-            }
-        })
+        t.is_finite()
+            .then(|| if t < self.stop { Resistance::dry(self.torque) } else { Resistance::NONE })
     }
 
     fn torque_scale(&self, _t: f64, _body: &RigidBody, _state: &State) -> f64 {

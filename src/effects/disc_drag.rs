@@ -85,12 +85,7 @@ impl DiscDrag {
             FlowRegime::Turbulent => 0.146 * pow(unit, -0.2),
         };
         let factor = 0.5 * density * pow(radius, 5.0) * friction;
-        Ok(Self {
-            radius,
-            viscosity,
-            regime,
-            factor: finite("torque at 1 rad/s", factor)?,
-        })
+        Ok(Self { radius, viscosity, regime, factor: finite("torque at 1 rad/s", factor)? })
     }
 
     /// The regime whose law this is.
@@ -125,18 +120,11 @@ impl DiscDrag {
 }
 
 fn regime(reynolds: f64) -> FlowRegime {
-    if reynolds < DiscDrag::TRANSITION {
-        FlowRegime::Laminar
-    } else {
-        FlowRegime::Turbulent
-    }
+    if reynolds < DiscDrag::TRANSITION { FlowRegime::Laminar } else { FlowRegime::Turbulent }
 }
 
 impl Effect for DiscDrag {
-    const PROPERTIES: Properties = Properties {
-        on_time: false,
-        ..Properties::ANYTHING
-    };
+    const PROPERTIES: Properties = Properties { on_time: false, ..Properties::ANYTHING };
 
     fn name(&self) -> &'static str {
         "disc drag"

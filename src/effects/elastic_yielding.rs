@@ -136,11 +136,7 @@ impl ElasticYielding {
         let change = self.change(square);
         let [i1, i2, i3] = body.moments().to_array();
         let [w1, w2, w3] = angular_velocity.to_array();
-        BodyVector::new(
-            (i1 + change[0]) * w1,
-            (i2 + change[1]) * w2,
-            (i3 + change[2]) * w3,
-        )
+        BodyVector::new((i1 + change[0]) * w1, (i2 + change[1]) * w2, (i3 + change[2]) * w3)
     }
 
     /// The state of this body with an attitude and an angular velocity on its own axes (rad/s): the
@@ -249,9 +245,8 @@ impl Effect for ElasticYielding {
         let momentum = body.angular_momentum(state);
         let (square, change) = self.turning(body, momentum);
         let (i, l) = (body.moments().to_array(), momentum.to_array());
-        let slipped: f64 = (0..3)
-            .map(|k| 0.5 * l[k] * l[k] * (change[k] / (i[k] * (i[k] + change[k]))))
-            .sum();
+        let slipped: f64 =
+            (0..3).map(|k| 0.5 * l[k] * l[k] * (change[k] / (i[k] * (i[k] + change[k])))).sum();
         self.compliance * square * square / 6.0 - slipped
     }
 

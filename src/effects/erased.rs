@@ -85,10 +85,7 @@ functions!(declared);
 pub(crate) struct AxisOnly<'e>(pub &'e dyn AnyEffect);
 
 impl Effect for AxisOnly<'_> {
-    const PROPERTIES: Properties = Properties {
-        axis_only: true,
-        ..Properties::ANYTHING
-    };
+    const PROPERTIES: Properties = Properties { axis_only: true, ..Properties::ANYTHING };
 
     fn name(&self) -> &'static str {
         "effects"

@@ -79,11 +79,7 @@ impl Effect for GravityAtLever {
         on_time: false,
         smooth: true,
         weight: true,
-        conserved: Conserved {
-            energy: true,
-            momentum: [false, false, true],
-            axial_momentum: true,
-        },
+        conserved: Conserved { energy: true, momentum: [false, false, true], axial_momentum: true },
         ..Properties::ANYTHING
     };
 

@@ -48,19 +48,12 @@ impl Gravity {
     /// beyond `f64`.
     pub fn new(weight: f64, centre_of_mass: BodyVector) -> Result<Self> {
         positive("weight", weight)?;
-        let names = [
-            "centre of mass, x",
-            "centre of mass, y",
-            "centre of mass, z",
-        ];
+        let names = ["centre of mass, x", "centre of mass, y", "centre of mass, z"];
         for (name, r) in names.into_iter().zip(centre_of_mass.to_array()) {
             finite(name, r)?;
         }
         finite("weight times distance", weight * centre_of_mass.norm())?;
-        Ok(Self {
-            weight,
-            centre_of_mass,
-        })
+        Ok(Self { weight, centre_of_mass })
     }
 
     /// The weight m g (N).

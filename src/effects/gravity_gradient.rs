@@ -80,11 +80,7 @@ impl GravityGradient {
             ));
         }
         let towards = unit(TOWARDS, towards - normal * along)?;
-        Ok(Self {
-            mean_motion: rate(mean_motion)?,
-            towards,
-            later: normal.cross(&towards),
-        })
+        Ok(Self { mean_motion: rate(mean_motion)?, towards, later: normal.cross(&towards) })
     }
 }
 
@@ -136,11 +132,7 @@ impl<const FIXED: bool> GravityGradient<FIXED> {
     /// n0 t, or NaN where it is lost.
     fn phase(&self, t: f64) -> f64 {
         let phase = self.mean_motion * t;
-        if phase.abs() <= MOST_TURNS * TAU {
-            phase
-        } else {
-            f64::NAN
-        }
+        if phase.abs() <= MOST_TURNS * TAU { phase } else { f64::NAN }
     }
 
     /// The mean motion n0, or of a fixed direction sqrt(G M/r^3) (rad/s).
@@ -172,11 +164,7 @@ pub(super) fn extremes(body: &RigidBody) -> [f64; 2] {
 /// The moments less their mean, from their differences.
 pub(super) fn deviations(body: &RigidBody) -> [f64; 3] {
     let [i1, i2, i3] = body.moments().to_array();
-    [
-        ((i1 - i2) + (i1 - i3)) / 3.0,
-        ((i2 - i3) + (i2 - i1)) / 3.0,
-        ((i3 - i1) + (i3 - i2)) / 3.0,
-    ]
+    [((i1 - i2) + (i1 - i3)) / 3.0, ((i2 - i3) + (i2 - i1)) / 3.0, ((i3 - i1) + (i3 - i2)) / 3.0]
 }
 
 impl<const FIXED: bool> Effect for GravityGradient<FIXED> {
@@ -184,10 +172,7 @@ impl<const FIXED: bool> Effect for GravityGradient<FIXED> {
         on_rates: false,
         on_time: !FIXED,
         smooth: true,
-        conserved: Conserved {
-            energy: FIXED,
-            ..Conserved::NONE
-        },
+        conserved: Conserved { energy: FIXED, ..Conserved::NONE },
         ..Properties::ANYTHING
     };
 
@@ -241,15 +226,8 @@ impl<const FIXED: bool> Effect for GravityGradient<FIXED> {
 
     /// Half an orbit, after which n x (I n) comes again.
     fn narrowest(&self) -> Option<Feature> {
-        let time = if FIXED {
-            f64::INFINITY
-        } else {
-            core::f64::consts::PI / self.mean_motion
-        };
-        Some(Feature {
-            time,
-            ..Feature::WIDE
-        })
+        let time = if FIXED { f64::INFINITY } else { core::f64::consts::PI / self.mean_motion };
+        Some(Feature { time, ..Feature::WIDE })
     }
 }
 
@@ -262,10 +240,7 @@ mod tests {
     /// The power is the rate of the potential at a fixed attitude.
     #[test]
     fn the_power_is_that_of_the_potential() {
-        let (normal, towards) = (
-            SpaceVector::new(0.0, 0.0, 1.0),
-            SpaceVector::new(1.0, 0.0, 0.0),
-        );
+        let (normal, towards) = (SpaceVector::new(0.0, 0.0, 1.0), SpaceVector::new(1.0, 0.0, 0.0));
         let gradient = GravityGradient::on_orbit(0.7, normal, towards).expect("an orbit");
         let body = RigidBody::new(PrincipalMoments::new(1.0, 1.4, 2.1).expect("a body"));
         let attitude = Attitude::from_quaternion([0.7, 0.1, -0.3, 0.5]).expect("not zero");

@@ -80,10 +80,7 @@ impl Effect for InternalDissipation {
         on_time: false,
         smooth: true,
         slips: true,
-        conserved: Conserved {
-            momentum: [true; 3],
-            ..Conserved::NONE
-        },
+        conserved: Conserved { momentum: [true; 3], ..Conserved::NONE },
         ..Properties::ANYTHING
     };
 

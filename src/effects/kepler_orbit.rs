@@ -110,28 +110,18 @@ impl KeplerOrbit {
         eccentric(eccentricity)?;
         let rate = (gravitational_parameter / pericentre).sqrt() / pericentre;
         let alpha = 1.0 - eccentricity;
-        let period = if alpha > 0.0 {
-            TAU / (rate * alpha * alpha.sqrt())
-        } else {
-            f64::INFINITY
-        };
+        let period = if alpha > 0.0 { TAU / (rate * alpha * alpha.sqrt()) } else { f64::INFINITY };
         Self::new(pericentre, rate, period, eccentricity)
     }
 
     fn new(pericentre: f64, rate: f64, period: f64, eccentricity: f64) -> Result<Self> {
         positive("pericentre distance", pericentre)?;
         positive("rate at the pericentre", rate)?;
-        finite(
-            "rate at the pericentre squared",
-            rate * rate * (1.0 + eccentricity),
-        )?;
+        finite("rate at the pericentre squared", rate * rate * (1.0 + eccentricity))?;
         if period != f64::INFINITY {
             positive("period", period)?;
         }
-        let (x, y) = (
-            SpaceVector::new(1.0, 0.0, 0.0),
-            SpaceVector::new(0.0, 1.0, 0.0),
-        );
+        let (x, y) = (SpaceVector::new(1.0, 0.0, 0.0), SpaceVector::new(0.0, 1.0, 0.0));
         Ok(Self {
             eccentricity,
             pericentre,
@@ -161,13 +151,7 @@ impl KeplerOrbit {
         finite("inclination", inclination)?;
         finite("argument of pericentre", argument)?;
         let axes = axes(node, inclination, argument);
-        Ok(Self {
-            node,
-            inclination,
-            argument,
-            axes,
-            ..self
-        })
+        Ok(Self { node, inclination, argument, axes, ..self })
     }
 
     /// The same orbit with its pericentre passed at this time (s).
@@ -196,10 +180,7 @@ impl KeplerOrbit {
     fn known(self) -> Self {
         let [node, argument] = self.turning.map(f64::abs);
         let passages = latest(self.fastest()).max(0.5 * self.period);
-        Self {
-            latest: [latest(node + argument), passages.min(f64::MAX)],
-            ..self
-        }
+        Self { latest: [latest(node + argument), passages.min(f64::MAX)], ..self }
     }
 
     fn is_known(&self, t: f64) -> bool {
@@ -270,11 +251,7 @@ impl KeplerOrbit {
     /// Place, distance and velocity together.
     pub(super) fn at(&self, t: f64) -> Place {
         if !self.is_known(t) {
-            return Place {
-                direction: NOWHERE,
-                distance: f64::NAN,
-                velocity: NOWHERE,
-            };
+            return Place { direction: NOWHERE, distance: f64::NAN, velocity: NOWHERE };
         }
         let (e, alpha) = (self.eccentricity, 1.0 - self.eccentricity);
         let mut since = t - self.passage;
@@ -294,11 +271,7 @@ impl KeplerOrbit {
         let [p, q] = if still {
             self.axes
         } else {
-            axes(
-                self.node + node * t,
-                self.inclination,
-                self.argument + argument * t,
-            )
+            axes(self.node + node * t, self.inclination, self.argument + argument * t)
         };
         let direction = (p * x + q * y) / r;
         let distance = self.pericentre * r;
@@ -307,11 +280,7 @@ impl KeplerOrbit {
             let turning = SpaceVector::new(0.0, 0.0, node) + p.cross(&q) * argument;
             velocity += turning.cross(&direction) * distance;
         }
-        Place {
-            direction,
-            distance,
-            velocity,
-        }
+        Place { direction, distance, velocity }
     }
 }
 
@@ -321,11 +290,7 @@ const NOWHERE: SpaceVector = SpaceVector::new(f64::NAN, f64::NAN, f64::NAN);
 fn eccentric(eccentricity: f64) -> Result<()> {
     finite("eccentricity", eccentricity)?;
     if eccentricity < 0.0 {
-        return Err(Error::out_of_range(
-            "eccentricity",
-            eccentricity,
-            "0 for a circle, or more",
-        ));
+        return Err(Error::out_of_range("eccentricity", eccentricity, "0 for a circle, or more"));
     }
     Ok(())
 }
@@ -383,11 +348,7 @@ fn functions(alpha: f64, s: f64) -> [f64; 3] {
     }
     let (size, root) = (alpha.abs(), alpha.abs().sqrt());
     let x = root * s;
-    let (whole, half) = if alpha > 0.0 {
-        (sin(x), sin(0.5 * x))
-    } else {
-        (sinh(x), sinh(0.5 * x))
-    };
+    let (whole, half) = if alpha > 0.0 { (sin(x), sin(0.5 * x)) } else { (sinh(x), sinh(0.5 * x)) };
     let rest = if alpha > 0.0 { x - whole } else { whole - x };
     [whole / root, 2.0 * half * half / size, rest / (size * root)]
 }

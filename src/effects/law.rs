@@ -60,10 +60,7 @@ impl<'e> Part<'e> {
 
     /// An effect that is a law.
     pub fn of<E: Effect + Law>(effect: &'e E) -> Self {
-        Self {
-            effect,
-            law: Some(effect),
-        }
+        Self { effect, law: Some(effect) }
     }
 }
 
@@ -83,11 +80,7 @@ impl<'e> Holding<'e> {
         if parts.iter().all(|part| part.law.is_none()) {
             parts.clear();
         }
-        Self {
-            whole,
-            parts,
-            held: Vec::new(),
-        }
+        Self { whole, parts, held: Vec::new() }
     }
 
     /// The laws, with their numbers among the parts.
@@ -106,12 +99,7 @@ impl<'e> Holding<'e> {
 
     /// The first name of that part.
     pub(crate) fn first_name(&self, part: usize) -> &'static str {
-        self.parts[part]
-            .effect
-            .names()
-            .first()
-            .copied()
-            .unwrap_or("law")
+        self.parts[part].effect.names().first().copied().unwrap_or("law")
     }
 
     /// The first sample after `t`.
@@ -125,11 +113,7 @@ impl<'e> Holding<'e> {
         let of_law = |(_, law): (usize, &dyn Law)| {
             let first = law.next_sample(from);
             let dt = law.next_sample(first) - first;
-            if first < f64::INFINITY {
-                (to - from).abs() / dt
-            } else {
-                0.0
-            }
+            if first < f64::INFINITY { (to - from).abs() / dt } else { 0.0 }
         };
         self.laws().map(of_law).sum()
     }
@@ -142,10 +126,7 @@ impl<'e> Holding<'e> {
             let held = law.held(before.get(n).copied(), t, body, state);
             self.held[n] = held;
             if !held.iter().all(|h| h.is_finite()) {
-                let state = [
-                    &state.attitude.quaternion()[..],
-                    &state.angular_momentum.to_array(),
-                ];
+                let state = [&state.attitude.quaternion()[..], &state.angular_momentum.to_array()];
                 return Err(Error::of_function(
                     format!("torque of \"{}\"", self.name_of(n)),
                     t,
@@ -225,10 +206,7 @@ impl<'e> Deref for Holding<'e> {
 pub(crate) struct Held<'h, 'e>(pub &'h Holding<'e>);
 
 impl Effect for Held<'_, '_> {
-    const PROPERTIES: Properties = Properties {
-        slips: true,
-        ..Properties::ANYTHING
-    };
+    const PROPERTIES: Properties = Properties { slips: true, ..Properties::ANYTHING };
 
     fn name(&self) -> &'static str {
         "effects"

@@ -58,11 +58,7 @@ impl<'f, const SMOOTH: bool> Torque<'f, SMOOTH> {
     /// # Errors
     /// A limit that is not positive and finite.
     pub fn saturated(self, limit: f64) -> Result<Limited<'f, SMOOTH>> {
-        Ok(Limited {
-            law: self,
-            limit: positive("limit of a torque", limit)?,
-            saturates: true,
-        })
+        Ok(Limited { law: self, limit: positive("limit of a torque", limit)?, saturates: true })
     }
 
     /// The excess of each component of this law, on the body's axes, over `band` (N m), to either
@@ -71,11 +67,7 @@ impl<'f, const SMOOTH: bool> Torque<'f, SMOOTH> {
     /// # Errors
     /// A band that is not positive and finite.
     pub fn dead_band(self, band: f64) -> Result<Limited<'f, SMOOTH>> {
-        Ok(Limited {
-            law: self,
-            limit: positive("dead band of a torque", band)?,
-            saturates: false,
-        })
+        Ok(Limited { law: self, limit: positive("dead band of a torque", band)?, saturates: false })
     }
 }
 
@@ -127,13 +119,8 @@ impl<const SMOOTH: bool> Effect for Limited<'_, SMOOTH> {
 /// It holds on which side each component is: -1, 0 between the limits, 1.
 impl<const SMOOTH: bool> Law for Limited<'_, SMOOTH> {
     fn held(&self, _: Option<[f64; 3]>, t: f64, body: &RigidBody, state: &State) -> [f64; 3] {
-        self.wanted(t, body, state).map(|wanted| {
-            if wanted.abs() <= self.limit {
-                0.0
-            } else {
-                wanted.signum()
-            }
-        })
+        self.wanted(t, body, state)
+            .map(|wanted| if wanted.abs() <= self.limit { 0.0 } else { wanted.signum() })
     }
 
     fn torque_held(&self, held: [f64; 3], t: f64, body: &RigidBody, state: &State) -> SpaceVector {

@@ -94,17 +94,13 @@ impl AnyEffect for EffectList {
     }
 
     fn resistance(&self, t: f64, body: &RigidBody) -> Option<Resistance> {
-        self.0.iter().try_fold(Resistance::NONE, |all, effect| {
-            all.and(effect.resistance(t, body)?)
-        })
+        self.0.iter().try_fold(Resistance::NONE, |all, effect| all.and(effect.resistance(t, body)?))
     }
 
     fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
         let slipping = self.0.iter().filter(|effect| effect.properties().slips);
         let slips = slipping.map(|effect| effect.slip(t, body, state));
-        slips
-            .reduce(|sum, slip| sum + slip)
-            .unwrap_or_else(SpaceVector::zero)
+        slips.reduce(|sum, slip| sum + slip).unwrap_or_else(SpaceVector::zero)
     }
 
     fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
@@ -128,15 +124,11 @@ impl AnyEffect for EffectList {
     }
 
     fn narrowest(&self) -> Option<Feature> {
-        (self.0.iter()).try_fold(Feature::WIDE, |all, effect| {
-            Some(all.and(effect.narrowest()?))
-        })
+        (self.0.iter()).try_fold(Feature::WIDE, |all, effect| Some(all.and(effect.narrowest()?)))
     }
 
     fn integrable_case(&self) -> IntegrableCase {
-        self.0.iter().fold(IntegrableCase::Free, |all, effect| {
-            all.and(effect.integrable_case())
-        })
+        self.0.iter().fold(IntegrableCase::Free, |all, effect| all.and(effect.integrable_case()))
     }
 
     fn parts(&self) -> Vec<Part<'_>> {

@@ -266,11 +266,7 @@ pub trait Effect {
 
     /// The names of those that may have a torque about the body's axis.
     fn about_axis(&self) -> Vec<&'static str> {
-        if Self::PROPERTIES.conserved.axial_momentum {
-            Vec::new()
-        } else {
-            vec![self.name()]
-        }
+        if Self::PROPERTIES.conserved.axial_momentum { Vec::new() } else { vec![self.name()] }
     }
 
     /// The effects that this one is made of, and which of them go on in pieces by a [`Law`]: itself,
@@ -296,10 +292,7 @@ pub(crate) fn one_by_one<E: Effect + ?Sized, L: Lane>(
     axis: [L; 3],
 ) -> [L; 3] {
     each(axis, |axis| {
-        let state = State {
-            attitude: with_axis(axis),
-            angular_momentum: SpaceVector::zero(),
-        };
+        let state = State { attitude: with_axis(axis), angular_momentum: SpaceVector::zero() };
         effect.torque(0.0, body, &state).to_array()
     })
 }

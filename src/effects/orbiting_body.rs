@@ -70,10 +70,7 @@ impl OrbitingBody {
     /// inertia at the pericentre that doubles do not hold.
     pub fn new(gravitational_parameter: f64, orbit: KeplerOrbit) -> Result<Self> {
         positive("gravitational parameter", gravitational_parameter)?;
-        let made = Self {
-            gravitational_parameter,
-            orbit,
-        };
+        let made = Self { gravitational_parameter, orbit };
         finite("G m/r^3 at the pericentre", made.strongest())?;
         positive("G m/r^3 at the pericentre", made.strongest())?;
         Ok(made)
@@ -129,18 +126,11 @@ impl<const AVERAGED: bool> OrbitingBody<AVERAGED> {
 }
 
 impl<const AVERAGED: bool> Effect for OrbitingBody<AVERAGED> {
-    const PROPERTIES: Properties = Properties {
-        on_rates: false,
-        smooth: true,
-        ..Properties::ANYTHING
-    };
+    const PROPERTIES: Properties =
+        Properties { on_rates: false, smooth: true, ..Properties::ANYTHING };
 
     fn name(&self) -> &'static str {
-        if AVERAGED {
-            "orbiting body, averaged"
-        } else {
-            "orbiting body"
-        }
+        if AVERAGED { "orbiting body, averaged" } else { "orbiting body" }
     }
 
     #[inline]
@@ -203,9 +193,6 @@ impl<const AVERAGED: bool> Effect for OrbitingBody<AVERAGED> {
         } else {
             PI / (self.orbit.fastest() * (1.0 + self.orbit.eccentricity()).min(2.0))
         };
-        Some(Feature {
-            time,
-            ..Feature::WIDE
-        })
+        Some(Feature { time, ..Feature::WIDE })
     }
 }

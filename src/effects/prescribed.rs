@@ -40,10 +40,7 @@ impl Profile {
     /// As [`steps`](Self::steps); a difference of two neighbours beyond `f64`.
     pub fn lines(points: &[(f64, f64)]) -> Result<Self> {
         let (times, values) = table(points)?;
-        for (of, all) in [
-            ("times of a profile", &times),
-            ("values of a profile", &values),
-        ] {
+        for (of, all) in [("times of a profile", &times), ("values of a profile", &values)] {
             for (n, two) in all.windows(2).enumerate() {
                 finite("difference from the next", two[1] - two[0])
                     .map_err(|reason| Error::at_index(of, n, reason))?;
@@ -186,11 +183,7 @@ fn too_steep(times: &[f64], values: &[f64]) -> Error {
 /// Times and values of a table, if they are in order.
 fn table(rows: &[(f64, f64)]) -> Result<(Vec<f64>, Vec<f64>)> {
     if rows.is_empty() {
-        return Err(Error::Lengths {
-            name: "pieces of a profile",
-            found: 0,
-            expected: 1,
-        });
+        return Err(Error::Lengths { name: "pieces of a profile", found: 0, expected: 1 });
     }
     let (times, values): (Vec<f64>, Vec<f64>) = rows.iter().copied().unzip();
     all_finite("values of a profile", &values)?;
@@ -261,10 +254,7 @@ impl PrescribedTorque {
             Axes::Space(torque) => torque.to_array(),
             Axes::Body(torque) => torque.to_array(),
         };
-        for (name, m) in ["torque, x", "torque, y", "torque, z"]
-            .into_iter()
-            .zip(components)
-        {
+        for (name, m) in ["torque, x", "torque, y", "torque, z"].into_iter().zip(components) {
             finite(name, m)?;
         }
         finite("largest torque", made.largest())?;
@@ -282,11 +272,8 @@ impl PrescribedTorque {
 }
 
 impl Effect for PrescribedTorque {
-    const PROPERTIES: Properties = Properties {
-        on_rates: false,
-        smooth: true,
-        ..Properties::ANYTHING
-    };
+    const PROPERTIES: Properties =
+        Properties { on_rates: false, smooth: true, ..Properties::ANYTHING };
 
     fn name(&self) -> &'static str {
         "prescribed torque"
@@ -316,10 +303,7 @@ impl Effect for PrescribedTorque {
 
     fn narrowest(&self) -> Option<Feature> {
         Some(match self.profile.0 {
-            Shape::Pulse { width, .. } => Feature {
-                time: width,
-                ..Feature::WIDE
-            },
+            Shape::Pulse { width, .. } => Feature { time: width, ..Feature::WIDE },
             Shape::Steps(..) | Shape::Lines(..) | Shape::Cubic(..) => Feature::WIDE,
         })
     }

@@ -16,18 +16,10 @@ pub struct Conserved {
 
 impl Conserved {
     /// Leaves everything alone.
-    pub const ALL: Self = Self {
-        energy: true,
-        momentum: [true; 3],
-        axial_momentum: true,
-    };
+    pub const ALL: Self = Self { energy: true, momentum: [true; 3], axial_momentum: true };
 
     /// Leaves nothing alone.
-    pub const NONE: Self = Self {
-        energy: false,
-        momentum: [false; 3],
-        axial_momentum: false,
-    };
+    pub const NONE: Self = Self { energy: false, momentum: [false; 3], axial_momentum: false };
 
     /// The quantities that both leave alone.
     pub const fn and(self, other: Self) -> Self {
@@ -125,17 +117,11 @@ pub struct Feature {
 
 impl Feature {
     /// Nothing that a turn of the body or the span of a solution would step over.
-    pub const WIDE: Self = Self {
-        time: f64::INFINITY,
-        angle: f64::INFINITY,
-    };
+    pub const WIDE: Self = Self { time: f64::INFINITY, angle: f64::INFINITY };
 
     /// The narrower of both; NaN if either is, which a solution refuses.
     pub const fn and(self, other: Self) -> Self {
-        Self {
-            time: smaller(self.time, other.time),
-            angle: smaller(self.angle, other.angle),
-        }
+        Self { time: smaller(self.time, other.time), angle: smaller(self.angle, other.angle) }
     }
 }
 

@@ -53,34 +53,22 @@ enum Law {
 
 impl Resistance {
     /// Nothing resists.
-    pub const NONE: Self = Self {
-        rates: [0.0; 3],
-        law: Law::None,
-    };
+    pub const NONE: Self = Self { rates: [0.0; 3], law: Law::None };
 
     /// l_i' = -k_i l_i, with the rates k_i (1/s).
     pub const fn linear(rates: [f64; 3]) -> Self {
-        Self {
-            rates,
-            law: Law::None,
-        }
+        Self { rates, law: Law::None }
     }
 
     /// This torque along e3 (N m), against l_3, until l_3 is 0.
     pub const fn dry(torque: f64) -> Self {
-        Self {
-            rates: [0.0; 3],
-            law: Law::Dry(torque),
-        }
+        Self { rates: [0.0; 3], law: Law::Dry(torque) }
     }
 
     /// The torque -factor |omega_3|^power omega_3 along e3, the power between 0 and 1.
     pub fn power(factor: f64, power: f64, body: &RigidBody) -> Self {
         let factor = factor / pow(body.moments().i3(), 1.0 + power);
-        Self {
-            rates: [0.0; 3],
-            law: Law::Power { factor, power },
-        }
+        Self { rates: [0.0; 3], law: Law::Power { factor, power } }
     }
 
     /// Both together; `None` if what acts along e3 has no closed form together.
@@ -100,9 +88,7 @@ impl Resistance {
 
     /// The fastest rate (1/s) at which it takes momentum of itself, by its linear part.
     pub(crate) fn fastest(&self) -> f64 {
-        self.rates
-            .iter()
-            .fold(0.0, |most, rate| larger(most, rate.abs()))
+        self.rates.iter().fold(0.0, |most, rate| larger(most, rate.abs()))
     }
 
     /// True if it has no law along e3 beside the linear one.
@@ -123,10 +109,7 @@ impl Resistance {
             law: match self.law {
                 Law::None => Law::None,
                 Law::Dry(torque) => Law::Dry(torque * strength),
-                Law::Power { factor, power } => Law::Power {
-                    factor: factor * strength,
-                    power,
-                },
+                Law::Power { factor, power } => Law::Power { factor: factor * strength, power },
             },
         }
     }
@@ -158,11 +141,7 @@ impl Resistance {
         let a = part(ka);
         // The same across the axis of a symmetric body.
         let b = if kb == ka { a } else { part(kb) };
-        let along = if self.law == Law::None {
-            gained(2, part(kc))
-        } else {
-            self.lost(l[2], dt)
-        };
+        let along = if self.law == Law::None { gained(2, part(kc)) } else { self.lost(l[2], dt) };
         [gained(0, a), gained(1, b), along]
     }
 
@@ -186,11 +165,7 @@ impl Resistance {
         match self.law {
             Law::None => {
                 let x = self.rates[2] * dt;
-                if x == 0.0 {
-                    l * dt
-                } else {
-                    -l * dt * expm1(-x) / x
-                }
+                if x == 0.0 { l * dt } else { -l * dt * expm1(-x) / x }
             }
             Law::Dry(torque) if dt > 0.0 && l * torque >= 0.0 => 0.0,
             Law::Dry(torque) => {

@@ -100,12 +100,8 @@ impl SampledControl<'_> {
 }
 
 impl Effect for SampledControl<'_> {
-    const PROPERTIES: Properties = Properties {
-        on_rates: false,
-        on_time: false,
-        smooth: true,
-        ..Properties::ANYTHING
-    };
+    const PROPERTIES: Properties =
+        Properties { on_rates: false, on_time: false, smooth: true, ..Properties::ANYTHING };
 
     fn name(&self) -> &'static str {
         self.law.name()

@@ -80,12 +80,7 @@ impl<'f, const SMOOTH: bool> Switched<'f, SMOOTH> {
         below: Torque<'f, SMOOTH>,
         above: Torque<'f, SMOOTH>,
     ) -> Self {
-        Self {
-            name,
-            signal: Arc::new(signal),
-            below,
-            above,
-        }
+        Self { name, signal: Arc::new(signal), below, above }
     }
 }
 
@@ -121,11 +116,7 @@ impl<const SMOOTH: bool> Law for Switched<'_, SMOOTH> {
     }
 
     fn torque_held(&self, held: [f64; 3], t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        let side = if held[0] < 0.0 {
-            &self.below
-        } else {
-            &self.above
-        };
+        let side = if held[0] < 0.0 { &self.below } else { &self.above };
         side.torque(t, body, state)
     }
 

@@ -79,11 +79,8 @@ impl ViscousFriction {
 }
 
 impl Effect for ViscousFriction {
-    const PROPERTIES: Properties = Properties {
-        on_time: false,
-        smooth: true,
-        ..Properties::ANYTHING
-    };
+    const PROPERTIES: Properties =
+        Properties { on_time: false, smooth: true, ..Properties::ANYTHING };
 
     fn name(&self) -> &'static str {
         "viscous friction"
@@ -93,11 +90,7 @@ impl Effect for ViscousFriction {
     fn torque(&self, _t: f64, body: &RigidBody, state: &State) -> SpaceVector {
         let [w1, w2, w3] = body.angular_velocity(state).to_array();
         let (transverse, axial) = (self.transverse, self.axial);
-        (state.attitude).to_space(BodyVector::new(
-            -transverse * w1,
-            -transverse * w2,
-            -axial * w3,
-        ))
+        (state.attitude).to_space(BodyVector::new(-transverse * w1, -transverse * w2, -axial * w3))
     }
 
     #[inline(always)]
@@ -109,11 +102,7 @@ impl Effect for ViscousFriction {
     fn resistance(&self, _t: f64, body: &RigidBody) -> Option<Resistance> {
         let [i1, i2, i3] = body.moments().to_array();
         let (transverse, axial) = (self.transverse, self.axial);
-        Some(Resistance::linear([
-            transverse / i1,
-            transverse / i2,
-            axial / i3,
-        ]))
+        Some(Resistance::linear([transverse / i1, transverse / i2, axial / i3]))
     }
 
     fn narrowest(&self) -> Option<Feature> {

@@ -34,15 +34,9 @@ pub(super) trait Sampled: Branchless + Sized {
     /// Attitude and rates at any time.
     #[inline]
     fn kinematics(&self, t: f64) -> Kinematics {
-        let (quaternion, rates) = if t.abs() <= self.until() {
-            self.all(t, 0)
-        } else {
-            self.far(t)
-        };
-        Kinematics::new(
-            Attitude::from_unit(quaternion),
-            BodyVector::from_array(rates),
-        )
+        let (quaternion, rates) =
+            if t.abs() <= self.until() { self.all(t, 0) } else { self.far(t) };
+        Kinematics::new(Attitude::from_unit(quaternion), BodyVector::from_array(rates))
     }
 
     /// The states at these times; both lists are equally long.
@@ -120,9 +114,7 @@ impl<B: Branchless<Row>> Blocks<B> {
                 numbers: each.map(|(number, _)| number),
             }
         };
-        Self {
-            blocks: motions.chunks(WIDEST).map(block).collect(),
-        }
+        Self { blocks: motions.chunks(WIDEST).map(block).collect() }
     }
 
     /// Puts the state of each motion at time `t` where its number says: `near` reads it from the

@@ -297,9 +297,7 @@ pub(crate) fn rc_extended(alpha: Dd, beta: Dd, difference: Dd) -> Dd {
     if difference.abs().to_f64() < 0.0625 * square.to_f64() {
         // atan(t)/t in r = t^2; from the third term on, plain f64 weighs 2^-10 of an ulp.
         let r = difference / square;
-        let tail = (2..20)
-            .rev()
-            .fold(0.0, |sum, k| 1.0 / f64::from(2 * k + 1) - r.to_f64() * sum);
+        let tail = (2..20).rev().fold(0.0, |sum, k| 1.0 / f64::from(2 * k + 1) - r.to_f64() * sum);
         return (Dd::ONE - r / 3.0 + r.square() * tail) / alpha;
     }
     if difference > 0.0 {

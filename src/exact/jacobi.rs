@@ -72,20 +72,12 @@ impl Jacobi {
     /// Sets up the series for a modulus.
     pub fn new(modulus: Modulus) -> Self {
         if modulus.m1_extended() == 0.0 {
-            return Self {
-                modulus,
-                regime: Regime::Limit,
-                quarter: Dd::from(f64::INFINITY),
-            };
+            return Self { modulus, regime: Regime::Limit, quarter: Dd::from(f64::INFINITY) };
         }
         let quarter = complete_first(modulus);
         if modulus.m_extended() == 0.0 {
             let series = Series::new(quarter, Dd::ZERO);
-            return Self {
-                modulus,
-                regime: Regime::Circular(series),
-                quarter,
-            };
+            return Self { modulus, regime: Regime::Circular(series), quarter };
         }
         let other = complete_first(modulus.complement());
         let regime = if modulus.m_extended() <= 0.5 {
@@ -93,11 +85,7 @@ impl Jacobi {
         } else {
             Regime::Hyperbolic(Series::new(other, (-(Dd::PI * quarter) / other).exp()))
         };
-        Self {
-            modulus,
-            regime,
-            quarter,
-        }
+        Self { modulus, regime, quarter }
     }
 
     /// The modulus.
@@ -153,11 +141,7 @@ impl Jacobi {
     pub fn am(&self, u: f64) -> Result<f64> {
         let (halves, [sn, cn, _]) = self.evaluate(u)?;
         // Back to the half-turn around zero, where the cosine is not negative.
-        let sign = if halves.rem_euclid(2.0) == 0.0 {
-            1.0
-        } else {
-            -1.0
-        };
+        let sign = if halves.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
         let rest = (sn * sign).atan2(cn * sign);
         Ok((Dd::PI * halves + rest).to_f64())
     }
@@ -296,11 +280,7 @@ impl Series {
         let [theta1, theta2, theta3, theta4] = self.imaginary(w);
         let scale = theta3.recip();
         let common = k1 * self.over_32 * scale;
-        [
-            self.over_34 * theta4 * scale,
-            common * self.over_34 * theta1,
-            common * theta2,
-        ]
+        [self.over_34 * theta4 * scale, common * self.over_34 * theta1, common * theta2]
     }
 
     /// theta_1/i, theta_2 (both over 2 q^(1/4)), theta_3, theta_4 at i v.
@@ -322,19 +302,10 @@ impl Series {
             + q9 * (8.0 * qc * qc * qc - 4.0 * qc * qc * q - 4.0 * qc * q2 + q2 * q);
         let even = 2.0 * q2 * (2.0 * qc * qc - q2);
         let odd = nome_c + 2.0 * q2 * q2 * q2 * (4.0 * qc * qc - 3.0 * q2) * qc;
-        [
-            sinh + sinh * sin_tail,
-            cosh + cosh * cos_tail,
-            odd + even + 1.0,
-            Dd::ONE + even - odd,
-        ]
+        [sinh + sinh * sin_tail, cosh + cosh * cos_tail, odd + even + 1.0, Dd::ONE + even - odd]
     }
 }
 
 fn signed(halves: f64, [sn, cn, dn]: [Dd; 3]) -> [Dd; 3] {
-    if halves.rem_euclid(2.0) == 0.0 {
-        [sn, cn, dn]
-    } else {
-        [-sn, -cn, dn]
-    }
+    if halves.rem_euclid(2.0) == 0.0 { [sn, cn, dn] } else { [-sn, -cn, dn] }
 }

@@ -144,9 +144,7 @@ pub fn d(phi: f64, modulus: Modulus) -> Result<f64> {
         not_one(modulus)?;
     }
     let within = rest.d(modulus);
-    Ok(with_halves(halves, within, || {
-        Amplitude::RIGHT_ANGLE.d(modulus)
-    }))
+    Ok(with_halves(halves, within, || Amplitude::RIGHT_ANGLE.d(modulus)))
 }
 
 /// The incomplete integral of the third kind.
@@ -188,9 +186,7 @@ pub fn pi(characteristic: Characteristic, phi: f64, modulus: Modulus) -> Result<
         ));
     }
     let within = rest.pi(characteristic, modulus);
-    Ok(with_halves(halves, within, || {
-        Amplitude::RIGHT_ANGLE.pi(characteristic, modulus)
-    }))
+    Ok(with_halves(halves, within, || Amplitude::RIGHT_ANGLE.pi(characteristic, modulus)))
 }
 
 /// An amplitude in [-pi/2, pi/2] by its sine and cosine, each with relative accuracy.
@@ -201,10 +197,7 @@ pub(crate) struct Amplitude {
 }
 
 impl Amplitude {
-    pub(crate) const RIGHT_ANGLE: Self = Self {
-        sin: Dd::ONE,
-        cos: Dd::ZERO,
-    };
+    pub(crate) const RIGHT_ANGLE: Self = Self { sin: Dd::ONE, cos: Dd::ZERO };
 
     /// sin^2, cos^2 and 1 - m sin^2.
     fn squares(&self, modulus: Modulus) -> (Dd, Dd, Dd) {
@@ -260,11 +253,7 @@ impl Amplitude {
 fn reduced(phi: f64) -> Result<(f64, Amplitude)> {
     finite("phi", phi)?;
     if phi.abs() > 1e15 {
-        return Err(Error::out_of_range(
-            "phi",
-            phi,
-            "its size must not exceed 1e15",
-        ));
+        return Err(Error::out_of_range("phi", phi, "its size must not exceed 1e15"));
     }
     let quarters = (phi * core::f64::consts::FRAC_2_PI).round();
     // The rest keeps relative accuracy next to multiples of pi/2: the first
@@ -277,33 +266,20 @@ fn reduced(phi: f64) -> Result<(f64, Amplitude)> {
     }
     // Between two multiples of pi: count from the nearer one.
     Ok(if sin > 0.0 {
-        let amplitude = Amplitude {
-            sin: -cos,
-            cos: sin,
-        };
+        let amplitude = Amplitude { sin: -cos, cos: sin };
         ((quarters + 1.0) / 2.0, amplitude)
     } else {
-        let amplitude = Amplitude {
-            sin: cos,
-            cos: -sin,
-        };
+        let amplitude = Amplitude { sin: cos, cos: -sin };
         ((quarters - 1.0) / 2.0, amplitude)
     })
 }
 
 /// pi/2 in three parts.
-const PI_2_PARTS: [f64; 3] = [
-    core::f64::consts::FRAC_PI_2,
-    6.123_233_995_736_766e-17,
-    -1.497_384_904_859_169_8e-33,
-];
+const PI_2_PARTS: [f64; 3] =
+    [core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33];
 
 fn with_halves(halves: f64, within: Dd, complete: impl FnOnce() -> Dd) -> f64 {
-    if halves == 0.0 {
-        within.to_f64()
-    } else {
-        (complete() * (2.0 * halves) + within).to_f64()
-    }
+    if halves == 0.0 { within.to_f64() } else { (complete() * (2.0 * halves) + within).to_f64() }
 }
 
 /// K in double-double arithmetic; m1 > 0.

@@ -47,11 +47,7 @@ fn check_length(name: &'static str, found: usize, expected: usize) -> Result<()>
     if found == expected {
         return Ok(());
     }
-    Err(Error::Lengths {
-        name,
-        found,
-        expected,
-    })
+    Err(Error::Lengths { name, found, expected })
 }
 
 /// Refuses `found` places for samples at `times` if they are not as many, or a time at which the

@@ -119,10 +119,7 @@ impl Characteristic {
     /// `NotFinite`; `OutOfRange` beyond 1e300.
     pub fn from_n(n: f64) -> Result<Self> {
         let n = not_huge("n", n)?;
-        Ok(Self {
-            n: Dd::from(n),
-            n1: Dd::sum(1.0, -n),
-        })
+        Ok(Self { n: Dd::from(n), n1: Dd::sum(1.0, -n) })
     }
 
     /// From the complement n1 = 1 - n, |n1| <= 1e300.
@@ -131,10 +128,7 @@ impl Characteristic {
     /// `NotFinite`; `OutOfRange` beyond 1e300.
     pub fn from_n1(n1: f64) -> Result<Self> {
         let n1 = not_huge("n1", n1)?;
-        Ok(Self {
-            n: Dd::sum(1.0, -n1),
-            n1: Dd::from(n1),
-        })
+        Ok(Self { n: Dd::sum(1.0, -n1), n1: Dd::from(n1) })
     }
 
     /// The characteristic n, rounded.
@@ -170,10 +164,6 @@ fn not_huge(name: &'static str, value: f64) -> Result<f64> {
     if value.abs() <= 1e300 {
         Ok(value)
     } else {
-        Err(Error::out_of_range(
-            name,
-            value,
-            "its size must not exceed 1e300",
-        ))
+        Err(Error::out_of_range(name, value, "its size must not exceed 1e300"))
     }
 }

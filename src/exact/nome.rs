@@ -50,11 +50,7 @@ pub(crate) struct Angle {
 impl Angle {
     /// That of K - u.
     pub(crate) fn complement(self) -> Self {
-        Self {
-            z: Dd::FRAC_PI_2 - self.z,
-            sin: self.cos,
-            cos: self.sin,
-        }
+        Self { z: Dd::FRAC_PI_2 - self.z, sin: self.cos, cos: self.sin }
     }
 }
 
@@ -76,12 +72,7 @@ struct Near<L = f64> {
 impl Depth {
     /// y.
     pub(crate) fn y(&self) -> Dd {
-        -if self.fall < 0.25 {
-            (-self.fall).ln_1p()
-        } else {
-            self.decay.ln()
-        }
-        .scaled(0.5)
+        -if self.fall < 0.25 { (-self.fall).ln_1p() } else { self.decay.ln() }.scaled(0.5)
     }
 }
 
@@ -136,11 +127,7 @@ impl Nome {
     /// The argument with sc^2(u | m) = `num`/`den`, best for u <= K/2.
     pub(crate) fn angle(&self, num: Dd, den: Dd) -> Angle {
         if num == 0.0 {
-            return Angle {
-                z: Dd::ZERO,
-                sin: Dd::ZERO,
-                cos: Dd::ONE,
-            };
+            return Angle { z: Dd::ZERO, sin: Dd::ZERO, cos: Dd::ONE };
         }
         let (num, den) = common_scale(num, den);
         if num.hi() < LINEAR * den.hi() {
@@ -156,11 +143,7 @@ impl Nome {
         // sc^2 = tan^2 z (n/d)^2/k'.
         let (want, have) = (num * self.k1 * (cos * d).square(), den * (sin * n).square());
         let step = self.step((want, have), (num, den), self.m1.hi());
-        Angle {
-            z: Dd::sum(z, step),
-            sin: sin + cos * step,
-            cos: cos - sin * step,
-        }
+        Angle { z: Dd::sum(z, step), sin: sin + cos * step, cos: cos - sin * step }
     }
 
     /// The argument with sc^2(u | 1 - m) = `num`/`den`, best for u <= K'/2.
@@ -189,33 +172,21 @@ impl Nome {
             },
         });
         let (decays, falls) = (decay.parts(), fall.parts());
-        [0, 1].map(|i| Depth {
-            decay: decays[i],
-            fall: falls[i],
-        })
+        [0, 1].map(|i| Depth { decay: decays[i], fall: falls[i] })
     }
 
     /// The depth to the digits of `f64`, or a limit in which it is known.
     fn near(&self, num: Dd, den: Dd) -> Result<Near, Depth> {
         if num == 0.0 {
-            return Err(Depth {
-                decay: Dd::ONE,
-                fall: Dd::ZERO,
-            });
+            return Err(Depth { decay: Dd::ONE, fall: Dd::ZERO });
         }
         if den == 0.0 {
-            return Err(Depth {
-                decay: Dd::ZERO,
-                fall: Dd::ONE,
-            });
+            return Err(Depth { decay: Dd::ZERO, fall: Dd::ONE });
         }
         let (num, den) = common_scale(num, den);
         if num.hi() < LINEAR * den.hi() {
             let y = small_root(num, den) / self.per_angle;
-            return Err(Depth {
-                decay: Dd::ONE,
-                fall: y.scaled(2.0),
-            });
+            return Err(Depth { decay: Dd::ONE, fall: y.scaled(2.0) });
         }
         let u = first_kind(num.hi(), den.hi(), self.m.hi());
         // The smaller of the two starts as a double, and the other is exactly what it lacks of 1.
@@ -252,10 +223,7 @@ impl Nome {
         let step = self.step(sides, (num, den), self.m.hi());
         // Of e^{-2y} what the step takes, to its second power: far from the axis it is large.
         let change = decay.times(step * 2.0 * (-step + 1.0));
-        Depth {
-            decay: decay - change,
-            fall: fall + change,
-        }
+        Depth { decay: decay - change, fall: fall + change }
     }
 
     /// Newton's step in z or y for sc^2 = num/den, where `want`/`have` should be 1; m is
@@ -300,9 +268,7 @@ impl Nome {
         let tail = self.q20 * (1.0 + h * (h * (240.0 + h * (h * 256.0 - 448.0)) - 40.0))
             + q6 * q6 * (1.0 + h * (h * (80.0 - h * 64.0) - 24.0));
         let fifth = (x.scaled(16.0) - 12.0) * x + 1.0;
-        Dd::ONE
-            .corrected(self.q2 * (1.0 - x.scaled(4.0)))
-            .corrected(self.q6 * fifth + tail)
+        Dd::ONE.corrected(self.q2 * (1.0 - x.scaled(4.0))).corrected(self.q6 * fifth + tail)
     }
 
     /// theta_4(iy) by sinh^2 y.
@@ -316,9 +282,7 @@ impl Nome {
         let c5 = c1.hi() * (c4 * 2.0 - h * 2.0 + 1.0);
         let tail = (c4 - c5 * self.q9.hi()) * self.q16;
         let terms = [-(q * c1), q4 * c2, (q9 * -c3).plus(tail)];
-        terms.into_iter().fold(Dd::same(Dd::ONE), |sum, term| {
-            sum.corrected(term.scaled(2.0))
-        })
+        terms.into_iter().fold(Dd::same(Dd::ONE), |sum, term| sum.corrected(term.scaled(2.0)))
     }
 
     /// theta_3(0).
@@ -330,9 +294,7 @@ impl Nome {
 
     /// theta_2(0)/2q^(1/4).
     pub(crate) fn theta2(&self) -> Dd {
-        [self.q2, self.q6, self.q6.square() + self.q20]
-            .into_iter()
-            .fold(Dd::ONE, Dd::corrected)
+        [self.q2, self.q6, self.q6.square() + self.q20].into_iter().fold(Dd::ONE, Dd::corrected)
     }
 }
 
@@ -403,10 +365,7 @@ const SERIES: [f64; 12] = [
 
 /// The sum, by x = lambda^4 < 1e-4: two terms at a time, since one after the other would wait.
 fn series(x: Dd) -> Dd {
-    let small = SERIES[6..]
-        .iter()
-        .rev()
-        .fold(0.0, |sum, c| sum * x.hi() + c);
+    let small = SERIES[6..].iter().rev().fold(0.0, |sum, c| sum * x.hi() + c);
     let two = |n: usize, next: Dd| Dd::from(SERIES[n]).corrected(x * next);
     let [first, second] = [0, 2].map(|n| two(n, Dd::from(SERIES[n + 1])));
     let third = two(4, Dd::sum(SERIES[5], x.hi() * small));

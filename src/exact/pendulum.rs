@@ -125,18 +125,10 @@ impl Pendulum {
     /// # Errors
     /// `NotFinite`, and `OutOfRange` outside the ranges above.
     pub fn new(suspension: Suspension, theta0: f64, omega0: f64) -> Result<Self> {
-        let Suspension {
-            moment,
-            mass,
-            gravity,
-            lever,
-        } = suspension;
-        for (name, value) in [
-            ("moment", moment),
-            ("mass", mass),
-            ("gravity", gravity),
-            ("lever", lever),
-        ] {
+        let Suspension { moment, mass, gravity, lever } = suspension;
+        for (name, value) in
+            [("moment", moment), ("mass", mass), ("gravity", gravity), ("lever", lever)]
+        {
             let allowed = "it must be positive, between 1e-60 and 1e60";
             in_range(name, value, (1e-60..=1e60).contains(&value), allowed)?;
         }
@@ -151,11 +143,7 @@ impl Pendulum {
         // theta0/2 less whole half turns; the sign of the cosine decides the last one.
         let mut turns = (theta0 / core::f64::consts::TAU).round();
         let (sin, cos) = Dd::from(0.5 * theta0).sin_cos();
-        let flip = if turns.rem_euclid(2.0) == 0.0 {
-            1.0
-        } else {
-            -1.0
-        };
+        let flip = if turns.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
         let (mut sin, mut cos) = (sin * flip, cos * flip);
         if cos < 0.0 {
             turns += if sin > 0.0 { 1.0 } else { -1.0 };
@@ -176,9 +164,7 @@ impl Pendulum {
         } else {
             swing.square()
         };
-        let k2 = (half.square() + kinetic)
-            .scaled(1.0 / scale)
-            .scaled(1.0 / scale);
+        let k2 = (half.square() + kinetic).scaled(1.0 / scale).scaled(1.0 / scale);
         let gap = cos.square() - kinetic.scaled(1.0 / scale).scaled(1.0 / scale);
         // cos(theta0/2) is transcendental unless theta0 = 0, so only there can the
         // separatrix be met exactly. A gap that 106 bits do not resolve counts as none.
@@ -210,16 +196,7 @@ impl Pendulum {
                 phase: Phase::new(sin * sense, cos, m, m1, rate * k),
             }
         };
-        Ok(Self {
-            suspension,
-            theta0,
-            omega0,
-            rate,
-            k2,
-            gap,
-            turns,
-            motion,
-        })
+        Ok(Self { suspension, theta0, omega0, rate, k2, gap, turns, motion })
     }
 
     /// The body and its axis.
@@ -229,10 +206,7 @@ impl Pendulum {
 
     /// The state at t = 0.
     pub fn start(&self) -> PendulumState {
-        PendulumState {
-            theta: self.theta0,
-            omega: self.omega0,
-        }
+        PendulumState { theta: self.theta0, omega: self.omega0 }
     }
 
     /// The kind of motion of the pendulum.
@@ -317,27 +291,16 @@ impl Pendulum {
                 let (sin, cos) = (self.rate * t).sin_cos();
                 let angle = *half * cos + *swing * sin;
                 let rate = (*swing * cos - *half * sin) * self.rate;
-                (
-                    0.0,
-                    2.0 * angle.to_f64() / scale,
-                    2.0 * rate.to_f64() / scale,
-                )
+                (0.0, 2.0 * angle.to_f64() / scale, 2.0 * rate.to_f64() / scale)
             }
-            Course::Oscillation {
-                k, speed, phase, ..
-            } => {
+            Course::Oscillation { k, speed, phase, .. } => {
                 let s = phase.at(t);
                 let (sn, cn, dn) = (s.sn / s.one, s.cn / s.one, s.dn / s.one);
                 // The last digits of the phase enter to first order.
                 let angle = 2.0 * atan2(k * s.sn, s.dn) + 2.0 * k * cn * s.rest;
                 (0.0, angle, speed * (cn - sn * dn * s.rest))
             }
-            Course::Rotation {
-                sense,
-                m,
-                speed,
-                phase,
-            } => {
+            Course::Rotation { sense, m, speed, phase } => {
                 let s = phase.at(t);
                 let (sn, cn, dn) = (s.sn / s.one, s.cn / s.one, s.dn / s.one);
                 let (sin, cos) = s.amplitude_rest();
@@ -347,11 +310,7 @@ impl Pendulum {
             }
         };
         let turns = self.turns + turns;
-        let theta = if turns == 0.0 {
-            angle
-        } else {
-            (Dd::TWO_PI * turns + angle).to_f64()
-        };
+        let theta = if turns == 0.0 { angle } else { (Dd::TWO_PI * turns + angle).to_f64() };
         Ok(PendulumState { theta, omega })
     }
 }
@@ -371,11 +330,7 @@ impl Motion for Pendulum {
 
     fn kept(&self) -> Vec<Kept> {
         let energy = self.suspension.mass * self.suspension.gravity * self.suspension.lever;
-        vec![Kept::new(
-            "energy above hanging",
-            "J",
-            2.0 * energy * self.energy_ratio(),
-        )]
+        vec![Kept::new("energy above hanging", "J", 2.0 * energy * self.energy_ratio())]
     }
 
     fn condition(&self, t: f64) -> Result<f64> {
@@ -391,16 +346,7 @@ impl Motion for Pendulum {
         let turned = here.omega * t;
         let square = condition_of_each(turned * turned, inputs, |inputs| {
             let [moment, mass, gravity, lever, theta0, omega0] = inputs;
-            let other = Self::new(
-                Suspension {
-                    moment,
-                    mass,
-                    gravity,
-                    lever,
-                },
-                theta0,
-                omega0,
-            )?;
+            let other = Self::new(Suspension { moment, mass, gravity, lever }, theta0, omega0)?;
             Ok((other.at(t)?.theta - here.theta).abs())
         })?;
         Ok(square.sqrt())
@@ -409,11 +355,7 @@ impl Motion for Pendulum {
 
 fn in_range(name: &'static str, value: f64, inside: bool, allowed: &'static str) -> Result<()> {
     finite(name, value)?;
-    if inside {
-        Ok(())
-    } else {
-        Err(Error::out_of_range(name, value, allowed))
-    }
+    if inside { Ok(()) } else { Err(Error::out_of_range(name, value, allowed)) }
 }
 
 /// Whether two products of three positive numbers that agree to 90 bits are equal.
@@ -427,10 +369,7 @@ fn equal_products(a: [f64; 3], b: [f64; 3]) -> bool {
             let mantissa = (bits & ((1 << 52) - 1)) | (1 << 52);
             let zeros = mantissa.trailing_zeros();
             let power = ((bits >> 52) & 0x7ff) as u32 + zeros;
-            (
-                odd.wrapping_mul(u128::from(mantissa >> zeros)),
-                exponent + power,
-            )
+            (odd.wrapping_mul(u128::from(mantissa >> zeros)), exponent + power)
         })
     };
     odd_and_exponent(a) == odd_and_exponent(b)

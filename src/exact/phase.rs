@@ -52,11 +52,7 @@ enum Series {
     Trigonometric { scale: Dd, terms: [[f64; 4]; 4] },
     /// w = `scale` r; the sums over n of q^(n^2) or q^(n^2-n) times powers of e^w,
     /// where q = exp(-`width`).
-    Hyperbolic {
-        scale: Dd,
-        width: f64,
-        terms: [[f64; 4]; 4],
-    },
+    Hyperbolic { scale: Dd, width: f64, terms: [[f64; 4]; 4] },
 }
 
 impl Phase {
@@ -111,14 +107,7 @@ impl Phase {
         } else {
             [sign * c, -sign * self.k1 * s, self.k1 * n, d]
         };
-        Sample {
-            quarters,
-            sn,
-            cn,
-            dn,
-            one,
-            rest,
-        }
+        Sample { quarters, sn, cn, dn, one, rest }
     }
 }
 
@@ -148,11 +137,7 @@ impl Series {
             (periods.quarter, periods.nome.conjugate())
         };
         let scale = Dd::FRAC_PI_2 / own;
-        let width = if other.is_finite() {
-            Dd::PI * other / own
-        } else {
-            Dd::from(f64::INFINITY)
-        };
+        let width = if other.is_finite() { Dd::PI * other / own } else { Dd::from(f64::INFINITY) };
         let width = width.to_f64();
         let nome = exp(-width);
         let twice = |n: usize| if n == 0 { 1.0 } else { 2.0 };
@@ -205,11 +190,7 @@ impl Series {
             // cosh 0 = 1 needs no second exponential.
             terms[1][0] *= 0.5;
             terms[2][0] *= 0.5;
-            Self::Hyperbolic {
-                scale,
-                width,
-                terms,
-            }
+            Self::Hyperbolic { scale, width, terms }
         }
     }
 
@@ -228,11 +209,7 @@ impl Series {
                 ];
                 (values, z.lo() / scale.hi())
             }
-            Self::Hyperbolic {
-                scale,
-                width,
-                terms,
-            } => {
+            Self::Hyperbolic { scale, width, terms } => {
                 let argument = r * *scale;
                 let w = argument.hi().abs();
                 let waves = Waves::new(w, *width);

@@ -23,20 +23,8 @@ impl Periods {
     /// For the parameter m and 1 - m, by the nome of m while that is at most `most`.
     pub(super) fn new(m: Dd, m1: Dd, most: f64) -> Self {
         let hyperbolic = m > most;
-        let nome = if hyperbolic {
-            Nome::new(m1, m)
-        } else {
-            Nome::new(m, m1)
-        };
-        Self {
-            quarter: if hyperbolic {
-                nome.conjugate()
-            } else {
-                nome.quarter
-            },
-            hyperbolic,
-            nome,
-        }
+        let nome = if hyperbolic { Nome::new(m1, m) } else { Nome::new(m, m1) };
+        Self { quarter: if hyperbolic { nome.conjugate() } else { nome.quarter }, hyperbolic, nome }
     }
 
     /// The argument u <= K/2 with sc^2(u|m) = `num`/`den`.
@@ -78,10 +66,7 @@ impl Periods {
             zeros.map(|[eta, rest]| nearer_zero(eta, rest));
         if self.hyperbolic {
             let angle = |(num, den)| self.nome.angle(num, den);
-            [
-                self.along(first, angle(of_first)),
-                self.along(second, angle(of_second)),
-            ]
+            [self.along(first, angle(of_first)), self.along(second, angle(of_second))]
         } else {
             let [one, other] = self.nome.depths([of_first, of_second]);
             [self.across(first, one), self.across(second, other)]
@@ -97,23 +82,11 @@ impl Periods {
     fn across(&self, nearer: bool, depth: Depth) -> Zero {
         let nome = &self.nome;
         // No q -> 0 times e^y -> infinity.
-        let other = if nome.q == 0.0 {
-            Dd::ZERO
-        } else {
-            nome.q / depth.decay
-        };
+        let other = if nome.q == 0.0 { Dd::ZERO } else { nome.q / depth.decay };
         Zero::Across(if nearer {
-            Across {
-                decay: depth.decay,
-                fall: depth.fall,
-                rest: other,
-            }
+            Across { decay: depth.decay, fall: depth.fall, rest: other }
         } else {
-            Across {
-                decay: other,
-                fall: 1.0 - other,
-                rest: depth.decay,
-            }
+            Across { decay: other, fall: 1.0 - other, rest: depth.decay }
         })
     }
 }
@@ -175,11 +148,7 @@ impl Waves {
             power *= decay * decay;
             full *= decay * decay;
         }
-        Self {
-            odd_cosh,
-            odd_sinh,
-            even_cosh,
-        }
+        Self { odd_cosh, odd_sinh, even_cosh }
     }
 }
 
@@ -215,20 +184,12 @@ pub(super) const ODD_COSINES: Multiples = [
 ];
 
 /// sin 2nz/(sin z cos z).
-pub(super) const EVEN_SINES: Multiples = [
-    [0.0, 0.0, 0.0, 0.0],
-    [2.0, 0.0, 0.0, 0.0],
-    [4.0, -8.0, 0.0, 0.0],
-    [6.0, -32.0, 32.0, 0.0],
-];
+pub(super) const EVEN_SINES: Multiples =
+    [[0.0, 0.0, 0.0, 0.0], [2.0, 0.0, 0.0, 0.0], [4.0, -8.0, 0.0, 0.0], [6.0, -32.0, 32.0, 0.0]];
 
 /// cos 2nz.
-pub(super) const EVEN_COSINES: Multiples = [
-    [1.0, 0.0, 0.0, 0.0],
-    [1.0, -2.0, 0.0, 0.0],
-    [1.0, -8.0, 8.0, 0.0],
-    [1.0, -18.0, 48.0, -32.0],
-];
+pub(super) const EVEN_COSINES: Multiples =
+    [[1.0, 0.0, 0.0, 0.0], [1.0, -2.0, 0.0, 0.0], [1.0, -8.0, 8.0, 0.0], [1.0, -18.0, 48.0, -32.0]];
 
 /// The sum of these multiples with these coefficients, as one polynomial: the n-th multiple has
 /// powers up to the n-th.

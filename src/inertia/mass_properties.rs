@@ -37,11 +37,7 @@ impl MassProperties {
     pub fn new(mass: f64, centre_of_mass: DesignVector, tensor: InertiaTensor) -> Result<Self> {
         positive("mass", mass)?;
         point("centre of mass", centre_of_mass)?;
-        Ok(Self {
-            mass,
-            centre_of_mass,
-            tensor,
-        })
+        Ok(Self { mass, centre_of_mass, tensor })
     }
 
     /// From mass, centre of mass and the tensor about another point.
@@ -98,9 +94,7 @@ impl MassProperties {
         let mut sum = [[DoubleDouble::ZERO; 3]; 3];
         let mut add = |matrix: Matrix| {
             let elements = sum.as_flattened_mut().iter_mut();
-            elements
-                .zip(matrix.as_flattened())
-                .for_each(|(sum, e)| *sum = *sum + *e);
+            elements.zip(matrix.as_flattened()).for_each(|(sum, e)| *sum = *sum + *e);
         };
         for (m, r) in points {
             let place = r.to_array();
@@ -227,9 +221,5 @@ fn plus(a: Matrix, b: Matrix) -> Matrix {
 fn point_mass(m: f64, d: DesignVector) -> Matrix {
     let [x, y, z] = d.to_array();
     let (xy, xz, yz) = (-m * x * y, -m * x * z, -m * y * z);
-    [
-        [m * (y * y + z * z), xy, xz],
-        [xy, m * (x * x + z * z), yz],
-        [xz, yz, m * (x * x + y * y)],
-    ]
+    [[m * (y * y + z * z), xy, xz], [xy, m * (x * x + z * z), yz], [xz, yz, m * (x * x + y * y)]]
 }

@@ -59,11 +59,7 @@ pub(crate) fn possible(moments: [f64; 3], slack: f64) -> Result<f64> {
     // In this order nothing overflows.
     let excess = (high - middle) - low;
     match excess > slack {
-        true => Err(Error::NotABody {
-            moments,
-            excess,
-            slack,
-        }),
+        true => Err(Error::NotABody { moments, excess, slack }),
         false => Ok(excess),
     }
 }
@@ -87,11 +83,7 @@ impl PrincipalMoments {
         }
         possible(moments, ROUNDING * moments.into_iter().fold(0.0, f64::max))?;
         if moments.contains(&0.0) {
-            return Err(Error::NotABody {
-                moments,
-                excess: 0.0,
-                slack: known_within,
-            });
+            return Err(Error::NotABody { moments, excess: 0.0, slack: known_within });
         }
         Ok(Self { moments })
     }

@@ -49,11 +49,7 @@ impl PrincipalAxes {
                 row[2] = -row[2];
             }
         }
-        Self {
-            moments: order.map(|i| moments[i]),
-            known_within: 0.0,
-            axes,
-        }
+        Self { moments: order.map(|i| moments[i]), known_within: 0.0, axes }
     }
 
     /// Where rounding hides the smallest moment it is zero: the body is a rod, or a point mass.
@@ -67,11 +63,7 @@ impl PrincipalAxes {
         } else {
             self.moments
         };
-        Self {
-            moments,
-            known_within,
-            ..self
-        }
+        Self { moments, known_within, ..self }
     }
 
     /// The moments of a body that are nearest to these, by the sum of squares of what changes.

@@ -86,12 +86,9 @@ pub fn spherical_shell(mass: f64, radius: f64) -> Result<MassProperties> {
 
 /// A solid ellipsoid with semi-axes a, b, c along e1, e2, e3: I1 = m (b^2 + c^2)/5 and so on.
 pub fn ellipsoid(mass: f64, a: f64, b: f64, c: f64) -> Result<MassProperties> {
-    let [a, b, c] = [
-        positive("semi-axis a", a)?,
-        positive("semi-axis b", b)?,
-        positive("semi-axis c", c)?,
-    ]
-    .map(|axis| 0.2 * axis * axis);
+    let [a, b, c] =
+        [positive("semi-axis a", a)?, positive("semi-axis b", b)?, positive("semi-axis c", c)?]
+            .map(|axis| 0.2 * axis * axis);
     solid(mass, [b + c, a + c, a + b])
 }
 
@@ -115,12 +112,8 @@ pub fn torus(mass: f64, radius: f64, tube: f64) -> Result<MassProperties> {
 
 /// A box with edges a, b, c along e1, e2, e3: I1 = m (b^2 + c^2)/12 and so on.
 pub fn cuboid(mass: f64, a: f64, b: f64, c: f64) -> Result<MassProperties> {
-    let [a, b, c] = [
-        positive("edge a", a)?,
-        positive("edge b", b)?,
-        positive("edge c", c)?,
-    ]
-    .map(|edge| edge * edge / 12.0);
+    let [a, b, c] = [positive("edge a", a)?, positive("edge b", b)?, positive("edge c", c)?]
+        .map(|edge| edge * edge / 12.0);
     solid(mass, [b + c, a + c, a + b])
 }
 

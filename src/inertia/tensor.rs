@@ -36,10 +36,7 @@ impl InertiaTensor {
     /// of no body, which exceed the sum of the others, or are negative, by more than 32 eps of the
     /// largest.
     pub fn new(matrix: [[f64; 3]; 3]) -> Result<Self> {
-        let largest = matrix
-            .as_flattened()
-            .iter()
-            .fold(0.0, |m: f64, e| m.max(e.abs()));
+        let largest = matrix.as_flattened().iter().fold(0.0, |m: f64, e| m.max(e.abs()));
         let mut symmetric = matrix;
         for i in 0..3 {
             for j in 0..i {
@@ -64,10 +61,7 @@ impl InertiaTensor {
             true => excess.max(0.0),
             false => slack,
         };
-        Ok(Self {
-            matrix: symmetric,
-            known_within,
-        })
+        Ok(Self { matrix: symmetric, known_within })
     }
 
     /// The tensor of a body whose principal axes are the axes of the drawing.
@@ -90,17 +84,11 @@ impl InertiaTensor {
         let moments = found.moments();
         possible(moments, known_within)?;
         if possible(moments, ROUNDING * moments[2].abs()).is_err() {
-            let (nearest, v) = (
-                found.nearest_possible(),
-                found.axes().map(DesignVector::to_array),
-            );
+            let (nearest, v) = (found.nearest_possible(), found.axes().map(DesignVector::to_array));
             let element = |i, j| (0..3).map(|k| nearest[k] * (v[k][i] * v[k][j])).sum();
             matrix = [0, 1, 2].map(|i| [0, 1, 2].map(|j| element(i, j)));
         }
-        Ok(Self {
-            matrix,
-            known_within,
-        })
+        Ok(Self { matrix, known_within })
     }
 
     /// sum m r^2 (kg m^2), from the largest moment to 3/2 of it.
@@ -150,8 +138,7 @@ impl InertiaTensor {
     pub fn angular_momentum(&self, angular_velocity: DesignVector) -> DesignVector {
         let w = angular_velocity.to_array();
         DesignVector::from_array(
-            self.matrix
-                .map(|row| row[0] * w[0] + row[1] * w[1] + row[2] * w[2]),
+            self.matrix.map(|row| row[0] * w[0] + row[1] * w[1] + row[2] * w[2]),
         )
     }
 

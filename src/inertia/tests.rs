@@ -7,10 +7,7 @@ use crate::frame::DesignVector;
 #[test]
 fn two_particles_are_a_dumb_bell() {
     let (m1, m2, d) = (0.7, 1.9, 0.6);
-    let (near, far) = (
-        DesignVector::new(1.0, -2.0, 0.5),
-        DesignVector::new(1.0, -2.0, 0.5 + d),
-    );
+    let (near, far) = (DesignVector::new(1.0, -2.0, 0.5), DesignVector::new(1.0, -2.0, 0.5 + d));
     let both = MassProperties::of_points(&[(m1, near), (m2, far)]).expect("a body");
     let matrix = both.about_centre_of_mass().matrix();
     let across = m1 * m2 / (m1 + m2) * d * d;

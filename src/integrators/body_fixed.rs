@@ -79,10 +79,7 @@ impl<E: Effect> Ode<7> for BodyFixed<'_, E> {
         let length = (w * w + x * x + y1 * y1 + z * z).sqrt();
         let attitude = Attitude::from_unit([w / length, x / length, y1 / length, z / length]);
         let momentum = BodyVector::new(l1, l2, l3);
-        let state = State {
-            attitude,
-            angular_momentum: attitude.to_space(momentum),
-        };
+        let state = State { attitude, angular_momentum: attitude.to_space(momentum) };
         let torque = attitude.to_body(self.scene.torque(t, &state));
         let [k1, k2, k3] = self.coupling;
         let mut change = torque + BodyVector::new(k1 * l2 * l3, k2 * l3 * l1, k3 * l1 * l2);

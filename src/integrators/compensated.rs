@@ -16,10 +16,7 @@ pub(super) struct Compensated<const N: usize> {
 
 impl<const N: usize> Compensated<N> {
     pub(super) fn new(value: [f64; N]) -> Self {
-        Self {
-            value,
-            carry: [0.0; N],
-        }
+        Self { value, carry: [0.0; N] }
     }
 
     /// This state plus an increment.

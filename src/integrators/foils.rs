@@ -92,11 +92,7 @@ fn advanced(omega: BodyVector, h: f64, acceleration: [f64; 3]) -> BodyVector {
 }
 
 fn euler_work(steps: u64) -> Work {
-    Work {
-        steps,
-        derivatives: steps,
-        ..Work::default()
-    }
+    Work { steps, derivatives: steps, ..Work::default() }
 }
 
 /// The scene of a rigid body: what is stepped is I^-1 L, and it alone turns the axes.

@@ -155,11 +155,9 @@ impl Method {
                 "fourteen kicks a step, their errors cancelling to order 6",
                 Scheme::SRKN14,
             ),
-            KahanLi17 => split(
-                "kl17",
-                "seventeen Strang steps of chosen lengths in one",
-                Scheme::KAHAN_LI17,
-            ),
+            KahanLi17 => {
+                split("kl17", "seventeen Strang steps of chosen lengths in one", Scheme::KAHAN_LI17)
+            }
             Aba82 => split(
                 "aba82",
                 "four kicks a step; errors linear in the torque cancel to order 8",

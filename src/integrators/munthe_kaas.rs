@@ -67,11 +67,7 @@ fn turning(theta: SpaceVector, quaternion: [f64; 4]) -> [f64; 4] {
     // cos(angle/2) - 1 = -2 sin^2(angle/4) does not cancel.
     let (s, c) = sincos(0.25 * angle);
     let less = -2.0 * s * s;
-    let rate = if angle > 0.0 {
-        2.0 * s * c / angle
-    } else {
-        0.5
-    };
+    let rate = if angle > 0.0 { 2.0 * s * c / angle } else { 0.5 };
     let turn = vector_times(theta.to_array().map(|v| rate * v), quaternion);
     stretched_and(less, quaternion, turn)
 }

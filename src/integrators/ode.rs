@@ -85,10 +85,7 @@ pub struct ByClosure<F, S = ()> {
 /// # Ok::<(), rotation_dynamics::Error>(())
 /// ```
 pub const fn ode<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]>(derivative: F) -> ByClosure<F> {
-    ByClosure {
-        derivative,
-        scale: (),
-    }
+    ByClosure { derivative, scale: () }
 }
 
 impl<F> ByClosure<F> {

@@ -32,10 +32,7 @@ pub fn components(state: &State) -> [f64; 7] {
 ///
 /// Errors: a component that is not finite; a quaternion of length 0.
 pub fn state([w, x, y, z, lx, ly, lz]: &[f64; 7]) -> Result<State> {
-    State::new(
-        Attitude::from_quaternion([*w, *x, *y, *z])?,
-        SpaceVector::new(*lx, *ly, *lz),
-    )
+    State::new(Attitude::from_quaternion([*w, *x, *y, *z])?, SpaceVector::new(*lx, *ly, *lz))
 }
 
 impl<E: AnyEffect + ?Sized> Ode<7> for Scene<E> {

@@ -29,11 +29,7 @@ pub(crate) fn least(
             b = value(t_b)?;
         }
     }
-    Ok(if side * a < side * b {
-        (t_a, a)
-    } else {
-        (t_b, b)
-    })
+    Ok(if side * a < side * b { (t_a, a) } else { (t_b, b) })
 }
 
 /// A zero between two places where the signs of the function differ: secant and bisection by turns,
@@ -52,11 +48,7 @@ pub(crate) fn zero(
         let secant = t_b - b * ((t_b - t_a) / (b - a));
         let middle = 0.5 * (t_a + t_b);
         let inside = secant > t_a.min(t_b) && secant < t_a.max(t_b);
-        let t = if turn % 2 == 0 && inside {
-            secant
-        } else {
-            middle
-        };
+        let t = if turn % 2 == 0 && inside { secant } else { middle };
         let value = value(t)?;
         if value != 0.0 && (value < 0.0) == (a < 0.0) {
             (t_a, a) = (t, value);

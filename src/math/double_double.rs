@@ -133,19 +133,13 @@ impl<L: Exact> DoubleDouble<L> {
     /// The product with a power of two, exactly.
     #[inline]
     pub fn scaled(self, power_of_two: f64) -> Self {
-        Self {
-            hi: self.hi * power_of_two,
-            lo: self.lo * power_of_two,
-        }
+        Self { hi: self.hi * power_of_two, lo: self.lo * power_of_two }
     }
 
     /// The same pair in every lane.
     #[inline]
     pub(crate) fn same(value: DoubleDouble) -> Self {
-        Self {
-            hi: L::of(value.hi),
-            lo: L::of(value.lo),
-        }
+        Self { hi: L::of(value.hi), lo: L::of(value.lo) }
     }
 
     /// The sum with a pair that is no larger: less than half the work of `+`, and within a few
@@ -176,20 +170,14 @@ impl DoubleDouble<Two> {
     /// Two side by side.
     #[inline]
     pub(crate) fn both([first, second]: [DoubleDouble; 2]) -> Self {
-        Self {
-            hi: Two::new(first.hi, second.hi),
-            lo: Two::new(first.lo, second.lo),
-        }
+        Self { hi: Two::new(first.hi, second.hi), lo: Two::new(first.lo, second.lo) }
     }
 
     /// Either of them.
     #[inline]
     pub(crate) fn parts(self) -> [DoubleDouble; 2] {
         let ((first, second), (first_low, second_low)) = (self.hi.parts(), self.lo.parts());
-        [
-            DoubleDouble::from_parts(first, first_low),
-            DoubleDouble::from_parts(second, second_low),
-        ]
+        [DoubleDouble::from_parts(first, first_low), DoubleDouble::from_parts(second, second_low)]
     }
 }
 
@@ -245,11 +233,7 @@ impl DoubleDouble {
     /// Absolute value.
     #[inline]
     pub fn abs(self) -> Self {
-        if self.hi < 0.0 || (self.hi == 0.0 && self.lo < 0.0) {
-            -self
-        } else {
-            self
-        }
+        if self.hi < 0.0 || (self.hi == 0.0 && self.lo < 0.0) { -self } else { self }
     }
 
     /// The larger of two values.
@@ -329,8 +313,7 @@ impl DoubleDouble {
         let e = rest.exp_m1() + 1.0;
         // Two factors: 2^n alone may be out of range while the result is not.
         let half = (n * 0.5).trunc();
-        e.scaled(super::ldexp(1.0, half as i32))
-            .scaled(super::ldexp(1.0, (n - half) as i32))
+        e.scaled(super::ldexp(1.0, half as i32)).scaled(super::ldexp(1.0, (n - half) as i32))
     }
 
     /// The natural logarithm; relative accuracy everywhere but next to 1, where
@@ -459,18 +442,12 @@ fn tail(x: f64, coefficients: &[f64]) -> f64 {
 }
 
 /// ln 2 in three parts.
-const LN_2_PARTS: [f64; 3] = [
-    core::f64::consts::LN_2,
-    2.319_046_813_846_299_6e-17,
-    5.707_708_438_416_212e-34,
-];
+const LN_2_PARTS: [f64; 3] =
+    [core::f64::consts::LN_2, 2.319_046_813_846_299_6e-17, 5.707_708_438_416_212e-34];
 
 /// pi/2 in three parts.
-const PI_2_PARTS: [f64; 3] = [
-    core::f64::consts::FRAC_PI_2,
-    6.123_233_995_736_766e-17,
-    -1.497_384_904_859_169_8e-33,
-];
+const PI_2_PARTS: [f64; 3] =
+    [core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33];
 
 /// 1/n! to 106 bits, n = 0..=16.
 const INVERSE_FACTORIAL: [DoubleDouble; 17] = [
@@ -580,10 +557,7 @@ impl<L: Exact> Neg for DoubleDouble<L> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Self {
-            hi: -self.hi,
-            lo: -self.lo,
-        }
+        Self { hi: -self.hi, lo: -self.lo }
     }
 }
 

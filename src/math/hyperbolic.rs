@@ -32,10 +32,7 @@ pub(crate) fn sinh_cosh_of<L: Phased>(w: L) -> (L, L) {
     let (sinh, versine) = (rest + rest * square * odd, square * even);
     let (up, down) = (L::two_to(whole), L::two_to(-whole + 2.0 * ROUNDER));
     let (sinh_n, cosh_n) = ((up - down) * 0.5, (up + down) * 0.5);
-    (
-        sinh_n + (sinh_n * versine + cosh_n * sinh),
-        cosh_n + (cosh_n * versine + sinh_n * sinh),
-    )
+    (sinh_n + (sinh_n * versine + cosh_n * sinh), cosh_n + (cosh_n * versine + sinh_n * sinh))
 }
 
 /// (sinh r - r)/r^3 and (cosh r - 1)/r^2 by powers of r^2, the highest first: the terms of
@@ -89,11 +86,7 @@ mod tests {
     fn damaged_a_missing_term_shows() {
         let ([sinh, cosh], _) = errors(|w| {
             let (sinh, cosh) = sinh_cosh_of::<f64>(w);
-            let lost = if w.abs() < 0.34 {
-                SERIES[0][1] * w.powi(12)
-            } else {
-                0.0
-            };
+            let lost = if w.abs() < 0.34 { SERIES[0][1] * w.powi(12) } else { 0.0 };
             (sinh, cosh - lost)
         });
         assert!(sinh <= 2.7 && cosh > 30.0, "{sinh} {cosh}");

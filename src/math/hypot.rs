@@ -62,16 +62,7 @@ mod tests {
             state ^= state << 17;
             state
         };
-        let edges = [
-            0.0,
-            -0.0,
-            1.0,
-            f64::MIN_POSITIVE,
-            5e-324,
-            f64::MAX,
-            f64::INFINITY,
-            f64::NAN,
-        ];
+        let edges = [0.0, -0.0, 1.0, f64::MIN_POSITIVE, 5e-324, f64::MAX, f64::INFINITY, f64::NAN];
         let mut cases: Vec<[f64; 2]> = edges.iter().flat_map(|x| edges.map(|y| [*x, y])).collect();
         for _ in 0..200_000 {
             let (x, y) = (number(), number());
@@ -81,10 +72,7 @@ mod tests {
         for [x, y] in cases {
             let (found, expected) = (hypot(x, y), libm::hypot(x, y));
             let same = found.to_bits() == expected.to_bits() || found.is_nan() && expected.is_nan();
-            assert!(
-                same,
-                "hypot({x:e}, {y:e}) = {found:e}, and not {expected:e}"
-            );
+            assert!(same, "hypot({x:e}, {y:e}) = {found:e}, and not {expected:e}");
         }
     }
 }

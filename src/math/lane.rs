@@ -303,11 +303,7 @@ pub(crate) type Two = x86::Two;
 pub(crate) type Two = aarch64::Two;
 #[cfg(target_feature = "simd128")]
 pub(crate) type Two = wasm32::Two;
-#[cfg(not(any(
-    target_arch = "x86_64",
-    target_arch = "aarch64",
-    target_feature = "simd128"
-)))]
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64", target_feature = "simd128")))]
 pub(crate) type Two = Both<f64>;
 
 /// Eight numbers in what every processor of its kind has.
@@ -412,10 +408,7 @@ impl<L: Phased> Number for Both<L> {
     }
     #[inline(always)]
     fn or_if_odd(self, odd: Self, whole: Self) -> Self {
-        Self(
-            self.0.or_if_odd(odd.0, whole.0),
-            self.1.or_if_odd(odd.1, whole.1),
-        )
+        Self(self.0.or_if_odd(odd.0, whole.0), self.1.or_if_odd(odd.1, whole.1))
     }
     #[inline(always)]
     fn two_to(whole: Self) -> Self {
@@ -504,11 +497,7 @@ pub(crate) fn for_each_time<const N: usize>(
     times: &[f64],
     put: impl FnMut([f64; N]),
 ) {
-    in_the_widest(EachTime::<_, _, N> {
-        sampler,
-        times,
-        put,
-    });
+    in_the_widest(EachTime::<_, _, N> { sampler, times, put });
 }
 
 /// Hands the samples of all motions at one time to `put`; each sampler holds [`WIDEST`].

@@ -23,9 +23,7 @@ pub(crate) fn order_of_three(numbers: [f64; 3]) -> [usize; 3] {
 /// numbers stay as they were.
 pub fn sort_by_number<T: Clone>(things: &mut [T], number: impl Fn(&T) -> f64) {
     let numbers: Vec<f64> = things.iter().map(number).collect();
-    let sorted: Vec<T> = (order_of(&numbers).iter())
-        .map(|i| things[*i].clone())
-        .collect();
+    let sorted: Vec<T> = (order_of(&numbers).iter()).map(|i| things[*i].clone()).collect();
     things.clone_from_slice(&sorted);
 }
 

@@ -33,11 +33,7 @@ fn halves(a: f64, b: f64, product: f64) -> f64 {
     const LEAST: f64 = 1e-290;
     let error = error_by_halves(a, b, product);
     // Smaller ones lose their last bits, and an infinity is a half that is too large.
-    if product.abs() >= LEAST && error.is_finite() {
-        error
-    } else {
-        in_software(a, b, product)
-    }
+    if product.abs() >= LEAST && error.is_finite() { error } else { in_software(a, b, product) }
 }
 
 #[cold]
@@ -62,11 +58,7 @@ mod known {
         }
     }
 
-    #[cfg(any(
-        target_arch = "x86_64",
-        target_arch = "aarch64",
-        target_feature = "simd128"
-    ))]
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_feature = "simd128"))]
     impl Exact for super::super::lane::Two {
         #[inline(always)]
         fn product_error(self, other: Self, product: Self) -> Self {
@@ -164,10 +156,7 @@ mod tests {
             let [left, right, products] =
                 [(*a, 1.5), (*b, 0.1), (product, 1.5 * 0.1)].map(|(x, y)| Two::new(x, y));
             let want = way(*a, *b, product);
-            let (one, two) = (
-                a.product_error(*b, product),
-                left.product_error(right, products),
-            );
+            let (one, two) = (a.product_error(*b, product), left.product_error(right, products));
             !(same(one, want) && same(two.parts().0, want))
         };
         factors().filter(differs).count()

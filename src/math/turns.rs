@@ -31,10 +31,7 @@ pub fn sincos_turns<L: Phased>(t: L) -> (L, L) {
     let quarters = t * 4.0;
     let whole = quarters + ROUNDER;
     // Exact, within [-1/2, 1/2].
-    sincos_of(Reduced {
-        rest: quarters - (whole - ROUNDER),
-        whole,
-    })
+    sincos_of(Reduced { rest: quarters - (whole - ROUNDER), whole })
 }
 
 /// A number of quarter turns, less whole ones.
@@ -112,11 +109,7 @@ impl<L: Phased> Time<L> {
     #[inline(always)]
     pub(crate) fn new(t: L) -> Self {
         let leading = t.leading();
-        Self {
-            whole: t,
-            leading,
-            trailing: t - leading,
-        }
+        Self { whole: t, leading, trailing: t - leading }
     }
 
     /// The same time twice.

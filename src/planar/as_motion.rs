@@ -53,8 +53,6 @@ impl<P: Copy, const N: usize> Motion for Run<P, N> {
     }
 
     fn condition(&self, _t: f64) -> Result<f64> {
-        Err(Error::ConditionUnknown {
-            name: Motion::name(self),
-        })
+        Err(Error::ConditionUnknown { name: Motion::name(self) })
     }
 }

@@ -55,11 +55,7 @@ fn within<P: Copy + PartialEq + Debug, const N: usize>(
 ) -> Result<Delivered<P, N>> {
     finite("tolerance", tolerance)?;
     if !(STRIDE * Dop853::SMALLEST_TOLERANCE..=Dop853::LARGEST_TOLERANCE).contains(&tolerance) {
-        return Err(Error::out_of_range(
-            "tolerance",
-            tolerance,
-            "from 3.2e-14 to 0.1",
-        ));
+        return Err(Error::out_of_range("tolerance", tolerance, "from 3.2e-14 to 0.1"));
     }
     let run = |step_error: f64| whole(run(scene, &Dop853::new(step_error)?, phase, start, t_end));
     let mut step_error = tolerance;
@@ -80,12 +76,7 @@ fn within<P: Copy + PartialEq + Debug, const N: usize>(
         work += fine.work();
         let estimate = distance(scene, &coarse, &fine);
         if estimate <= 0.5 * tolerance {
-            return Ok(Delivered {
-                run: fine,
-                estimate,
-                step_error,
-                work,
-            });
+            return Ok(Delivered { run: fine, estimate, step_error, work });
         }
         reached = reached.min(2.0 * estimate);
         coarse = fine;

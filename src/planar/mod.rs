@@ -174,31 +174,18 @@ impl<'s, P, const N: usize> Condition<'s, P, N> {
         margin: impl Fn(&[f64; N]) -> f64 + 's,
         next: Next<'s, P, N>,
     ) -> Self {
-        Self {
-            name,
-            kind,
-            margin: Box::new(margin),
-            next,
-            noise: None,
-            flickers: false,
-        }
+        Self { name, kind, margin: Box::new(margin), next, noise: None, flickers: false }
     }
 
     /// The scene has decided that the condition holds at entry, where its sign may be
     /// round-off; anywhere a margin below zero by no more than `noise` is none.
     fn decided(self, noise: impl Fn(&[f64; N]) -> f64 + 's) -> Self {
-        Self {
-            noise: Some(Box::new(noise)),
-            ..self
-        }
+        Self { noise: Some(Box::new(noise)), ..self }
     }
 
     /// The same of a margin that may leave zero so slowly that its sign is round-off for a while.
     fn flickering(self, noise: impl Fn(&[f64; N]) -> f64 + 's) -> Self {
-        Self {
-            flickers: true,
-            ..self.decided(noise)
-        }
+        Self { flickers: true, ..self.decided(noise) }
     }
 
     /// Its name, which is also the name of the event when it fails.

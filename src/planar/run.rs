@@ -203,11 +203,7 @@ fn through_phases<P: Copy + PartialEq + Debug, const N: usize>(
         // What ends the scene may come together with what begins a phase.
         let over =
             |c: &&Condition<'_, P, N>| matches!(c.next, Next::End) && (c.margin)(&state) <= 0.0;
-        if let Some(end) = conditions
-            .iter()
-            .find(over)
-            .filter(|_| !run.pieces.is_empty())
-        {
+        if let Some(end) = conditions.iter().find(over).filter(|_| !run.pieces.is_empty()) {
             run.transitions.push(Transition {
                 name: end.name,
                 t,
@@ -238,9 +234,7 @@ fn through_phases<P: Copy + PartialEq + Debug, const N: usize>(
         let (index, when, before) = match lasts {
             Lasts::Until(solution) => {
                 run.work += solution.work();
-                let failed = solution
-                    .stopped_by()
-                    .map(|event| (event.index, event.t, event.state));
+                let failed = solution.stopped_by().map(|event| (event.index, event.t, event.state));
                 run.pieces.push(PhaseRun { phase, solution });
                 let Some(failed) = failed else {
                     return Ok(());
@@ -287,22 +281,12 @@ fn through_phases<P: Copy + PartialEq + Debug, const N: usize>(
         };
         (t, phase, state) = (when, to, after);
     }
-    Err(Error::LimitReached {
-        what: "changes of phase",
-        t,
-        t_end,
-        limit: limit as u64,
-    })
+    Err(Error::LimitReached { what: "changes of phase", t, t_end, limit: limit as u64 })
 }
 
 /// The refusal of a phase that begins with this margin of a condition.
 fn cannot_hold<P, const N: usize>(of: &Condition<'_, P, N>, t: f64, value: f64) -> Error {
-    Error::CannotHold {
-        name: of.name,
-        t,
-        value,
-        rate: None,
-    }
+    Error::CannotHold { name: of.name, t, value, rate: None }
 }
 
 /// How long a phase lasts.
@@ -432,11 +416,7 @@ fn check_entry<P, const N: usize>(
 impl<P, const N: usize> Run<P, N> {
     /// No motion yet.
     pub(super) fn empty() -> Self {
-        Self {
-            pieces: Vec::new(),
-            transitions: Vec::new(),
-            work: Work::default(),
-        }
+        Self { pieces: Vec::new(), transitions: Vec::new(), work: Work::default() }
     }
 }
 
@@ -457,17 +437,12 @@ impl<P: Copy, const N: usize> Run<P, N> {
     /// [`Error::NotReached`] if there was none.
     pub fn transition(&self, name: &'static str) -> Result<&Transition<P, N>> {
         let found = self.transitions.iter().find(|t| t.name == name);
-        found.ok_or_else(|| Error::NotReached {
-            name,
-            until: self.end_time(),
-        })
+        found.ok_or_else(|| Error::NotReached { name, until: self.end_time() })
     }
 
     /// When the run ended.
     pub fn end_time(&self) -> f64 {
-        self.pieces
-            .last()
-            .map_or(0.0, |piece| piece.solution.end_time())
+        self.pieces.last().map_or(0.0, |piece| piece.solution.end_time())
     }
 
     /// Phase and state at `t`; at a change of phase, those before it.
@@ -475,11 +450,7 @@ impl<P: Copy, const N: usize> Run<P, N> {
     /// # Errors
     /// [`Error::OutsideRun`] for a time before the start or after the end.
     pub fn at(&self, t: f64) -> Result<(P, [f64; N])> {
-        let outside = || Error::OutsideRun {
-            t,
-            start: 0.0,
-            end: self.end_time(),
-        };
+        let outside = || Error::OutsideRun { t, start: 0.0, end: self.end_time() };
         let holds = |piece: &&PhaseRun<P, N>| t <= piece.solution.end_time();
         let piece = self.pieces.iter().find(holds).ok_or_else(outside)?;
         let state = piece.solution.at(t).map_err(|_| outside())?;

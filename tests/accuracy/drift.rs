@@ -3,12 +3,8 @@
 //! Root mean squares over eight starts: one random walk proves nothing. A million periods
 //! are in `benches/record/drift.txt`, whose first rows are computed again here.
 
-#[rustfmt::skip] // it is formatted with the examples
 #[path = "../../examples/accuracy_races/drift.rs"]
-#[allow(
-    dead_code,
-    reason = "the names of the methods are for figures and records"
-)]
+#[allow(dead_code, reason = "the names of the methods are for figures and records")]
 mod curves;
 
 use curves::{Curve, Gravity, Kind, Method, Point, Subject, curve, times};
@@ -35,10 +31,7 @@ fn grown(method: Method, kind: Kind, periods: f64) -> Curve {
 
 /// The exponents of phase and invariants.
 fn exponents(curve: &Curve, from: f64) -> [f64; 2] {
-    [
-        curve.exponent(from, |point| point.phase),
-        curve.exponent(from, |point| point.invariants),
-    ]
+    [curve.exponent(from, |point| point.phase), curve.exponent(from, |point| point.invariants)]
 }
 
 fn last(curve: &Curve) -> Point {
@@ -48,10 +41,7 @@ fn last(curve: &Curve) -> Point {
 /// Exponents as printed.
 #[track_caller]
 fn assert_exponents(got: [f64; 2], printed: [&str; 2]) {
-    for (got, (printed, what)) in got
-        .into_iter()
-        .zip(printed.into_iter().zip(["phase", "kept"]))
-    {
+    for (got, (printed, what)) in got.into_iter().zip(printed.into_iter().zip(["phase", "kept"])) {
         attained(got, printed, what);
     }
 }
@@ -63,18 +53,8 @@ fn brouwers_law_without_projection_and_a_straight_line_with_it() {
     // to the same side. The exponents of the walk and of the line, and the line's phase a
     // period and invariants at its end.
     for (kind, walking, along, ends) in [
-        (
-            Kind::Top,
-            ["1.55", "0.55"],
-            ["1.13", "0.08"],
-            ["3.6e-15", "8.9e-16"],
-        ),
-        (
-            Kind::Free,
-            ["1.55", "0.70"],
-            ["1.26", "0.16"],
-            ["6.6e-15", "5.8e-16"],
-        ),
+        (Kind::Top, ["1.55", "0.55"], ["1.13", "0.08"], ["3.6e-15", "8.9e-16"]),
+        (Kind::Free, ["1.55", "0.70"], ["1.26", "0.16"], ["6.6e-15", "5.8e-16"]),
     ] {
         let walk = grown(Method::Gauss, kind, 6e3);
         let line = grown(Method::GaussProjected, kind, 6e3);
@@ -100,10 +80,7 @@ fn a_splitting_drifts_in_phase_as_t_and_in_invariants_as_its_root() {
 #[test]
 fn a_method_that_loses_energy_drifts_as_t_and_t_squared() {
     let mut ran = 0;
-    for (kind, printed) in [
-        (Kind::Top, ["2.02", "1.01"]),
-        (Kind::Free, ["2.00", "1.00"]),
-    ] {
+    for (kind, printed) in [(Kind::Top, ["2.02", "1.01"]), (Kind::Free, ["2.00", "1.00"])] {
         let curve = grown(Method::Dop853, kind, 1e3);
         assert_exponents(exponents(&curve, 100.0), printed);
         ran += 1;
@@ -147,12 +124,7 @@ fn with_small_steps(carry: impl Fn(&SpinFree<'_, Gravity>, &mut [f64; 7], f64, u
         let (mut y, mut done) = (components(start), 0.0);
         for (sum, periods) in squares.iter_mut().zip(&times) {
             let span = (periods - done) * subject.period();
-            carry(
-                &problem,
-                &mut y,
-                span,
-                ((periods - done) * 60.0).round() as u64,
-            );
+            carry(&problem, &mut y, span, ((periods - done) * 60.0).round() as u64);
             done = *periods;
             let spin = problem.spin_rate(start) * done * subject.period();
             let state = problem.state(&y, spin).expect("finite");
@@ -169,9 +141,7 @@ fn with_small_steps(carry: impl Fn(&SpinFree<'_, Gravity>, &mut [f64; 7], f64, u
 fn plain_sums_drift_more() {
     let own = with_small_steps(|problem, y, span, steps| {
         let method = GaussLegendre::new(steps).expect("steps");
-        (*y, _) = method
-            .advance(&LaneByLane(problem), 0.0, y, span)
-            .expect("smooth");
+        (*y, _) = method.advance(&LaneByLane(problem), 0.0, y, span).expect("smooth");
     });
     let twin = with_small_steps(|problem, y, span, steps| {
         plain(problem, y, span / steps as f64, steps);
@@ -190,10 +160,7 @@ fn recorded(table: &str, method: &str, most: f64) -> Vec<[f64; 3]> {
         .skip(2)
         .take_while(|line| !line.is_empty())
         .filter_map(|line| {
-            let mut cells = line
-                .split("  ")
-                .map(str::trim)
-                .filter(|cell| !cell.is_empty());
+            let mut cells = line.split("  ").map(str::trim).filter(|cell| !cell.is_empty());
             (cells.next() == Some(method)).then(|| {
                 let mut next = || cells.next().and_then(|cell| cell.parse().ok());
                 [(); 3].map(|()| next().expect("a number"))
@@ -278,9 +245,7 @@ fn a_projected_run_refuses_what_it_cannot_do_and_counts_its_work() {
     assert_eq!((work.steps, work.derivatives), (30, 120));
     // About one axis the energy follows from L: nothing to project, nothing spoilt.
     let body = scene.body();
-    let spinning = body
-        .state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 1.0))
-        .expect("finite");
+    let spinning = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 1.0)).expect("finite");
     let (end, _) = method.advance(scene, 0.0, &spinning, 1.0).expect("smooth");
     assert_eq!(end.angular_momentum, spinning.angular_momentum);
 }

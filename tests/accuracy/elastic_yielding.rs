@@ -35,11 +35,7 @@ fn soft() -> (RigidBody, ElasticYielding, State) {
 }
 
 pub fn tilted() -> Attitude {
-    let angles = EulerAngles {
-        phi: 0.3,
-        theta: 0.8,
-        zeta: 0.2,
-    };
+    let angles = EulerAngles { phi: 0.3, theta: 0.8, zeta: 0.2 };
     Attitude::from_euler(angles).expect("angles")
 }
 
@@ -72,12 +68,7 @@ fn the_turning_has_this_momentum() {
         for b in [0.0, 1e-6, 1e-2, 0.05] {
             let yielding = ElasticYielding::new(b, RATE).expect("a compliance");
             let scene = Scene::new(body).with(yielding);
-            for w in [
-                [0.1, -0.2, 2.0],
-                [3.0, 1.0, -2.0],
-                [0.0, 0.0, 40.0],
-                [1e-7, 2e-9, 2.0],
-            ] {
+            for w in [[0.1, -0.2, 2.0], [3.0, 1.0, -2.0], [0.0, 0.0, 40.0], [1e-7, 2e-9, 2.0]] {
                 let omega = BodyVector::from_array(w);
                 let l = yielding.momentum(&body, omega);
                 let other = BodyVector::from_array(by_tensor(&body, b, w, 1.0));
@@ -90,9 +81,7 @@ fn the_turning_has_this_momentum() {
                 let found = scene.angular_velocity(0.0, &state);
                 turning.push((found - omega).norm() / omega.norm());
             }
-            let still = yielding
-                .state(&body, tilted(), BodyVector::zero())
-                .expect("rest");
+            let still = yielding.state(&body, tilted(), BodyVector::zero()).expect("rest");
             assert_eq!(scene.angular_velocity(0.0, &still).norm(), 0.0);
         }
     }
@@ -147,9 +136,7 @@ fn the_free_period_grows_by_what_follows() {
             };
             let law =
                 ode(|_, l: &[f64; 3]| BodyVector::from_array(*l).cross(&turning(l)).to_array());
-            let start = yielding
-                .momentum(&body, BodyVector::new(1e-6, 0.0, 1.0))
-                .to_array();
+            let start = yielding.momentum(&body, BodyVector::new(1e-6, 0.0, 1.0)).to_array();
             let law = law.scaled(move |_| [start[0], start[0], 1.0]);
             let method = Dop853::new(1e-13).expect("a method");
             let back = method.zero(&law, start, 2, 1e6, |l| turning(l).y());
@@ -200,11 +187,7 @@ fn what_is_kept() {
     let scene = Scene::new(body).with(yielding);
     let times: Vec<f64> = (1..=200).map(|i| 0.25 * f64::from(i)).collect();
     let states = (scene.solve_at(&start, &times, 1e-12, &Limits::default())).expect("solved");
-    assert!(
-        states
-            .iter()
-            .all(|state| state.angular_momentum == start.angular_momentum)
-    );
+    assert!(states.iter().all(|state| state.angular_momentum == start.angular_momentum));
     let energy = drift(&|state| scene.energy(state), &states);
     assert_error!(energy, 4.0 eps);
     // The motion's energy alone, with the strain's left out, is not kept.
@@ -216,11 +199,7 @@ fn what_is_kept() {
     let symmetric = Scene::new(self::body([1.0, 1.0, 1.3]));
     let yielding = ElasticYielding::following(0.5, symmetric.body(), RATE).expect("a part");
     let scene = symmetric.with(yielding);
-    assert!(
-        scene
-            .invariants()
-            .any(|kept| kept == Invariant::AxialMomentum)
-    );
+    assert!(scene.invariants().any(|kept| kept == Invariant::AxialMomentum));
     let end = scene.solve(&start, 50.0, 1e-12).expect("solved").state;
     let axial = |state| scene.value(Invariant::AxialMomentum, state);
     assert_error!(axial(&end), axial(&start), 0.0 eps);
@@ -234,11 +213,7 @@ fn a_heavy_body_keeps_its_energy_or_loses_what_its_power_says() {
     let heavy = Scene::new(body).with(gravity).with(yielding);
     let end = heavy.solve(&start, 20.0, 1e-12).expect("solved").state;
     assert_error!(heavy.energy(&end) / heavy.energy(&start), 1.0, 5.0 eps);
-    assert!(
-        heavy.power(3.0, &end).abs() < 1e-9,
-        "{}",
-        heavy.power(3.0, &end)
-    );
+    assert!(heavy.power(3.0, &end).abs() < 1e-9, "{}", heavy.power(3.0, &end));
 
     let friction = ViscousFriction::isotropic(0.02).expect("friction");
     let loss = InternalDissipation::new(0.01).expect("a loss");
@@ -267,26 +242,14 @@ fn its_claims_hold_and_damaged_ones_do_not() {
 
     let told = "only a torque on the axis";
     refused([
-        (
-            check(&Twin::<_, NO_SLIP>(&yielding), &body, span, &start),
-            "slips: false",
-        ),
+        (check(&Twin::<_, NO_SLIP>(&yielding), &body, span, &start), "slips: false"),
         (
             check(&Twin::<_, NOT_ON_RATES>(&yielding), &body, span, &start),
             "slip does not depend on how",
         ),
-        (
-            check(&Twin::<_, TORQUE_FREE>(&yielding), &body, span, &start),
-            told,
-        ),
-        (
-            check(&Twin::<_, AXIS_ONLY>(&yielding), &body, span, &start),
-            told,
-        ),
-        (
-            check(&Unstrained(yielding), &body, span, &start),
-            "keeps the energy",
-        ),
+        (check(&Twin::<_, TORQUE_FREE>(&yielding), &body, span, &start), told),
+        (check(&Twin::<_, AXIS_ONLY>(&yielding), &body, span, &start), told),
+        (check(&Unstrained(yielding), &body, span, &start), "keeps the energy"),
     ]);
 }
 
@@ -298,26 +261,11 @@ fn what_yields_by_no_such_part_is_refused() {
         (ElasticYielding::new(-1.0, 1.0), "compliance = -1"),
         (ElasticYielding::new(f64::NAN, 1.0), "compliance"),
         (ElasticYielding::new(1.0, 0.0), "mean rate = 0"),
-        (
-            ElasticYielding::new(1e300, 1e10),
-            "compliance times rate squared",
-        ),
-        (
-            ElasticYielding::following(0.3, &thin, 1.0),
-            "a part above 0 of a body with I3 above",
-        ),
-        (
-            ElasticYielding::following(-0.3, &body, 1.0),
-            "a part above 0",
-        ),
-        (
-            ElasticYielding::from_love_number(-0.3, 1.0, 1.0),
-            "Love number = -0.3",
-        ),
-        (
-            ElasticYielding::from_love_number(0.3, 0.0, 1.0),
-            "radius = 0",
-        ),
+        (ElasticYielding::new(1e300, 1e10), "compliance times rate squared"),
+        (ElasticYielding::following(0.3, &thin, 1.0), "a part above 0 of a body with I3 above"),
+        (ElasticYielding::following(-0.3, &body, 1.0), "a part above 0"),
+        (ElasticYielding::from_love_number(-0.3, 1.0, 1.0), "Love number = -0.3"),
+        (ElasticYielding::from_love_number(0.3, 0.0, 1.0), "radius = 0"),
     ]);
     // A body that would have no moment left without its rotation.
     let all = ElasticYielding::new(0.6, RATE).expect("a compliance");

@@ -16,10 +16,7 @@ use support::{Errors, assert_error, assert_largest, derivative};
 const N0: f64 = 1.1e-3;
 
 fn tilted_orbit() -> GravityGradient {
-    let (normal, towards) = (
-        SpaceVector::new(2.0, -1.0, 3.0),
-        SpaceVector::new(1.0, 5.0, 1.0),
-    );
+    let (normal, towards) = (SpaceVector::new(2.0, -1.0, 3.0), SpaceVector::new(1.0, 5.0, 1.0));
     GravityGradient::on_orbit(N0, normal, towards).expect("an orbit")
 }
 
@@ -28,14 +25,9 @@ fn satellite() -> RigidBody {
 }
 
 fn tumbling(body: &RigidBody) -> State {
-    let angles = EulerAngles {
-        phi: 0.4,
-        theta: 1.1,
-        zeta: -0.7,
-    };
+    let angles = EulerAngles { phi: 0.4, theta: 1.1, zeta: -0.7 };
     let attitude = Attitude::from_euler(angles).expect("angles");
-    body.state(attitude, BodyVector::new(0.7 * N0, -1.3 * N0, 2.1 * N0))
-        .expect("a state")
+    body.state(attitude, BodyVector::new(0.7 * N0, -1.3 * N0, 2.1 * N0)).expect("a state")
 }
 
 /// Six masses on the body's axes, each attracted by the inverse square of its own distance:
@@ -110,14 +102,8 @@ fn its_claims_hold_and_damaged_ones_do_not() {
     let state = tumbling(&body);
     let power = "says at what power it changes the energy";
     refused([
-        (
-            check(&Twin::<_, OTHER_POTENTIAL>(&orbit), &body, span, &state),
-            power,
-        ),
-        (
-            check(&Twin::<_, OTHER_POWER>(&orbit), &body, span, &state),
-            power,
-        ),
+        (check(&Twin::<_, OTHER_POTENTIAL>(&orbit), &body, span, &state), power),
+        (check(&Twin::<_, OTHER_POWER>(&orbit), &body, span, &state), power),
         (
             check(&Twin::<_, KEEPS_ENERGY>(&orbit), &body, span, &state),
             "says that it keeps the energy",
@@ -131,10 +117,7 @@ fn its_claims_hold_and_damaged_ones_do_not() {
 
 /// The pitch (rad) after a quarter of the period of small librations, over that at the start.
 fn quarter(amplitude: f64, factor: f64) -> f64 {
-    let (normal, down) = (
-        SpaceVector::new(0.0, 0.0, 1.0),
-        SpaceVector::new(1.0, 0.0, 0.0),
-    );
+    let (normal, down) = (SpaceVector::new(0.0, 0.0, 1.0), SpaceVector::new(1.0, 0.0, 0.0));
     let gradient = GravityGradient::on_orbit(N0, normal, down).expect("an orbit");
     let body = satellite();
     let [a, b, c] = body.moments().to_array();
@@ -163,16 +146,11 @@ fn it_librates() {
 /// round it: that is no power that the effect had not told.
 #[test]
 fn it_is_not_refused_where_it_hardly_turns() {
-    let (normal, down) = (
-        SpaceVector::new(0.0, 0.0, 1.0),
-        SpaceVector::new(-1.0, 0.0, 0.0),
-    );
+    let (normal, down) = (SpaceVector::new(0.0, 0.0, 1.0), SpaceVector::new(-1.0, 0.0, 0.0));
     let gradient = GravityGradient::on_orbit(N0, normal, down).expect("an orbit");
     let body = satellite();
     let attitude = Attitude::about_space_axis(normal, 0.8).expect("an attitude");
-    let start = body
-        .state(attitude, BodyVector::new(0.0, 0.0, N0))
-        .expect("a state");
+    let start = body.state(attitude, BodyVector::new(0.0, 0.0, N0)).expect("a state");
     let scene = Scene::new(body).with(gradient);
     let day = scene.solve(&start, 86_400.0, 1e-8);
     assert!(day.expect("solved").estimate <= 1e-8);
@@ -223,22 +201,13 @@ fn a_fixed_direction_keeps_the_energy() {
 
 #[test]
 fn bad_input() {
-    let (x, z) = (
-        SpaceVector::new(1.0, 0.0, 0.0),
-        SpaceVector::new(0.0, 0.0, 1.0),
-    );
+    let (x, z) = (SpaceVector::new(1.0, 0.0, 0.0), SpaceVector::new(0.0, 0.0, 1.0));
     let refused = |n0, normal, towards| {
         let refused = GravityGradient::on_orbit(n0, normal, towards).expect_err("refused");
         refused.to_string()
     };
-    assert_eq!(
-        refused(0.0, z, x),
-        "mean motion = 0 is not allowed: it must be greater than 0"
-    );
-    assert_eq!(
-        refused(f64::NAN, z, x),
-        "mean motion = NaN is not a finite number"
-    );
+    assert_eq!(refused(0.0, z, x), "mean motion = 0 is not allowed: it must be greater than 0");
+    assert_eq!(refused(f64::NAN, z, x), "mean motion = NaN is not a finite number");
     assert!(refused(1e200, z, x).contains("mean motion squared = inf"));
     assert!(refused(N0, SpaceVector::zero(), x).contains("length of a direction = 0"));
     assert!(refused(N0, z, x * f64::INFINITY).contains("towards, X = inf"));
@@ -261,9 +230,8 @@ fn after_a_day() -> Attitude {
 fn a_day(method: Method, resolution: Resolution, body: &RigidBody) -> (u64, f64) {
     let scene = Scene::new(*body).with(tilted_orbit());
     let stepper = Stepper::new(method, resolution).expect("a setting");
-    let (end, work) = stepper
-        .advance_as_usual(&scene, [0.0, 86_400.0], &tumbling(body))
-        .expect("solved");
+    let (end, work) =
+        stepper.advance_as_usual(&scene, [0.0, 86_400.0], &tumbling(body)).expect("solved");
     (work.torques(), end.attitude.angle_to(&after_a_day()))
 }
 
@@ -288,9 +256,7 @@ fn a_satellites_day() {
     assert_error!(off, 2.595e-5);
     // `solve` delivers what it is asked for.
     let scene = Scene::new(body).with(tilted_orbit());
-    let day = scene
-        .solve(&tumbling(&body), 86_400.0, 1e-9)
-        .expect("solved");
+    let day = scene.solve(&tumbling(&body), 86_400.0, 1e-9).expect("solved");
     assert!(day.state.attitude.angle_to(&after_a_day()) <= 1e-9);
     // A moment that is off by 1e-12 of itself is seen.
     let other = PrincipalMoments::new(20.0, 90.0, 100.0 * (1.0 + 1e-12)).expect("a body");

@@ -49,9 +49,7 @@ fn energies<E: Effect>(scene: &Scene<E>, start: &State, t_end: f64) -> Vec<f64> 
     let square = start.angular_momentum.dot(&start.angular_momentum);
     (0..=100)
         .map(|i| {
-            let state = motion
-                .try_state(t_end * f64::from(i) / 100.0)
-                .expect("a state");
+            let state = motion.try_state(t_end * f64::from(i) / 100.0).expect("a state");
             // Not a bit of L is lost.
             assert_eq!(state.angular_momentum, start.angular_momentum);
             2.0 * scene.energy(&state) / square
@@ -63,20 +61,13 @@ fn energies<E: Effect>(scene: &Scene<E>, start: &State, t_end: f64) -> Vec<f64> 
 fn a_body_ends_about_its_major_axis() {
     let (body, start) = rod();
     let lost = energies(&Scene::new(body).with(loss(0.02)), &start, 400.0);
-    assert!(
-        lost.windows(2)
-            .all(|pair| pair[1] < pair[0] * (1.0 + 1e-14))
-    );
+    assert!(lost.windows(2).all(|pair| pair[1] < pair[0] * (1.0 + 1e-14)));
     // From near the axis of the least moment, 1/0.3, to that of the largest.
     assert!((lost[0] - 1.0 / 0.3).abs() < 0.03, "{}", lost[0]);
     assert_error!(lost[100], 1.0 / 1.2, 7.1e-13);
     // A gain ends where it began, about the minor axis.
     let gained = energies(&Scene::new(body).with(Gain(loss(0.02))), &start, 400.0);
-    assert!(
-        gained
-            .windows(2)
-            .all(|pair| pair[1] > pair[0] * (1.0 - 1e-14))
-    );
+    assert!(gained.windows(2).all(|pair| pair[1] > pair[0] * (1.0 - 1e-14)));
     assert!((gained[100] * 0.3 - 1.0).abs() < 1e-6, "{}", gained[100]);
 }
 
@@ -148,42 +139,22 @@ fn its_claims_hold_and_damaged_ones_do_not() {
 
     let (dissipation, told) = (loss(0.1), "only a torque on the axis");
     refused([
-        (
-            check(&Twin::<_, NO_SLIP>(&dissipation), &body, span, &start),
-            "slips: false",
-        ),
-        (
-            check(&Twin::<_, KEEPS_ENERGY>(&dissipation), &body, span, &start),
-            "keeps the energy",
-        ),
+        (check(&Twin::<_, NO_SLIP>(&dissipation), &body, span, &start), "slips: false"),
+        (check(&Twin::<_, KEEPS_ENERGY>(&dissipation), &body, span, &start), "keeps the energy"),
         // Only of a symmetric body is L_z there to be kept.
         (
-            check(
-                &Twin::<_, KEEPS_AXIAL>(&dissipation),
-                &symmetric,
-                span,
-                &start,
-            ),
+            check(&Twin::<_, KEEPS_AXIAL>(&dissipation), &symmetric, span, &start),
             "leaves L_z alone",
         ),
         (
             check(&Twin::<_, NOT_ON_RATES>(&dissipation), &body, span, &start),
             "slip does not depend on how",
         ),
-        (
-            check(&Twin::<_, TORQUE_FREE>(&dissipation), &body, span, &start),
-            told,
-        ),
-        (
-            check(&Twin::<_, AXIS_ONLY>(&dissipation), &body, span, &start),
-            told,
-        ),
+        (check(&Twin::<_, TORQUE_FREE>(&dissipation), &body, span, &start), told),
+        (check(&Twin::<_, AXIS_ONLY>(&dissipation), &body, span, &start), told),
     ]);
     let told = InternalDissipation::new(-1.0).expect_err("negative");
-    assert_eq!(
-        told.to_string(),
-        "coefficient = -1 is not allowed: it must be greater than 0"
-    );
+    assert_eq!(told.to_string(), "coefficient = -1 is not allowed: it must be greater than 0");
 }
 
 /// What a heavy body loses inside is its power, though it also slips through the potential.
@@ -214,9 +185,8 @@ pub fn by_four_methods<E: Effect>(scene: &Scene<E>, start: &State) -> Errors {
         (Method::GaussLegendre16, Resolution::Steps(400)),
     ] {
         let stepper = Stepper::new(method, resolution).expect("a method");
-        let (end, _) = stepper
-            .advance(scene, Variables::Space, [0.0, 10.0], start)
-            .expect("carried");
+        let (end, _) =
+            stepper.advance(scene, Variables::Space, [0.0, 10.0], start).expect("carried");
         errors.push_at(end.attitude.angle_to(&reference.attitude), method);
     }
     errors
@@ -232,17 +202,11 @@ fn every_method_carries_it_or_refuses() {
     for method in [Method::EulerOnAngles, Method::SemiImplicitEuler] {
         let stepper = Stepper::new(method, Resolution::Steps(10)).expect("a method");
         let refused = stepper.advance(&scene, Variables::Space, [0.0, 1.0], &start);
-        assert!(
-            matches!(refused, Err(Error::Incompatible { .. })),
-            "{refused:?}"
-        );
+        assert!(matches!(refused, Err(Error::Incompatible { .. })), "{refused:?}");
     }
     let gauss = Stepper::new(Method::GaussLegendre16, Resolution::Steps(10)).expect("a method");
     for variables in [Variables::Body, Variables::SpinFree] {
         let refused = gauss.advance(&scene, variables, [0.0, 1.0], &start);
-        assert!(
-            matches!(refused, Err(Error::Incompatible { .. })),
-            "{refused:?}"
-        );
+        assert!(matches!(refused, Err(Error::Incompatible { .. })), "{refused:?}");
     }
 }

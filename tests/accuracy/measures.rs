@@ -16,11 +16,7 @@ type Gravity = ((), GravityAtLever);
 
 fn tumbling() -> (Scene<()>, State) {
     let body = RigidBody::new(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap());
-    let tilted = Attitude::from_euler(EulerAngles {
-        phi: 0.3,
-        theta: 0.7,
-        zeta: -0.4,
-    });
+    let tilted = Attitude::from_euler(EulerAngles { phi: 0.3, theta: 0.7, zeta: -0.4 });
     let state = body.state(tilted.unwrap(), BodyVector::new(0.8, 0.4, 0.3375));
     (Scene::new(body), state.unwrap())
 }
@@ -52,10 +48,7 @@ fn a_known_difference_is_seen() {
     let mut others = Judge::in_units_of(EPS, "rates and energy");
     let mut angles = Judge::in_units_of(EPS, "angle turned");
     for angle in [1e-12, 1e-6, 0.5] {
-        let reached = State {
-            attitude: turn(angle) * state.attitude,
-            ..state
-        };
+        let reached = State { attitude: turn(angle) * state.attitude, ..state };
         let errors = Errors::between(&scene, &reached, &state);
         angles.push_at(errors.attitude - angle, angle);
         others.push_at(errors.rates, angle);
@@ -65,10 +58,7 @@ fn a_known_difference_is_seen() {
     assert_largest!(angles, 3, @"2");
     assert_largest!(others, 6, @"0.523");
     // Faster by one part in a thousand: rates and L by that, the energy by twice that.
-    let faster = State {
-        angular_momentum: l * 1.001,
-        ..state
-    };
+    let faster = State { angular_momentum: l * 1.001, ..state };
     let errors = Errors::between(&scene, &faster, &state);
     assert_eq!(errors.attitude, 0.0);
     assert_error!(errors.rates - 1e-3, 1.4e-16);
@@ -83,10 +73,7 @@ fn a_known_difference_is_seen() {
 fn invariants_are_those_of_the_scene() {
     let (scene, motion) = notes_top();
     let state = at(&scene, motion.kinematics(0.0));
-    let pushed = |by: SpaceVector| State {
-        angular_momentum: state.angular_momentum + by,
-        ..state
-    };
+    let pushed = |by: SpaceVector| State { angular_momentum: state.angular_momentum + by, ..state };
     let length = state.angular_momentum.norm();
     // A push across the axis in the vertical plane's normal: no L_Z, no L_z.
     let axis = state.attitude.axis();
@@ -118,17 +105,11 @@ fn what_is_seen_of_round_off() {
         let t = 0.37 * f64::from(k);
         let exact = at(&scene, motion.kinematics(t));
         let angles = exact.attitude.euler_angles();
-        let again = State::new(
-            Attitude::from_euler(angles).unwrap(),
-            motion.angular_momentum(t),
-        );
+        let again = State::new(Attitude::from_euler(angles).unwrap(), motion.angular_momentum(t));
         worst = worst.or_worse(&Errors::between(&scene, &again.unwrap(), &exact));
         // L is constant: the closed form's own momentum against that of the start.
         let exact = at(&free, body.kinematics(t));
-        let again = State {
-            angular_momentum: start.angular_momentum,
-            ..exact
-        };
+        let again = State { angular_momentum: start.angular_momentum, ..exact };
         worst = worst.or_worse(&Errors::between(&free, &again, &exact));
         cases += 2;
     }
@@ -138,10 +119,7 @@ fn what_is_seen_of_round_off() {
     assert_error!(worst.momentum, 10.06 eps);
     assert_error!(worst.energy, 17.67 eps);
     // The damaged twin: a momentum that is off in its 14th digit is seen.
-    let off = State {
-        angular_momentum: start.angular_momentum * (1.0 + 1e-14),
-        ..start
-    };
+    let off = State { angular_momentum: start.angular_momentum * (1.0 + 1e-14), ..start };
     assert!(Errors::between(&free, &off, &start).momentum > 80.0 * EPS);
 }
 
@@ -150,16 +128,9 @@ fn what_is_seen_of_round_off() {
 #[test]
 fn at_rest() {
     let (scene, _) = notes_top();
-    let tilted = EulerAngles {
-        phi: 0.0,
-        theta: 1.0,
-        zeta: 0.0,
-    };
+    let tilted = EulerAngles { phi: 0.0, theta: 1.0, zeta: 0.0 };
     let rest = State::new(Attitude::from_euler(tilted).unwrap(), SpaceVector::zero()).unwrap();
-    let moving = State {
-        angular_momentum: SpaceVector::new(1e-6, 0.0, 0.0),
-        ..rest
-    };
+    let moving = State { angular_momentum: SpaceVector::new(1e-6, 0.0, 0.0), ..rest };
     let errors = Errors::between(&scene, &moving, &rest);
     assert!(errors.is_finite() && errors.rates > 1e-7, "{errors:?}");
     let free = Scene::new(*scene.body());

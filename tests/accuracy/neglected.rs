@@ -49,20 +49,11 @@ fn held<E: Effect + Clone, C: Effect>(
     }
     // Each derivative of the prediction asks for three torques of the scene, one of the effect.
     let price = with.solved().work.torques() as f64 / (4 * weighed.work.derivatives) as f64;
-    Held {
-        what,
-        weighed,
-        simulated,
-        price,
-    }
+    Held { what, weighed, simulated, price }
 }
 
 fn tilted(body: &RigidBody, rates: [f64; 3]) -> State {
-    let angles = EulerAngles {
-        phi: 0.3,
-        theta: 1.0,
-        zeta: 0.2,
-    };
+    let angles = EulerAngles { phi: 0.3, theta: 1.0, zeta: 0.2 };
     let attitude = Attitude::from_euler(angles).expect("angles");
     (body.state(attitude, BodyVector::from_array(rates))).expect("a state")
 }
@@ -90,31 +81,16 @@ fn all(strength: f64) -> Vec<Held> {
 
     let satellite = RigidBody::new(PrincipalMoments::new(20.0, 90.0, 100.0).expect("a body"));
     let n0 = 1.1e-3 * strength.sqrt();
-    let (normal, down) = (
-        SpaceVector::new(0.0, 0.0, 1.0),
-        SpaceVector::new(1.0, 0.0, 0.0),
-    );
+    let (normal, down) = (SpaceVector::new(0.0, 0.0, 1.0), SpaceVector::new(1.0, 0.0, 0.0));
     let gradient = GravityGradient::on_orbit(n0, normal, down).expect("an orbit");
     let start = tilted(&satellite, [0.05, 0.01, 0.02]);
     let free = Scene::new(satellite);
-    all.push(held(
-        "gradient on a satellite",
-        &free,
-        gradient,
-        &start,
-        600.0,
-    ));
+    all.push(held("gradient on a satellite", &free, gradient, &start, 600.0));
 
     let start = tilted(&body, [0.0, 0.0, 3000.0]);
     let weight = GravityAtLever::new(4.9 * strength, 0.1).expect("gravity");
     let free = Scene::new(body);
-    all.push(held(
-        "gravity on a fast gyroscope",
-        &free,
-        weight,
-        &start,
-        0.2,
-    ));
+    all.push(held("gravity on a fast gyroscope", &free, weight, &start, 0.2));
 
     let body = odd();
     let start = tilted(&body, [0.5, 0.2, 2.0]);
@@ -124,13 +100,7 @@ fn all(strength: f64) -> Vec<Held> {
         BodyVector::new(sin(1.3 * t), up.x(), -0.5 * up.y()) * (3e-4 * strength)
     })
     .smooth();
-    all.push(held(
-        "a torque of time and attitude",
-        &heavy,
-        general,
-        &start,
-        10.0,
-    ));
+    all.push(held("a torque of time and attitude", &heavy, general, &start, 10.0));
 
     let thruster = Torque::on_body("thruster", move |t, _, _: &State| {
         let push = if (4.0..5.0).contains(&t) { 1e-3 } else { 0.0 };
@@ -139,13 +109,7 @@ fn all(strength: f64) -> Vec<Held> {
     .smooth()
     .with_break_points(&[4.0, 5.0])
     .expect("rising");
-    all.push(held(
-        "a thruster for a second",
-        &heavy,
-        thruster,
-        &start,
-        10.0,
-    ));
+    all.push(held("a thruster for a second", &heavy, thruster, &start, 10.0));
 
     let loss = InternalDissipation::new(3e-4 * strength).expect("a coefficient");
     let free = Scene::new(body);
@@ -164,12 +128,7 @@ fn predictions_hold_for_small_effects() {
     let mut prices: Vec<f64> = Vec::new();
     for strength in [1.0, 0.1, 0.01] {
         for case in all(strength) {
-            let Held {
-                what,
-                weighed,
-                simulated,
-                price,
-            } = case;
+            let Held { what, weighed, simulated, price } = case;
             let ratio = weighed.predicted / simulated;
             println!(
                 "{what} x {strength}: {:.2e} rad predicted, {simulated:.2e} simulated, ratio \
@@ -185,10 +144,7 @@ fn predictions_hold_for_small_effects() {
     assert_largest!(ratios, 21, @"3.54e-3");
     twins.exceed(log(2.0), 21);
     prices.sort_by(f64::total_cmp);
-    println!(
-        "simulation over prediction: median {:.1}",
-        prices[prices.len() / 2]
-    );
+    println!("simulation over prediction: median {:.1}", prices[prices.len() / 2]);
     assert_eq!(prices.len(), 21);
 }
 
@@ -197,15 +153,8 @@ fn predictions_hold_for_small_effects() {
 fn what_is_not_small_is_called_for_whatever_the_tolerance() {
     let mut ran = 0;
     for case in all(100.0) {
-        println!(
-            "{}: {:?}, simulated {:.2}",
-            case.what, case.weighed, case.simulated
-        );
-        assert!(
-            !case.weighed.linear && case.weighed.called_for,
-            "{}",
-            case.what
-        );
+        println!("{}: {:?}, simulated {:.2}", case.what, case.weighed, case.simulated);
+        assert!(!case.weighed.linear && case.weighed.called_for, "{}", case.what);
         ran += 1;
     }
     assert_eq!(ran, 7);
@@ -252,10 +201,7 @@ fn the_tolerance_decides() {
     };
     let inside = |tolerance: f64| {
         let rows = table(tolerance).expect("weighed");
-        assert_eq!(
-            [rows[0].name, rows[1].name],
-            ["internal dissipation", "push"]
-        );
+        assert_eq!([rows[0].name, rows[1].name], ["internal dissipation", "push"]);
         [rows[0].called_for, rows[1].called_for]
     };
     let [loss_error, push_error] = {
@@ -322,27 +268,9 @@ fn a_start_at_another_time_and_limits() {
     let cancel = std::sync::atomic::AtomicBool::new(true);
     let mut ran = 0;
     for (limits, text) in [
-        (
-            Limits {
-                budget: 500,
-                ..limits
-            },
-            "more than the 500 torques that are allowed",
-        ),
-        (
-            Limits {
-                cancel: Some(&cancel),
-                ..limits
-            },
-            "cancelled, after 0 torques",
-        ),
-        (
-            Limits {
-                break_points: &[11.0],
-                ..limits
-            },
-            "t = 11 is outside the run",
-        ),
+        (Limits { budget: 500, ..limits }, "more than the 500 torques that are allowed"),
+        (Limits { cancel: Some(&cancel), ..limits }, "cancelled, after 0 torques"),
+        (Limits { break_points: &[11.0], ..limits }, "t = 11 is outside the run"),
     ] {
         let error = told(limits);
         assert!(error.contains(text), "{error}");
@@ -350,10 +278,7 @@ fn a_start_at_another_time_and_limits() {
     }
     assert_eq!(ran, 3);
     // A longest step costs more, and says the same.
-    let short = Limits {
-        longest_step: 0.05,
-        ..limits
-    };
+    let short = Limits { longest_step: 0.05, ..limits };
     let short = weighed(0.0, 10.0, 4.0, short).expect("weighed");
     assert!(short.work.steps >= 200 && (short.predicted / whole - 1.0).abs() < 1e-5);
 }

@@ -54,11 +54,7 @@ fn keplers_equation_is_solved_to_rounding_for_every_eccentricity() {
     let classical = against_reference(|e, tau| {
         let size = (1.0 - e).abs();
         let mean = tau * size * size.sqrt();
-        let mut at = if e < 1.0 {
-            mean + e * sin(mean)
-        } else {
-            (mean / e).asinh()
-        };
+        let mut at = if e < 1.0 { mean + e * sin(mean) } else { (mean / e).asinh() };
         for _ in 0..60 {
             let (f, slope) = if e < 1.0 {
                 (at - e * sin(at) - mean, 1.0 - e * cos(at))
@@ -172,11 +168,7 @@ fn a_circle_is_the_gravity_gradient() {
         errors.push(off.norm() / slack);
         let u = ours.potential_energy(t, &body, &state);
         errors.add(u, known.potential_energy(t, &body, &state), slack);
-        errors.add(
-            ours.power(t, &body, &state),
-            known.power(t, &body, &state),
-            n * slack,
-        );
+        errors.add(ours.power(t, &body, &state), known.power(t, &body, &state), n * slack);
     }
     errors.attain(3.0..=4.0, 600);
 }
@@ -292,11 +284,7 @@ fn the_mean_over_an_orbit_is_the_ring() {
         }
         let known = ring.torque(0.0, &body, &state);
         errors.push((torque - known).norm() / known.norm());
-        errors.add(
-            energy,
-            ring.potential_energy(0.0, &body, &state),
-            energy.abs(),
-        );
+        errors.add(energy, ring.potential_energy(0.0, &body, &state), energy.abs());
         if e > 0.0 {
             let stretched = (1.0_f64 - e * e).powf(1.5);
             damaged.push((torque - known * stretched).norm() / known.norm());
@@ -315,15 +303,11 @@ fn a_short_passage_is_met() {
     let rates = [0.02, 0.01, 0.015];
     let start = tilted(&body, rates);
     let (gm, q, e, when) = (50.0, 1.0, 1.2, 123.45);
-    let orbit = KeplerOrbit::about(gm, q, e)
-        .and_then(|orbit| orbit.passing_at(when))
-        .expect("an orbit");
+    let orbit =
+        KeplerOrbit::about(gm, q, e).and_then(|orbit| orbit.passing_at(when)).expect("an orbit");
     let planet = OrbitingBody::new(0.001 * gm, orbit).expect("a body");
     let end = 200.0;
-    let solved = Scene::new(body)
-        .with(planet)
-        .solve(&start, end, 1e-7)
-        .expect("solved");
+    let solved = Scene::new(body).with(planet).solve(&start, end, 1e-7).expect("solved");
     assert!(solved.longest_step <= 0.5 * planet.narrowest().expect("named").time);
 
     let begin = [orbit.place(0.0), orbit.velocity(0.0)].map(SpaceVector::to_array);
@@ -368,13 +352,10 @@ fn a_short_passage_is_met() {
         begin[1][1],
         begin[1][2],
     ];
-    let (there, _) = (Dop853::new(1e-13).expect("a method"))
-        .advance(&law, 0.0, &from, end)
-        .expect("advanced");
+    let (there, _) =
+        (Dop853::new(1e-13).expect("a method")).advance(&law, 0.0, &from, end).expect("advanced");
     let attitude = Attitude::from_quaternion([there[3], there[4], there[5], there[6]]);
-    let off = attitude
-        .expect("an attitude")
-        .angle_to(&solved.state.attitude);
+    let off = attitude.expect("an attitude").angle_to(&solved.state.attitude);
     assert!(off < 1e-7, "{off:e}");
     // Without the passage it would end elsewhere.
     let free = Scene::new(body).solve(&start, end, 1e-7).expect("solved");
@@ -399,21 +380,13 @@ fn the_power_is_the_change_of_the_energy() {
         }
     };
     let scene = Scene::new(body).with(planet);
-    let motion = scene
-        .solve_along(&start, 21.0, 1e-11, &Limits::default())
-        .expect("solved");
+    let motion = scene.solve_along(&start, 21.0, 1e-11, &Limits::default()).expect("solved");
     let state = |t: f64| motion.try_state(t).expect("a state");
-    judge(&|t| scene.energy_at(t, &state(t)), &|t| {
-        scene.power(t, &state(t))
-    });
+    judge(&|t| scene.energy_at(t, &state(t)), &|t| scene.power(t, &state(t)));
     let scene = Scene::new(body).with(ring);
-    let motion = scene
-        .solve_along(&start, 21.0, 1e-11, &Limits::default())
-        .expect("solved");
+    let motion = scene.solve_along(&start, 21.0, 1e-11, &Limits::default()).expect("solved");
     let state = |t: f64| motion.try_state(t).expect("a state");
-    judge(&|t| scene.energy_at(t, &state(t)), &|t| {
-        scene.power(t, &state(t))
-    });
+    judge(&|t| scene.energy_at(t, &state(t)), &|t| scene.power(t, &state(t)));
     assert_largest!(errors, 38, @"8.80e-10");
     assert!(damaged.largest() > 1e-3);
 }
@@ -426,10 +399,7 @@ fn bad_input() {
         elliptic(0.0, 1.0, 0.1),
         "semi-major axis = 0 is not allowed: it must be greater than 0"
     );
-    assert_eq!(
-        elliptic(1.0, f64::NAN, 0.1),
-        "period = NaN is not a finite number"
-    );
+    assert_eq!(elliptic(1.0, f64::NAN, 0.1), "period = NaN is not a finite number");
     assert!(elliptic(1.0, 1.0, -0.1).contains("0 for a circle, or more"));
     assert!(elliptic(1.0, 1.0, 1.0).contains("less than 1: other orbits have no period"));
     assert!(elliptic(1.0, 1e-200, 0.1).contains("rate at the pericentre squared = inf"));
@@ -445,26 +415,14 @@ fn bad_input() {
     assert!(told(orbit.turning(0.0, f64::NAN)).contains("rate of the argument of pericentre"));
     assert!(told(orbit.passing_at(f64::NAN)).contains("time of the passage = NaN"));
     let close = KeplerOrbit::about(1.0, 1e-3, 0.0).expect("an orbit");
-    let body = |gm, orbit| {
-        OrbitingBody::new(gm, orbit)
-            .expect_err("refused")
-            .to_string()
-    };
+    let body = |gm, orbit| OrbitingBody::new(gm, orbit).expect_err("refused").to_string();
     assert!(body(0.0, orbit).contains("gravitational parameter = 0"));
     assert!(body(f64::MAX, close).contains("G m/r^3 at the pericentre = inf"));
-    let open = OrbitingBody::new(1.0, flyby())
-        .expect("a body")
-        .averaged()
-        .expect_err("refused");
+    let open = OrbitingBody::new(1.0, flyby()).expect("a body").averaged().expect_err("refused");
     assert!(open.to_string().contains("eccentricity = 1.5"));
     assert_eq!(flyby().mean_inverse_cube(), 0.0);
     assert!(
-        (KeplerOrbit::about(1.0, 1.0, 0.0)
-            .expect("a circle")
-            .period()
-            / (2.0 * PI)
-            - 1.0)
-            .abs()
+        (KeplerOrbit::about(1.0, 1.0, 0.0).expect("a circle").period() / (2.0 * PI) - 1.0).abs()
             < 1e-15
     );
 }

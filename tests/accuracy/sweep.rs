@@ -27,9 +27,7 @@ fn price_of_a_digit_is_that_of_the_order() {
     let [mut orders, mut lines, mut scatters] =
         ["order", "line", "scatter in digits"].map(Collected::of);
     for p in [1.0, 2.0, 4.0, 6.0, 8.0, 16.0] {
-        let price = ideal(p, pow(32.0, p), 0.0)
-            .price_of_a_digit(1e-12, 1.0)
-            .unwrap();
+        let price = ideal(p, pow(32.0, p), 0.0).price_of_a_digit(1e-12, 1.0).unwrap();
         orders.push_at(price.order / p - 1.0, p);
         // The line reaches 1 at 32 and 1e-6 where c work^-p does.
         let work = 32.0 * pow(10.0, 6.0 / p);
@@ -72,13 +70,7 @@ fn luck_does_not_count() {
     assert_eq!(least(1e-6), Some(40.0));
     assert_eq!(least(1e-8), Some(70.0));
     assert_eq!(least(1e-9), None);
-    assert_eq!(
-        runs.floor(),
-        Some(Point {
-            work: 70.0,
-            error: 3e-9
-        })
-    );
+    assert_eq!(runs.floor(), Some(Point { work: 70.0, error: 3e-9 }));
     // The damaged twin: by its luckiest run the method would claim 1e-12.
     let luckiest = runs.points().iter().map(|p| p.error).fold(1.0, f64::min);
     assert!(luckiest < 1e-3 * runs.floor().unwrap().error);
@@ -86,20 +78,13 @@ fn luck_does_not_count() {
 
 #[test]
 fn nothing_on_the_front_is_beaten() {
-    let curves = [
-        ideal(2.0, 1e2, 0.0),
-        ideal(4.0, 1e5, 0.0),
-        ideal(8.0, 1e16, 0.0),
-    ];
+    let curves = [ideal(2.0, 1e2, 0.0), ideal(4.0, 1e5, 0.0), ideal(8.0, 1e16, 0.0)];
     let best = front(&curves);
     let all: Vec<Point> = curves.iter().flat_map(|c| c.points().to_vec()).collect();
     assert!(best.len() > 10);
     let beaten = |p: &Point| all.iter().any(|q| q.work <= p.work && q.error < p.error);
     assert!(best.iter().all(|(_, p)| !beaten(p)));
-    assert!(
-        best.windows(2)
-            .all(|w| w[0].1.work < w[1].1.work && w[0].1.error > w[1].1.error)
-    );
+    assert!(best.windows(2).all(|w| w[0].1.work < w[1].1.work && w[0].1.error > w[1].1.error));
     // Low order first, high order last, and each has its part.
     let methods: Vec<usize> = best.iter().map(|(method, _)| *method).collect();
     assert!(
@@ -112,46 +97,17 @@ fn nothing_on_the_front_is_beaten() {
 
 #[test]
 fn refusals_are_kept_with_their_reason() {
-    let none = Errors {
-        attitude: 0.0,
-        rates: 0.0,
-        momentum: 0.0,
-        energy: 0.0,
-        invariants: 0.0,
-    };
+    let none = Errors { attitude: 0.0, rates: 0.0, momentum: 0.0, energy: 0.0, invariants: 0.0 };
     let sweep = Sweep::over([1.0, 2.0, 3.0, 4.0], |setting| {
-        let work = Work {
-            derivatives: setting as u64,
-            ..Work::default()
-        };
+        let work = Work { derivatives: setting as u64, ..Work::default() };
         match setting {
-            1.0 => Err(Error::LimitReached {
-                what: "steps",
-                t: 0.0,
-                t_end: 1.0,
-                limit: 1,
-            }),
-            2.0 => Ok((
-                Errors {
-                    rates: f64::NAN,
-                    ..none
-                },
-                work,
-            )),
-            _ => Ok((
-                Errors {
-                    attitude: 1.0 / setting,
-                    ..none
-                },
-                work,
-            )),
+            1.0 => Err(Error::LimitReached { what: "steps", t: 0.0, t_end: 1.0, limit: 1 }),
+            2.0 => Ok((Errors { rates: f64::NAN, ..none }, work)),
+            _ => Ok((Errors { attitude: 1.0 / setting, ..none }, work)),
         }
     });
     assert_eq!((sweep.runs().len(), sweep.refused().len()), (2, 2));
-    assert!(matches!(
-        sweep.refused()[0],
-        (1.0, Error::LimitReached { what: "steps", .. })
-    ));
+    assert!(matches!(sweep.refused()[0], (1.0, Error::LimitReached { what: "steps", .. })));
     assert!(matches!(sweep.refused()[1], (2.0, Error::NotFinite { .. })));
     let points = sweep.curve(Measure::Attitude, Work::torques).unwrap();
     assert_eq!(
@@ -160,18 +116,6 @@ fn refusals_are_kept_with_their_reason() {
     );
     // No work is no point on a logarithmic axis.
     assert!(sweep.curve(Measure::Attitude, |work| work.kicks).is_err());
-    assert!(
-        WorkPrecision::new([Point {
-            work: 1.0,
-            error: -1.0
-        }])
-        .is_err()
-    );
-    assert!(
-        WorkPrecision::new([Point {
-            work: 1.0,
-            error: f64::NAN
-        }])
-        .is_err()
-    );
+    assert!(WorkPrecision::new([Point { work: 1.0, error: -1.0 }]).is_err());
+    assert!(WorkPrecision::new([Point { work: 1.0, error: f64::NAN }]).is_err());
 }

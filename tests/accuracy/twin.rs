@@ -95,11 +95,7 @@ impl<E: Effect, const LIE: usize> Effect for Twin<'_, E, LIE> {
     }
 
     fn break_points(&self) -> Vec<f64> {
-        if LIE == 13 {
-            Vec::new()
-        } else {
-            self.0.break_points()
-        }
+        if LIE == 13 { Vec::new() } else { self.0.break_points() }
     }
 
     fn narrowest(&self) -> Option<Feature> {
@@ -107,11 +103,7 @@ impl<E: Effect, const LIE: usize> Effect for Twin<'_, E, LIE> {
     }
 
     fn integrable_case(&self) -> IntegrableCase {
-        if LIE == 14 {
-            IntegrableCase::Free
-        } else {
-            self.0.integrable_case()
-        }
+        if LIE == 14 { IntegrableCase::Free } else { self.0.integrable_case() }
     }
 }
 

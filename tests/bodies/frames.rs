@@ -23,10 +23,7 @@ fn a_fourth_component_is_no_component() {
 
 #[test]
 fn sums_start_at_zero() {
-    let steps = [
-        DesignVector::new(1.0, 0.0, 0.5),
-        DesignVector::new(0.5, -1.0, 0.5),
-    ];
+    let steps = [DesignVector::new(1.0, 0.0, 0.5), DesignVector::new(0.5, -1.0, 0.5)];
     let sum = DesignVector::new(1.5, -1.0, 1.0);
     assert_eq!(steps.iter().sum::<DesignVector>(), sum);
     assert_eq!(steps.into_iter().sum::<DesignVector>(), sum);

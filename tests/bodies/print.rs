@@ -20,25 +20,11 @@ fn a_format_holds_for_every_number() -> Result<()> {
     let state = body.state(Attitude::IDENTITY, rates)?;
     let rod = solids::rod(3.0, 2.0)?;
     let turned = Attitude::IDENTITY;
-    let euler = EulerAngles {
-        phi: 0.25,
-        theta: 1.0,
-        zeta: -0.5,
-    };
-    let yaw = YawPitchRoll {
-        yaw: 0.25,
-        pitch: 1.0,
-        roll: -0.5,
-    };
+    let euler = EulerAngles { phi: 0.25, theta: 1.0, zeta: -0.5 };
+    let yaw = YawPitchRoll { yaw: 0.25, pitch: 1.0, roll: -0.5 };
     for (text, expected) in [
-        (
-            format!("{euler:.1}"),
-            "phi = 0.2, theta = 1.0, zeta = -0.5 rad",
-        ),
-        (
-            format!("{yaw:+}"),
-            "yaw = +0.25, pitch = +1, roll = -0.5 rad",
-        ),
+        (format!("{euler:.1}"), "phi = 0.2, theta = 1.0, zeta = -0.5 rad"),
+        (format!("{yaw:+}"), "yaw = +0.25, pitch = +1, roll = -0.5 rad"),
         (format!("{:.1}", body.moments()), "(1.0, 2.0, 2.5) kg m^2"),
         (format!("{body}"), "moments (1, 2, 2.5) kg m^2"),
         (
@@ -54,23 +40,11 @@ fn a_format_holds_for_every_number() -> Result<()> {
             format!("{}", body.kinematics(&state)),
             "attitude (1, 0, 0, 0), angular velocity (0, 0, 2) rad/s",
         ),
-        (
-            format!("{:.2}", Kept::new("energy", "J", 2.5)),
-            "energy = 2.50 J",
-        ),
-        (
-            format!("{}", Kept::new("modulus", "", 0.5)),
-            "modulus = 0.5",
-        ),
+        (format!("{:.2}", Kept::new("energy", "J", 2.5)), "energy = 2.50 J"),
+        (format!("{}", Kept::new("modulus", "", 0.5)), "modulus = 0.5"),
         (format!("{rates:?}"), "BodyVector(0.0, 0.0, 2.0)"),
-        (
-            format!("{:?}", turned.to_space(rates)),
-            "SpaceVector(0.0, 0.0, 2.0)",
-        ),
-        (
-            format!("{:#.1?}", rod.centre_of_mass()),
-            "DesignVector(0.0, 0.0, 0.0)",
-        ),
+        (format!("{:?}", turned.to_space(rates)), "SpaceVector(0.0, 0.0, 2.0)"),
+        (format!("{:#.1?}", rod.centre_of_mass()), "DesignVector(0.0, 0.0, 0.0)"),
     ] {
         assert_eq!(text, expected);
     }
@@ -80,26 +54,18 @@ fn a_format_holds_for_every_number() -> Result<()> {
 #[test]
 fn debug_shows_values_alone() -> Result<()> {
     let body = RigidBody::new(PrincipalMoments::symmetric(5.45e-3, 9.0e-4)?);
-    let tilted = Attitude::from_euler(EulerAngles {
-        phi: 0.0,
-        theta: 1.0,
-        zeta: 0.0,
-    })?;
+    let tilted = Attitude::from_euler(EulerAngles { phi: 0.0, theta: 1.0, zeta: 0.0 })?;
     let rates = BodyVector::new(0.0, 0.0, 100.0);
     let start = body.state(tilted, rates)?;
     let gravity = GravityAtLever::new(4.9, 0.1)?;
-    let scene = Scene::new(body)
-        .with(gravity)
-        .with(ViscousFriction::new(1e-6, 1e-6)?);
+    let scene = Scene::new(body).with(gravity).with(ViscousFriction::new(1e-6, 1e-6)?);
     let solved = scene.solve(&start, 0.1, 1e-6)?;
     let top = HeavyTop::new(SymmetricTop::new(5.45e-3, 9.0e-4, 4.9, 0.1)?, tilted, rates)?;
     let free = FreeBody::new(body.moments(), tilted, rates)?;
     let rod = solids::cuboid(3.0, 1.0, 2.0, 3.0)?;
     let design = DesignedBody::new(&rod.about(DesignVector::new(1.0, 2.0, 0.5))?)?;
     let torque = Torque::on_body("motor", |_t, _body, _state| BodyVector::new(0.0, 0.0, 0.18));
-    let refused = body
-        .state(tilted, BodyVector::new(f64::NAN, 0.0, 0.0))
-        .unwrap_err();
+    let refused = body.state(tilted, BodyVector::new(f64::NAN, 0.0, 0.0)).unwrap_err();
     let texts = [
         format!("{:?}", SpaceVector::zero()),
         format!("{tilted:?}"),

@@ -104,12 +104,7 @@ pub fn check(root: &Path) {
     let stem = "ch16_2_gyroscope";
     let page = fs::read_to_string(root.join(format!("book/src/{stem}.md"))).expect("the page");
     let said = |check, figure, id| {
-        let row = Row {
-            id,
-            stem,
-            check,
-            figure,
-        };
+        let row = Row { id, stem, check, figure };
         missing(root, &row, &page).expect_err("a fault")
     };
     let bare = said(None, None, "16.2.eq2");
@@ -118,10 +113,7 @@ pub fn check(root: &Path) {
     for (check, words) in [
         ("equations::eq_16_2_2", "has no test"),
         ("equation::eq_16_2_2_precession_rate", "no test file"),
-        (
-            "equations/motions::eq_16_2_sleeping_top_threshold",
-            "does not show",
-        ),
+        ("equations/motions::eq_16_2_sleeping_top_threshold", "does not show"),
         ("ch16_2_gyroscope:steady", "claims no steady"),
         ("ch16_ex6_ladder:t_floor", "no claim of ch16_2_gyroscope"),
     ] {

@@ -16,11 +16,7 @@ use std::path::{Path, PathBuf};
 
 fn root() -> PathBuf {
     let builder = Path::new(env!("CARGO_MANIFEST_DIR"));
-    builder
-        .ancestors()
-        .nth(2)
-        .expect("two levels up")
-        .to_owned()
+    builder.ancestors().nth(2).expect("two levels up").to_owned()
 }
 
 /// The names in `directory` that end with `suffix`, without it.
@@ -39,10 +35,7 @@ fn summary() -> Vec<(String, Option<String>)> {
         let line = line.trim_start_matches([' ', '-']).strip_prefix('[')?;
         let (title, file) = line.split_once("](")?;
         let file = file.strip_suffix(')')?;
-        Some((
-            title.to_owned(),
-            (!file.is_empty()).then(|| file.to_owned()),
-        ))
+        Some((title.to_owned(), (!file.is_empty()).then(|| file.to_owned())))
     };
     text.lines().filter_map(entry).collect()
 }
@@ -74,10 +67,7 @@ const DERIVED: [(&str, &str); 7] = [
     ("how_heavy_top", "src/exact/heavy_top/mod.rs"),
     ("how_free_body", "src/exact/free_body/mod.rs"),
     ("how_double_double", "src/math/double_double.rs"),
-    (
-        "how_gauss_legendre",
-        "src/integrators/gauss_legendre/mod.rs",
-    ),
+    ("how_gauss_legendre", "src/integrators/gauss_legendre/mod.rs"),
     ("how_error_control", "src/accuracy/error_control/mod.rs"),
     ("how_events", "src/integrators/dop853/mod.rs"),
     ("how_contacts", "src/planar/contact/mod.rs"),
@@ -109,11 +99,7 @@ fn the_book_is_built_and_every_page_is_in_it() {
         assert!(!html.contains("data-splice"), "{file}");
         written += 1;
     }
-    assert_eq!(
-        written,
-        names("book/src", ".md").len() - 1,
-        "pages but SUMMARY"
-    );
+    assert_eq!(written, names("book/src", ".md").len() - 1, "pages but SUMMARY");
     // Listings come coloured; what mdBook colours them with is not in the book.
     assert!(read(&out.join("library.html")).contains("<span class=\"keyword\">fn</span>"));
     for end in [".js", ".css"] {
@@ -126,18 +112,12 @@ fn the_book_is_built_and_every_page_is_in_it() {
         let directory = format!("tests/snapshots/{stem}");
         for figure in names(&directory, ".snap.svg") {
             let svg = read(&root().join(format!("{directory}/{figure}.snap.svg")));
-            let path = svg
-                .split(" d=\"")
-                .nth(1)
-                .and_then(|rest| rest.split('"').next());
+            let path = svg.split(" d=\"").nth(1).and_then(|rest| rest.split('"').next());
             let on_page = |stem: &String| {
                 let page = out.join(format!("{stem}.html"));
                 path.is_none_or(|path| page.is_file() && read(&page).contains(path))
             };
-            assert!(
-                on_page(&stem) || pages.iter().any(on_page),
-                "{stem}: {figure} is on no page"
-            );
+            assert!(on_page(&stem) || pages.iter().any(on_page), "{stem}: {figure} is on no page");
         }
     }
 }
@@ -149,10 +129,7 @@ fn every_stem_is_complete() {
     let locked = names("tests/snapshots", ".snap");
     assert_eq!(examples, locked, "examples and locked outputs");
     let drawn = |stem: &String| !names(&format!("tests/snapshots/{stem}"), ".snap.svg").is_empty();
-    assert!(
-        examples.iter().all(drawn),
-        "every example has a locked figure"
-    );
+    assert!(examples.iter().all(drawn), "every example has a locked figure");
     let stems: BTreeSet<String> = pages
         .into_iter()
         .filter(|name| {
@@ -226,10 +203,7 @@ fn every_test_is_run() {
         }
     }
     let mut run = listed("tests/Cargo.toml");
-    assert!(
-        found != run,
-        "the damaged twin: this file is not in that package"
-    );
+    assert!(found != run, "the damaged twin: this file is not in that package");
     run.insert("book/main.rs".to_owned());
     assert_eq!(listed("book/builder/Cargo.toml").len(), 1);
     assert_eq!(found, run);
@@ -304,12 +278,7 @@ const DAMAGES: [(&str, &str, &str, &str); 31] = [
         "\\ddot\\theta = -\\sen",
         "book/src/one.md:10: TeX:",
     ),
-    (
-        "book/src/one.md",
-        "\\frac{T}{4}",
-        "\\frac{T}{4",
-        "book/src/one.md:",
-    ),
+    ("book/src/one.md", "\\frac{T}{4}", "\\frac{T}{4", "book/src/one.md:"),
     (
         "book/src/one.md",
         "\\frac{T}{4}",
@@ -323,12 +292,7 @@ const DAMAGES: [(&str, &str, &str, &str); 31] = [
         "is \u{6f22} a quarter",
         "book/src/one.md:14: the book's font Serif has no '\u{6f22}'",
     ),
-    (
-        "examples/sample.rs",
-        "9.8;",
-        "9.8; // \u{6f22}",
-        "the book's font Mono has no '\u{6f22}'",
-    ),
+    ("examples/sample.rs", "9.8;", "9.8; // \u{6f22}", "the book's font Mono has no '\u{6f22}'"),
     (
         "book/src/one.md",
         "sample:swing",
@@ -445,15 +409,8 @@ fn damage_stops_the_build_at_its_line_and_the_old_book_stays() {
         let built = book(&sample.root, &arguments, "");
         fs::write(&path, sound).expect("the copy can be written");
         assert!(!built.ok, "not found: {message}");
-        assert!(
-            built.stderr.contains(message),
-            "expected {message}\nfound {}",
-            built.stderr
-        );
-        assert!(
-            read(&out.join("one.html")) == page,
-            "the old book has changed"
-        );
+        assert!(built.stderr.contains(message), "expected {message}\nfound {}", built.stderr);
+        assert!(read(&out.join("one.html")) == page, "the old book has changed");
         assert!(!sample.root.join("out.new").exists());
         found += 1;
     }
@@ -461,14 +418,8 @@ fn damage_stops_the_build_at_its_line_and_the_old_book_stays() {
 
     // Orphans: files that nothing shows.
     let orphans = [
-        (
-            "book/src/three.md",
-            "book/src/three.md:1: SUMMARY.md does not name this page",
-        ),
-        (
-            "examples/other.rs",
-            "examples/other.rs:1: no page uses this example",
-        ),
+        ("book/src/three.md", "book/src/three.md:1: SUMMARY.md does not name this page"),
+        ("examples/other.rs", "examples/other.rs:1: no page uses this example"),
         (
             "tests/snapshots/other.snap",
             "tests/snapshots/other.snap:1: there is no examples/other.rs",
@@ -482,21 +433,13 @@ fn damage_stops_the_build_at_its_line_and_the_old_book_stays() {
         fs::write(sample.root.join(file), "x\n").expect("the copy can be written");
         let built = book(&sample.root, &arguments, "");
         fs::remove_file(sample.root.join(file)).expect("the copy can be removed");
-        assert!(
-            !built.ok && built.stderr.contains(message),
-            "{}",
-            built.stderr
-        );
+        assert!(!built.ok && built.stderr.contains(message), "{}", built.stderr);
     }
 
     // A directory that is no book is not overwritten.
     let other = sample.root.join("examples");
     let built = book(&sample.root, &["--out", &other.to_string_lossy()], "");
-    assert!(
-        !built.ok && built.stderr.contains("not a book"),
-        "{}",
-        built.stderr
-    );
+    assert!(!built.ok && built.stderr.contains("not a book"), "{}", built.stderr);
     assert!(other.join("sample.rs").is_file());
 }
 
@@ -516,12 +459,7 @@ fn what_moves_is_made_where_there_are_modules() {
         `cargo run --example sample -- --length 2`";
     let two = read(&sample.root.join("book/src/two.md")).replacen("# Two", opening, 1);
     write("book/src/two.md", &two);
-    let live = [
-        "class=\"player\"",
-        "class=\"run\"",
-        "id=\"live\"",
-        "data-plays=\"length=1.5\"",
-    ];
+    let live = ["class=\"player\"", "class=\"run\"", "id=\"live\"", "data-plays=\"length=1.5\""];
     let built = build();
     assert!(built.ok, "{}", built.stderr);
     let html = read(&out.join("two.html"));
@@ -548,10 +486,7 @@ fn what_moves_is_made_where_there_are_modules() {
     for (file, text) in [
         ("a.gz", "abc"),
         ("a.gz.js", "Live.packed(\"a.gz\",\"YWJj\")\n"),
-        (
-            "module.js",
-            "Live.packed(\"module\",\"\\\"joins\\\"\\n\")\n",
-        ),
+        ("module.js", "Live.packed(\"module\",\"\\\"joins\\\"\\n\")\n"),
         ("run.js", "runs\n"),
     ] {
         assert_eq!(read(&out.join("modules").join(file)), text, "{file}");
@@ -564,11 +499,7 @@ fn what_moves_is_made_where_there_are_modules() {
             index.replace("palette", "colours"),
             "must hold \"pages\" and \"palette\"",
         ),
-        (
-            "book/modules/index.json",
-            index.replace("b.gz", "c.gz"),
-            "cannot read book/modules/c.gz",
-        ),
+        ("book/modules/index.json", index.replace("b.gz", "c.gz"), "cannot read book/modules/c.gz"),
         (
             "book/src/two.md",
             two.replace("length=1.5", "width=1.5"),
@@ -586,11 +517,7 @@ fn what_moves_is_made_where_there_are_modules() {
         write(file, &damaged);
         let built = build();
         write(file, &sound);
-        assert!(
-            !built.ok && built.stderr.contains(message),
-            "{message}\n{}",
-            built.stderr
-        );
+        assert!(!built.ok && built.stderr.contains(message), "{message}\n{}", built.stderr);
         found += 1;
     }
     assert_eq!(found, 4);
@@ -623,29 +550,19 @@ fn numbers_ticks_stills_and_the_answer_box_are_made() {
     assert_eq!(html.matches("<h1").count(), 1);
     // The source leads back to the tick.
     let source = read(&out.join("source/tests/sample_tests.rs.html"));
-    let tick = html
-        .split("<button type=\"button\" class=\"tick\" id=\"")
-        .nth(1);
-    let tick = tick
-        .and_then(|rest| rest.split('"').next())
-        .expect("a tick");
+    let tick = html.split("<button type=\"button\" class=\"tick\" id=\"").nth(1);
+    let tick = tick.and_then(|rest| rest.split('"').next()).expect("a tick");
     assert!(source.contains(&format!("one.html#{tick}\"")), "{source}");
 
     // With groups, only what has one is offered.
     let snap = sample.root.join("tests/snapshots/sample.snap");
     let grouped = read(&snap)
-        .replace(
-            "key     within  meaning",
-            "key     within  meaning     group",
-        )
+        .replace("key     within  meaning", "key     within  meaning     group")
         .replace(
             "period  0.001   the period",
             "period  0.001   the period  Times\nhalf    0.001   a half      -",
         )
-        .replace(
-            "\n\nlimits",
-            "\nhalf    1.0032  s     5e-5   closed form      <1e-15\n\nlimits",
-        );
+        .replace("\n\nlimits", "\nhalf    1.0032  s     5e-5   closed form      <1e-15\n\nlimits");
     fs::write(&snap, grouped).expect("the copy can be written");
     let built = book(&sample.root, &["--out", &out.to_string_lossy()], "");
     assert!(built.ok, "{}", built.stderr);
@@ -687,22 +604,12 @@ fn the_records_of_the_strips_are_whole() {
         };
         let conditions: Vec<String> = rows("table conditions").concat();
         for condition in ["processor", "compiler", "date"] {
-            assert!(
-                conditions.iter().any(|c| c == condition),
-                "{stem}: {condition}"
-            );
+            assert!(conditions.iter().any(|c| c == condition), "{stem}: {condition}");
         }
         let strip = record.table("table strip").expect("a strip");
         assert_eq!(
             strip.columns(),
-            [
-                "method",
-                "requested",
-                "delivered",
-                "work",
-                "time",
-                "interval"
-            ],
+            ["method", "requested", "delivered", "work", "time", "interval"],
             "{stem}"
         );
         for (cell, row) in [(1, rows("table unit"))]
@@ -716,10 +623,7 @@ fn the_records_of_the_strips_are_whole() {
         }
         records += 1;
     }
-    assert!(
-        records > 0 && timed > records,
-        "{records} records, {timed} times"
-    );
+    assert!(records > 0 && timed > records, "{records} records, {timed} times");
 }
 
 #[test]
@@ -827,10 +731,7 @@ fn the_stock_mdbook_gets_the_same_pages() {
     let rendered = book(&sample.root, &["render"], &sent.to_string());
     assert!(rendered.ok, "{}", rendered.stderr);
     for page in ["one.html", "two.html", "index.html", "print.html"] {
-        assert!(
-            read(&ours.join(page)) == read(&theirs.join(page)),
-            "{page} differs"
-        );
+        assert!(read(&ours.join(page)) == read(&theirs.join(page)), "{page} differs");
     }
 
     // Another version of the protocol, and a damaged page, are refused.
@@ -852,10 +753,7 @@ fn theme(css: &str, selector: &str) -> Vec<(String, u32)> {
     let block = &css[start..start + css[start..].find('}').expect("its end")];
     let colour = |line: &str| {
         let (name, value) = line.trim().split_once(": #")?;
-        Some((
-            name.to_owned(),
-            u32::from_str_radix(value.trim_end_matches(';'), 16).ok()?,
-        ))
+        Some((name.to_owned(), u32::from_str_radix(value.trim_end_matches(';'), 16).ok()?))
     };
     block.lines().filter_map(colour).collect()
 }
@@ -865,11 +763,7 @@ fn contrast(a: u32, b: u32) -> f64 {
     let luminance = |rgb: u32| -> f64 {
         let channel = |shift: u32| {
             let c = f64::from((rgb >> shift) & 255) / 255.0;
-            if c <= 0.04045 {
-                c / 12.92
-            } else {
-                pow((c + 0.055) / 1.055, 2.4)
-            }
+            if c <= 0.04045 { c / 12.92 } else { pow((c + 0.055) / 1.055, 2.4) }
         };
         0.2126 * channel(16) + 0.7152 * channel(8) + 0.0722 * channel(0)
     };
@@ -880,23 +774,13 @@ fn contrast(a: u32, b: u32) -> f64 {
 #[test]
 fn text_and_lines_have_contrast_in_both_themes() {
     let css = read(&root().join("book/theme/book.css"));
-    let texts = [
-        "--fg",
-        "--quiet",
-        "--links",
-        "--slip",
-        "--tip",
-        "--note",
-        "--inline-code-color",
-    ];
+    let texts = ["--fg", "--quiet", "--links", "--slip", "--tip", "--note", "--inline-code-color"];
     let mut measured = 0;
     for selector in [".light, html", "\n.coal {"] {
         let colours = theme(&css, selector);
         let get = |name: &str| {
             let found = colours.iter().find(|(n, _)| n == name);
-            found
-                .unwrap_or_else(|| panic!("{selector} has no {name}"))
-                .1
+            found.unwrap_or_else(|| panic!("{selector} has no {name}")).1
         };
         for ground in ["--bg", "--panel"] {
             for text in texts {
@@ -931,10 +815,7 @@ fn nothing_in_the_theme_comes_from_outside() {
         "book/theme/fonts/fonts.css",
     ] {
         let text = read(Path::new(&root().join(file)));
-        assert!(
-            !text.contains("://") && !text.contains("url(\"//"),
-            "{file}"
-        );
+        assert!(!text.contains("://") && !text.contains("url(\"//"), "{file}");
         read_files += 1;
     }
     assert_eq!(read_files, 7);
@@ -946,18 +827,11 @@ fn the_style_sheets_name_the_fonts_whose_characters_are_checked() {
     let fonts = css("fonts/fonts.css");
     let mut named = BTreeSet::new();
     for face in fonts.split("@font-face").skip(1) {
-        let file = face
-            .split("resource \"")
-            .nth(1)
-            .and_then(|rest| rest.split('"').next());
+        let file = face.split("resource \"").nth(1).and_then(|rest| rest.split('"').next());
         let file = file.expect("a font has a file");
         assert!(root().join("book/theme").join(file).is_file(), "{file}");
         assert!(face.contains("font-display: swap"), "{file}");
-        named.insert(
-            file.trim_start_matches("fonts/")
-                .trim_end_matches(".woff2")
-                .to_owned(),
-        );
+        named.insert(file.trim_start_matches("fonts/").trim_end_matches(".woff2").to_owned());
     }
     assert_eq!(named, names("book/theme/fonts", ".woff2"));
     assert_eq!(named.len(), 6);

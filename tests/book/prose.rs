@@ -11,10 +11,7 @@ const ERRATA: usize = 44;
 /// What is wrong with the list of errata: a number twice or missing, a proof that is no test of
 /// that number, a page that does not exist.
 pub fn wrong_with_errata(text: &str) -> Vec<String> {
-    let items: Vec<&str> = text
-        .lines()
-        .filter(|line| line.starts_with("- **E"))
-        .collect();
+    let items: Vec<&str> = text.lines().filter(|line| line.starts_with("- **E")).collect();
     let mut faults = Vec::new();
     let mut seen = BTreeSet::new();
     for item in &items {
@@ -22,17 +19,8 @@ pub fn wrong_with_errata(text: &str) -> Vec<String> {
         if !seen.insert(id) {
             faults.push(format!("{id} stands twice"));
         }
-        let kinds = [
-            "error.",
-            "statement.",
-            "wording.",
-            "remark.",
-            "lost in print.",
-        ];
-        if !kinds
-            .iter()
-            .any(|kind| item[9..].starts_with(&format!(", {kind}")))
-        {
+        let kinds = ["error.", "statement.", "wording.", "remark.", "lost in print."];
+        if !kinds.iter().any(|kind| item[9..].starts_with(&format!(", {kind}"))) {
             faults.push(format!("{id} does not say what it is"));
         }
         let proof = format!("::{}_", id.to_lowercase());
@@ -43,10 +31,8 @@ pub fn wrong_with_errata(text: &str) -> Vec<String> {
         }
     }
     let all = (1..=ERRATA).map(|n| format!("E{n:02}"));
-    faults.extend(
-        all.filter(|id| !seen.contains(id.as_str()))
-            .map(|id| format!("{id} is missing")),
-    );
+    faults
+        .extend(all.filter(|id| !seen.contains(id.as_str())).map(|id| format!("{id} is missing")));
     faults
 }
 
@@ -54,9 +40,7 @@ pub fn wrong_with_errata(text: &str) -> Vec<String> {
 fn identifiers(text: &str) -> BTreeSet<&str> {
     let rows = text.lines().filter(|line| line.starts_with("| "));
     let cells = rows.filter_map(|row| row.rsplit(" | ").nth(1));
-    cells
-        .flat_map(|cell| cell.split('`').skip(1).step_by(2))
-        .collect()
+    cells.flat_map(|cell| cell.split('`').skip(1).step_by(2)).collect()
 }
 
 fn has_word(text: &str, word: &str) -> bool {
@@ -86,11 +70,7 @@ pub fn check_errata(root: &Path) {
     // The damaged twins.
     for (from, to, fault) in [
         ("- **E07**", "- **E06**", "E06 stands twice"),
-        (
-            "- **E07**, error.",
-            "- **E07**.",
-            "E07 does not say what it is",
-        ),
+        ("- **E07**, error.", "- **E07**.", "E07 does not say what it is"),
         ("::e24_", "::e25_", "E24 is proved by no test of its number"),
         ("- **E44**", "- E44", "E44 is missing"),
     ] {
@@ -105,10 +85,7 @@ pub fn check_notation(root: &Path) {
     let mut library = String::new();
     sources(&root.join("src"), &mut library);
     let names = identifiers(&text);
-    let unknown: Vec<_> = names
-        .iter()
-        .filter(|name| !has_word(&library, name))
-        .collect();
+    let unknown: Vec<_> = names.iter().filter(|name| !has_word(&library, name)).collect();
     assert!(unknown.is_empty(), "the library has no {unknown:?}");
     assert!(names.len() > 20, "{names:?}");
     // The damaged twin.
@@ -118,17 +95,11 @@ pub fn check_notation(root: &Path) {
 
 /// What is wrong with what an exercise says of itself, in the page and in the Rust of its example.
 pub fn wrong_with_exercise(page: &str, program: &str) -> Option<&'static str> {
-    let said: Vec<&str> = page
-        .lines()
-        .filter(|line| line.starts_with("{{exercise "))
-        .collect();
+    let said: Vec<&str> = page.lines().filter(|line| line.starts_with("{{exercise ")).collect();
     let &[said] = said.as_slice() else {
         return Some("write once: {{exercise LEVEL | SOLVED | EVENTS | TEACHES}}");
     };
-    let none = said
-        .split('|')
-        .nth(2)
-        .is_some_and(|events| events.trim() == "none");
+    let none = said.split('|').nth(2).is_some_and(|events| events.trim() == "none");
     // An event is located by name, or as an event of an integrator or of a contact.
     let located = ["Event::", ".event(", ".events()", "located event"];
     match (none, located.iter().any(|word| program.contains(word))) {
@@ -143,40 +114,28 @@ pub fn check_exercises(root: &Path) {
     let read = |path: &Path| fs::read_to_string(path).expect("the file can be read");
     let table = read(&root.join("book/src/exercises.md"));
     let (mut seen, mut with_events) = (0, 0);
-    for entry in fs::read_dir(root.join("book/src"))
-        .expect("pages")
-        .flatten()
-    {
+    for entry in fs::read_dir(root.join("book/src")).expect("pages").flatten() {
         let name = entry.file_name().into_string().expect("a name");
         let Some(stem) = name.strip_suffix(".md") else {
             continue;
         };
-        let group = ["ch15_ex", "ch16_ex", "further_"]
-            .into_iter()
-            .find(|group| stem.starts_with(group));
+        let group =
+            ["ch15_ex", "ch16_ex", "further_"].into_iter().find(|group| stem.starts_with(group));
         let Some(group) = group else { continue };
-        let directory = fs::read_dir(root.join("examples").join(stem))
-            .into_iter()
-            .flatten();
+        let directory = fs::read_dir(root.join("examples").join(stem)).into_iter().flatten();
         let mut program = read(&root.join(format!("examples/{stem}.rs")));
         program.extend(directory.flatten().map(|file| read(&file.path())));
         let page = read(&entry.path());
         assert_eq!(wrong_with_exercise(&page, &program), None, "{name}");
         // The line has its twins: no line, two lines, events where there are none, none where there are.
-        let line = page
-            .lines()
-            .find(|line| line.starts_with("{{exercise "))
-            .expect("it is there");
+        let line = page.lines().find(|line| line.starts_with("{{exercise ")).expect("it is there");
         let events = line.split('|').nth(2).expect("a field").trim();
         with_events += usize::from(events != "none");
         let other = if events == "none" { "it lands" } else { "none" };
         for damaged in [
             page.replace(line, ""),
             page.replace(line, &format!("{line}\n{line}")),
-            page.replace(
-                line,
-                &line.replace(&format!("| {events} |"), &format!("| {other} |")),
-            ),
+            page.replace(line, &line.replace(&format!("| {events} |"), &format!("| {other} |"))),
         ] {
             assert!(wrong_with_exercise(&damaged, &program).is_some(), "{name}");
         }
@@ -186,8 +145,5 @@ pub fn check_exercises(root: &Path) {
         );
         seen += 1;
     }
-    assert!(
-        seen >= 13 && with_events >= 10,
-        "{seen} exercises, {with_events} with events"
-    );
+    assert!(seen >= 13 && with_events >= 10, "{seen} exercises, {with_events} with events");
 }

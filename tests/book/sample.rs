@@ -216,10 +216,7 @@ impl Sample {
         let root = Self::directory(name);
         let files = [
             ("book/book.toml", SETTINGS),
-            (
-                "book/src/SUMMARY.md",
-                "# Summary\n\n- [One](one.md)\n- [Two](two.md)\n- [Three]()\n",
-            ),
+            ("book/src/SUMMARY.md", "# Summary\n\n- [One](one.md)\n- [Two](two.md)\n- [Three]()\n"),
             ("book/src/one.md", ONE),
             ("book/src/two.md", TWO),
             ("examples/sample.rs", EXAMPLE),

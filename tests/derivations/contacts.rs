@@ -53,11 +53,7 @@ impl Plain {
         Self {
             normal,
             tangent,
-            w: [
-                over_mass(normal, normal),
-                over_mass(normal, tangent),
-                over_mass(tangent, tangent),
-            ],
+            w: [over_mass(normal, normal), over_mass(normal, tangent), over_mass(tangent, tangent)],
             free: [-G - square * y, -square * x],
         }
     }
@@ -76,10 +72,7 @@ impl Plain {
 /// The rod on its end, at this angle, with this slip and this rate.
 fn on_its_end(angle: f64, slip: f64, rate: f64) -> MechanismState<3> {
     let [x, y] = arm(angle);
-    MechanismState {
-        q: [0.0, -y, angle],
-        v: [slip + y * rate, -x * rate, rate],
-    }
+    MechanismState { q: [0.0, -y, angle], v: [slip + y * rate, -x * rate, rate] }
 }
 
 #[test]
@@ -89,10 +82,7 @@ fn force_of_a_slip_and_of_a_hold() {
         for angle in [0.3, 0.9, 1.4, 2.2] {
             for rate in [0.0, 0.7] {
                 for (friction, slip) in [(0.3, 1.0), (0.3, -1.0), (5.0, 0.0)] {
-                    let rod = Rod {
-                        friction,
-                        restitution: 0.0,
-                    };
+                    let rod = Rod { friction, restitution: 0.0 };
                     let start = on_its_end(angle, slip, rate);
                     let motion = motion_within(rod, 1e-10, start, 1e-3).expect("a motion");
                     let [force] = motion.forces(0.0).expect("at the start");
@@ -126,9 +116,7 @@ fn paradoxes_begin_at_four_thirds() {
         let [nn, nt, _] = Plain::new(&on_its_end(angle, 0.0, 0.0)).w;
         nn / nt.abs()
     };
-    let least = (1..1570)
-        .map(|k| critical(1e-3 * f64::from(k)))
-        .fold(f64::INFINITY, f64::min);
+    let least = (1..1570).map(|k| critical(1e-3 * f64::from(k))).fold(f64::INFINITY, f64::min);
     // As near as the angles tried come to that of tangent 2.
     assert_error!(least, 4.0 / 3.0, 6.9e-8);
     // Below it there is one answer; above none, or, turned so fast that it would lift, two.
@@ -136,17 +124,10 @@ fn paradoxes_begin_at_four_thirds() {
     let mut ran = 0;
     for angle in [0.6, 1.1, 1.3] {
         for side in [1.0, -1.0] {
-            let angle = if side > 0.0 {
-                angle
-            } else {
-                core::f64::consts::PI - angle
-            };
+            let angle = if side > 0.0 { angle } else { core::f64::consts::PI - angle };
             for (part, rate, which) in [(0.99, 0.0, 1), (1.01, 0.0, 0), (1.01, 9.0, 2)] {
                 let friction = part * critical(angle);
-                let rod = Rod {
-                    friction,
-                    restitution: 0.0,
-                };
+                let rod = Rod { friction, restitution: 0.0 };
                 let sense = Plain::new(&on_its_end(angle, 0.0, 0.0)).w[1].signum();
                 let start = on_its_end(angle, sense, rate);
                 let plain = Plain::new(&start);
@@ -171,18 +152,11 @@ fn impulse_of_a_bounce() {
         let mut errors = Errors::of("velocities after, and energy lost");
         for angle in [0.4, 1.0, 2.0] {
             for (friction, restitution) in [(0.0, 0.6), (0.2, 0.6), (0.2, 0.0)] {
-                let rod = Rod {
-                    friction,
-                    restitution,
-                };
+                let rod = Rod { friction, restitution };
                 let mut start = on_its_end(angle, 40.0, 0.3);
                 start.q[1] += 0.5;
                 let motion = motion_within(rod, 1e-10, start, 0.6).expect("a motion");
-                let name = if restitution > 0.0 {
-                    "end bounces"
-                } else {
-                    "end touches"
-                };
+                let name = if restitution > 0.0 { "end bounces" } else { "end touches" };
                 let event = motion.event(name).expect("it falls");
                 let plain = Plain::new(&event.before);
                 let [closing, _] = plain.speeds(&event.before.v);
@@ -217,10 +191,7 @@ fn what_has_drifted_goes_back_by_least_action() {
     let errors = |damage: f64| {
         let mut errors = Errors::of("correction over the gap");
         for angle in [0.4, 1.0, 2.0] {
-            let rod = Rod {
-                friction: 0.0,
-                restitution: 0.0,
-            };
+            let rod = Rod { friction: 0.0, restitution: 0.0 };
             let gap = 4e-13;
             let mut start = on_its_end(angle, 1.0, 0.0);
             start.q[1] += gap;

@@ -202,10 +202,8 @@ fn an_arc_tangent_is_turned_back() {
             // A guess that is off by 1e-3 leaves 3e-10.
             let guess = atan2(y.to_f64(), x.to_f64()) + third;
             let (s, c) = (sin(guess), cos(guess));
-            let (across, along) = (
-                y.to_f64() * c - x.to_f64() * s,
-                x.to_f64() * c + y.to_f64() * s,
-            );
+            let (across, along) =
+                (y.to_f64() * c - x.to_f64() * s, x.to_f64() * c + y.to_f64() * s);
             errors.push_at(guess + across / along - angle.to_f64(), n);
         }
         errors

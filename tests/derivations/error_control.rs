@@ -18,11 +18,7 @@ use support::assert_error;
 /// Plackett and Burman's twelve rows: eleven that turn, and one of minus signs.
 fn sign(row: usize, column: usize) -> f64 {
     const FIRST: [f64; 11] = [1.0, 1.0, -1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0, -1.0];
-    if row == 11 {
-        -1.0
-    } else {
-        FIRST[(column + 11 - row) % 11]
-    }
+    if row == 11 { -1.0 } else { FIRST[(column + 11 - row) % 11] }
 }
 
 #[test]
@@ -45,9 +41,8 @@ fn twelve_rows_add_up_the_squares() {
     let mean = |damage| (0..12).map(|row| square(row, damage)).sum::<f64>() / 12.0;
     assert_error!(mean(1.0), want, 1.3 eps);
     assert!((mean(0.9) / want - 1.0).abs() > 1e-3);
-    let pairs: f64 = (0..12)
-        .map(|row| 0.5 * (square(row, 1.0) + square((row + 1) % 12, 1.0)))
-        .sum();
+    let pairs: f64 =
+        (0..12).map(|row| 0.5 * (square(row, 1.0) + square((row + 1) % 12, 1.0))).sum();
     assert_error!(pairs / 12.0, want, 2.5 eps);
 }
 
@@ -137,11 +132,7 @@ fn the_example_adds_up() {
     // The heavy body of three moments in the example `accuracy`, for forty seconds to 1e-6.
     let (tolerance, t) = (1e-6, 40.0);
     let body = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8).expect("a body"));
-    let angles = EulerAngles {
-        phi: 0.3,
-        theta: 0.7,
-        zeta: -0.4,
-    };
+    let angles = EulerAngles { phi: 0.3, theta: 0.7, zeta: -0.4 };
     let attitude = Attitude::from_euler(angles).expect("an attitude");
     let rates = BodyVector::new(0.3, 0.1, 2.0);
     let state = body.state(attitude, rates).expect("a state");

@@ -22,11 +22,7 @@ fn the_rest_turns_with_the_momentum_alone() {
         let mut errors = Errors::of("S' less (0, L/I1) S/2");
         for (i3, spin) in [(0.4, 3.0), (0.4, 30.0), (1.7, -6.0)] {
             let body = SymmetricTop::new(1.0, i3, 2.0, 1.0).expect("a top");
-            let start = EulerAngles {
-                phi: 0.1,
-                theta: 0.8,
-                zeta: 0.2,
-            };
+            let start = EulerAngles { phi: 0.1, theta: 0.8, zeta: 0.2 };
             let omega = BodyVector::new(0.3, -0.2, spin);
             let motion = HeavyTop::from_body(body, start, omega).expect("a motion");
             let rate = damage * spin * (1.0 - i3);
@@ -91,16 +87,11 @@ fn phase_of_a_step_is_pades() {
         / (1..=17).fold(1.0, |product, k| product * f64::from(k));
     for angle in [0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0] {
         let method = GaussLegendre::new(1).expect("a step");
-        let end: [f64; 2] = method
-            .advance(&turning, 0.0, &[1.0, 0.0], angle)
-            .expect("it converges")
-            .0;
+        let end: [f64; 2] =
+            method.advance(&turning, 0.0, &[1.0, 0.0], angle).expect("it converges").0;
         let found = atan2(end[1], end[0]);
         let turns = ((phase(angle).to_f64() - found) / core::f64::consts::TAU).round();
-        errors.push_at(
-            phase(angle).to_f64() - found - turns * core::f64::consts::TAU,
-            angle,
-        );
+        errors.push_at(phase(angle).to_f64() - found - turns * core::f64::consts::TAU, angle);
     }
     for angle in [0.5, 0.7, 1.0_f64] {
         // angle^17 is below 2^-53; by pairs it is seen.
@@ -217,16 +208,10 @@ fn drift(steps: u32, precision: f64) -> (f64, f64) {
     let inverse = [1.0, 1.0 / 1.3, 1.0 / 1.7];
     let slope = |l: [f64; 3]| -> [f64; 3] {
         let w: [f64; 3] = core::array::from_fn(|i| inverse[i] * l[i]);
-        [
-            l[1] * w[2] - l[2] * w[1],
-            l[2] * w[0] - l[0] * w[2],
-            l[0] * w[1] - l[1] * w[0],
-        ]
+        [l[1] * w[2] - l[2] * w[1], l[2] * w[0] - l[0] * w[2], l[0] * w[1] - l[1] * w[0]]
     };
     let energy = |l: [f64; 3]| -> Dd {
-        (0..3).fold(Dd::ZERO, |sum, i| {
-            sum + Dd::product(l[i], l[i]) * inverse[i]
-        })
+        (0..3).fold(Dd::ZERO, |sum, i| sum + Dd::product(l[i], l[i]) * inverse[i])
     };
     let (mut y, mut carry) = ([0.5, 0.2 * 1.3, 1.7], [0.0; 3]);
     let (before, h) = (energy(y), 0.5);
@@ -252,15 +237,10 @@ fn drift(steps: u32, precision: f64) -> (f64, f64) {
                     y[n] + (h * combined(&STAGES, &f, i, n) + rest[i][n])
                 }))
             });
-            let change = (0..24)
-                .map(|k| (new[k % 8][k / 8] - f[k % 8][k / 8]).abs() * h)
-                .sum::<f64>();
+            let change =
+                (0..24).map(|k| (new[k % 8][k / 8] - f[k % 8][k / 8]).abs() * h).sum::<f64>();
             f = new;
-            let missing = if last.is_finite() {
-                (change / last).min(1.0) * change
-            } else {
-                change
-            };
+            let missing = if last.is_finite() { (change / last).min(1.0) * change } else { change };
             if missing <= precision || (change >= last && change <= 1e-12) {
                 break;
             }

@@ -93,10 +93,7 @@ impl Plain {
     /// (sn/cn)^2(eta | m1) of the zeros of alpha and of beta.
     fn squares(&self) -> [f64; 2] {
         let [v1, v2, v3] = self.v;
-        [
-            (1.0 + v1) / self.gap(),
-            (1.0 - v2) * (v3 - v1) / (self.gap() * (v3 - 1.0)),
-        ]
+        [(1.0 + v1) / self.gap(), (1.0 - v2) * (v3 - v1) / (self.gap() * (v3 - 1.0))]
     }
 
     fn zeros(&self) -> [f64; 2] {
@@ -194,10 +191,8 @@ fn roots_are_held_by_their_products() {
             let motion = plain.motion();
             let halves = [motion.theta_min(), motion.theta_max()].map(|theta| sincos(0.5 * theta));
             let [[x2, y2], [x1, y1]] = halves.map(|(s, c)| [2.0 * s * s, 2.0 * c * c]);
-            let products = [
-                (x1 * x2 * outer, d * d),
-                (y1 * y2 * (outer + 2.0 * g), plain.sum * plain.sum),
-            ];
+            let products =
+                [(x1 * x2 * outer, d * d), (y1 * y2 * (outer + 2.0 * g), plain.sum * plain.sum)];
             for (product, want) in products {
                 errors.push_at(product / want - damage, top);
             }
@@ -257,10 +252,7 @@ fn zeros_are_where_the_axis_is_vertical() {
             // K' - eta: the gap has gone.
             let [v1, v2, v3] = plain.v;
             let kappa = 1.0 / (v3 - v1);
-            let others = [
-                1.0 / (kappa * (1.0 + v1)),
-                (v3 - 1.0) * kappa / (kappa * (1.0 - v2)),
-            ];
+            let others = [1.0 / (kappa * (1.0 + v1)), (v3 - 1.0) * kappa / (kappa * (1.0 - v2))];
             for (eta, square) in [eta_a, eta_b].into_iter().zip(others) {
                 let rest = legendre::f(atan(square.sqrt()), plain.modulus.complement());
                 let rest = rest.expect("finite");
@@ -423,10 +415,7 @@ fn the_transverse_rate_in_the_other_nome() {
                     let phase = turn(sense * z - z / core::f64::consts::FRAC_PI_2 * along);
                     let lower = theta(2, C::new(z, -y), q) * phase;
                     let upper = theta(1, C::new(z, -y), q) * phase * C::new(0.0, -sense);
-                    [
-                        lower / theta(3, place, other),
-                        upper / theta(2, place, other),
-                    ]
+                    [lower / theta(3, place, other), upper / theta(2, place, other)]
                 };
                 let [unit, _] = ratios(0.0);
                 for k in 0..=4 {

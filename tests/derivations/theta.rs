@@ -28,18 +28,10 @@ fn cosine(z: C) -> C {
 
 /// theta_n(z | q), DLMF 20.2: n = 1 to 4, to the terms that doubles hold.
 pub fn theta(n: usize, z: C, q: f64) -> C {
-    let mut sum = if n < 3 {
-        C::new(0.0, 0.0)
-    } else {
-        C::new(0.5, 0.0)
-    };
+    let mut sum = if n < 3 { C::new(0.0, 0.0) } else { C::new(0.5, 0.0) };
     for k in 0..14 {
         let order = f64::from(k);
-        let sign = if k % 2 == 1 && (n == 1 || n == 4) {
-            -1.0
-        } else {
-            1.0
-        };
+        let sign = if k % 2 == 1 && (n == 1 || n == 4) { -1.0 } else { 1.0 };
         let power = |exponent: f64| exp(exponent * log(q));
         let half = order + 0.5;
         sum += match n {
@@ -71,10 +63,7 @@ fn quarter(m1: f64) -> f64 {
 
 impl Periods {
     pub fn new(m: f64, m1: f64) -> Self {
-        Self {
-            quarter: quarter(m1),
-            conjugate: quarter(m),
-        }
+        Self { quarter: quarter(m1), conjugate: quarter(m) }
     }
 
     /// q = exp(-pi K'/K).

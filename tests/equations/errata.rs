@@ -50,11 +50,7 @@ fn e31_spin_momentum() {
         move |s: &Caught| {
             let [precession, _, turn] = s.rates;
             let (st, ct) = (sin(s.angles[THETA]), cos(s.angles[THETA]));
-            let sum = if printed {
-                turn + ct
-            } else {
-                turn + precession * ct
-            };
+            let sum = if printed { turn + ct } else { turn + precession * ct };
             let formula = s.mgl * st + s.i1 * precession * precession * st * ct
                 - s.i3 * sum * precession * st;
             let turning: f64 = s.rates.iter().map(|r| r.abs()).sum();
@@ -88,11 +84,7 @@ fn e32_energy_unit() {
     // The notes' b = 1.2: a body is given its c and b, and its own energies and momenta
     // say by how much the printed unit is off.
     let body = SymmetricTop::new(1.0, 1.9, 0.2, 1.0).expect("with a lever");
-    let tilt = EulerAngles {
-        phi: 0.0,
-        theta: 1.0,
-        zeta: 0.0,
-    };
+    let tilt = EulerAngles { phi: 0.0, theta: 1.0, zeta: 0.0 };
     // L_Z = L_z cos theta + I1 phi' sin^2 theta is 1.2 L_z for this phi'.
     let turn = 1.9 * (1.2 - cos(1.0)) / (sin(1.0) * sin(1.0));
     let omega = BodyVector::new(0.0, turn * sin(1.0), 1.0);
@@ -118,10 +110,7 @@ fn e33_energy_of_figure_3() {
     // 0.40 is the minimum to two decimals, and below it: no motion, and the error says so.
     let refused = HeavyTop::from_energy(top, 0.40, Start::ThetaMin, 0.0, 0.0);
     let told = refused.expect_err("below the minimum").to_string();
-    assert!(
-        told == "E~ = 0.4 is not allowed: no motion is below U_min = 0.404262",
-        "{told}"
-    );
+    assert!(told == "E~ = 0.4 is not allowed: no motion is below U_min = 0.404262", "{told}");
 
     // 0.55 is not the minimum: the tilt swings by two thirds of a radian.
     let motion = HeavyTop::from_energy(top, 0.55, Start::ThetaMin, 0.0, 0.0).expect("figure 3 (b)");
@@ -191,11 +180,7 @@ fn e38_free_gyroscope_keeps_its_direction() {
     // No weight, L along the axis: the axis stays for ever. L beside it: the axis circles L.
     let (i1, i3, spin) = (5.45e-3, 9e-4, 314.0);
     let body = SymmetricTop::new(i1, i3, 0.0, 0.0).expect("no weight");
-    let tilt = EulerAngles {
-        phi: 0.3,
-        theta: 1.0,
-        zeta: 0.0,
-    };
+    let tilt = EulerAngles { phi: 0.3, theta: 1.0, zeta: 0.0 };
     let along = HeavyTop::from_body(body, tilt, BodyVector::new(0.0, 0.0, spin)).expect("free");
     let beside = HeavyTop::from_body(body, tilt, BodyVector::new(1.0, 0.0, spin)).expect("free");
     let mut moved = Errors::in_units_of(EPS, "axis, L along it");
@@ -226,11 +211,7 @@ fn e41_equation_4_comes_from_3() {
         let c = s.mgl * s.i3 / (spin * spin);
         let equation_4 = c * st - a / (st * st * st) * (b - ct) * (1.0 - b * ct);
         let scale = c.abs() + a * (b.abs() + 1.0) * (b.abs() + 1.0) / (st * st * st);
-        (
-            equation_3 / s.i1 * (s.i1 * s.i3) / (spin * spin),
-            equation_4,
-            scale,
-        )
+        (equation_3 / s.i1 * (s.i1 * s.i3) / (spin * spin), equation_4, scale)
     });
     assert_largest!(equations, 6, @"0.144");
 }

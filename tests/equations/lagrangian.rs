@@ -28,11 +28,7 @@ pub struct Jet {
 
 impl Jet {
     pub fn constant(value: f64) -> Self {
-        Self {
-            value,
-            first: [0.0; 6],
-            second: [[0.0; 6]; 6],
-        }
+        Self { value, first: [0.0; 6], second: [[0.0; 6]; 6] }
     }
 
     pub fn variable(index: usize, value: f64) -> Self {
@@ -125,34 +121,18 @@ fn product(a: &Matrix, b: &Matrix) -> Matrix {
 
 /// Turn about the third axis, and its derivative with respect to the angle.
 fn turn_z(angle: Jet) -> (Matrix, Matrix) {
-    let (s, c, o, l) = (
-        angle.sin(),
-        angle.cos(),
-        Jet::constant(0.0),
-        Jet::constant(1.0),
-    );
+    let (s, c, o, l) = (angle.sin(), angle.cos(), Jet::constant(0.0), Jet::constant(1.0));
     let m = s * -1.0;
     let n = c * -1.0;
-    (
-        [[c, m, o], [s, c, o], [o, o, l]],
-        [[m, n, o], [c, m, o], [o, o, o]],
-    )
+    ([[c, m, o], [s, c, o], [o, o, l]], [[m, n, o], [c, m, o], [o, o, o]])
 }
 
 /// Turn about the first axis, and its derivative with respect to the angle.
 fn turn_x(angle: Jet) -> (Matrix, Matrix) {
-    let (s, c, o, l) = (
-        angle.sin(),
-        angle.cos(),
-        Jet::constant(0.0),
-        Jet::constant(1.0),
-    );
+    let (s, c, o, l) = (angle.sin(), angle.cos(), Jet::constant(0.0), Jet::constant(1.0));
     let m = s * -1.0;
     let n = c * -1.0;
-    (
-        [[l, o, o], [o, c, m], [o, s, c]],
-        [[o, o, o], [o, m, n], [o, c, m]],
-    )
+    ([[l, o, o], [o, c, m], [o, s, c]], [[o, o, o], [o, m, n], [o, c, m]])
 }
 
 /// A heavy symmetric body with a fixed point, caught in one state of motion.
@@ -272,27 +252,9 @@ pub const STATES: [Caught; 6] = [
         angles: [-1.0, 1.55, 4.0],
         rates: [0.675, 0.1, 20.0],
     },
-    Caught {
-        i1: 1.0,
-        i3: 1.9,
-        mgl: 0.7,
-        angles: [2.0, 0.15, -3.0],
-        rates: [-0.4, 1.1, 1.3],
-    },
-    Caught {
-        i1: 1.0,
-        i3: 0.05,
-        mgl: 3.0,
-        angles: [0.3, 2.9, 1.0],
-        rates: [1.7, 0.2, -6.0],
-    },
-    Caught {
-        i1: 0.8,
-        i3: 1.0,
-        mgl: -0.24,
-        angles: [6.0, 1.2, 0.4],
-        rates: [0.9, -0.7, 1.6],
-    },
+    Caught { i1: 1.0, i3: 1.9, mgl: 0.7, angles: [2.0, 0.15, -3.0], rates: [-0.4, 1.1, 1.3] },
+    Caught { i1: 1.0, i3: 0.05, mgl: 3.0, angles: [0.3, 2.9, 1.0], rates: [1.7, 0.2, -6.0] },
+    Caught { i1: 0.8, i3: 1.0, mgl: -0.24, angles: [6.0, 1.2, 0.4], rates: [0.9, -0.7, 1.6] },
 ];
 
 /// How far two routes disagree in each of the [`STATES`], in units of eps times a

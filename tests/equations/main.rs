@@ -49,10 +49,7 @@ impl Caught {
 
 /// The notes' own instance of a quantity, to the printed digits.
 fn instance(name: &str, value: f64, printed: f64, half_of_last_digit: f64) {
-    assert!(
-        (value - printed).abs() <= half_of_last_digit,
-        "{name}: {value} is not {printed}"
-    );
+    assert!((value - printed).abs() <= half_of_last_digit, "{name}: {value} is not {printed}");
 }
 
 #[test]
@@ -64,24 +61,15 @@ fn eq_16_2_gyroscope_angular_velocity() {
             move |s: &Caught| {
                 let (rotation, rate) = s.rotation();
                 let spin = |i: usize, j: usize| -> f64 {
-                    (0..3)
-                        .map(|k| rotation[k][i].value * rate[k][j].value)
-                        .sum()
+                    (0..3).map(|k| rotation[k][i].value * rate[k][j].value).sum()
                 };
                 let body = [spin(2, 1), spin(0, 2), spin(1, 0)];
                 let (sz, cz) = (sin(s.angles[ZETA]), cos(s.angles[ZETA]));
-                let nodal = [
-                    body[0] * cz - body[1] * sz,
-                    body[0] * sz + body[1] * cz,
-                    body[2],
-                ];
+                let nodal = [body[0] * cz - body[1] * sz, body[0] * sz + body[1] * cz, body[2]];
                 let [precession, nutation, turn] = s.rates;
                 let (st, ct) = (sin(s.theta()), cos(s.theta()));
-                let formula = [
-                    sign * nutation,
-                    sign * precession * st,
-                    turn + sign * precession * ct,
-                ];
+                let formula =
+                    [sign * nutation, sign * precession * st, turn + sign * precession * ct];
                 let [x, y, z] = body.map(f64::abs);
                 let scale = x + y + z;
                 (nodal[component], formula[component], scale)
@@ -91,12 +79,7 @@ fn eq_16_2_gyroscope_angular_velocity() {
         disagreement(routes(-1.0)).exceed(FAR, 6);
     }
     let s = STATES[0];
-    instance(
-        "Omega_z",
-        s.rates[ZETA] + s.rates[PHI] * cos(1.0),
-        301.080604611736,
-        5e-13,
-    );
+    instance("Omega_z", s.rates[ZETA] + s.rates[PHI] * cos(1.0), 301.080604611736, 5e-13);
 }
 
 #[test]
@@ -109,11 +92,7 @@ fn eq_16_2_gyroscope_lagrangian() {
             let kinetic = 0.5 * transverse * s.i1 * (nutation * nutation + across * across)
                 + 0.5 * s.i3 * along * along;
             let potential = s.mgl * cos(s.theta());
-            (
-                s.lagrangian().value,
-                kinetic - potential,
-                kinetic + s.mgl.abs(),
-            )
+            (s.lagrangian().value, kinetic - potential, kinetic + s.mgl.abs())
         }
     };
     assert_largest!(disagreement(routes(1.0)), 6, @"1.92");
@@ -127,11 +106,7 @@ fn eq_16_2_gyroscope_spin_momentum() {
     let routes = |projection: f64| {
         move |s: &Caught| {
             let formula = s.i3 * (s.rates[ZETA] + projection * s.rates[PHI] * cos(s.theta()));
-            (
-                s.momentum(ZETA),
-                formula,
-                s.i3 * (s.rates[ZETA].abs() + s.rates[PHI].abs()),
-            )
+            (s.momentum(ZETA), formula, s.i3 * (s.rates[ZETA].abs() + s.rates[PHI].abs()))
         }
     };
     assert_largest!(disagreement(routes(1.0)), 6, @"2.49");
@@ -147,11 +122,7 @@ fn eq_16_2_gyroscope_vertical_momentum() {
         move |s: &Caught| {
             let (vertical, spin) = s.momenta();
             let across = moment * s.i1 * s.rates[PHI] * sin(s.theta()) * sin(s.theta());
-            (
-                vertical,
-                spin * cos(s.theta()) + across,
-                spin.abs() + s.i1 * s.rates[PHI].abs(),
-            )
+            (vertical, spin * cos(s.theta()) + across, spin.abs() + s.i1 * s.rates[PHI].abs())
         }
     };
     assert_largest!(disagreement(routes(1.0)), 6, @"1.02");
@@ -185,11 +156,7 @@ fn eq_16_2_gyroscope_theta_equation_with_rates() {
             let along = turn + projection * precession * ct;
             let formula = s.mgl * st + s.i1 * precession * precession * st * ct
                 - s.i3 * along * precession * st;
-            (
-                s.accelerations()[THETA],
-                formula / s.i1,
-                s.acceleration_scale(),
-            )
+            (s.accelerations()[THETA], formula / s.i1, s.acceleration_scale())
         }
     };
     assert_largest!(disagreement(routes(1.0)), 6, @"1.87");
@@ -215,12 +182,7 @@ fn eq_16_2_3_theta_equation() {
     };
     assert_largest!(disagreement(routes(1.0)), 6, @"2.93");
     disagreement(routes(-1.0)).exceed(FAR, 6);
-    instance(
-        "theta''",
-        theta_equation_3(&STATES[0], 1.0),
-        -6.15030340437294,
-        5e-13,
-    );
+    instance("theta''", theta_equation_3(&STATES[0], 1.0), -6.15030340437294, 5e-13);
 }
 
 /// U_eff(theta), with derivatives in theta.
@@ -244,11 +206,7 @@ fn eq_16_2_gyroscope_energy() {
             let nutation = s.rates[THETA];
             let potential = effective_potential(s);
             let formula = 0.5 * s.i1 * nutation * nutation + potential.value;
-            (
-                reduced,
-                formula,
-                s.energy().abs() + s.mgl.abs() + potential.value.abs(),
-            )
+            (reduced, formula, s.energy().abs() + s.mgl.abs() + potential.value.abs())
         }
     };
     assert_largest!(disagreement(routes(1.0)), 6, @"3.36");
@@ -261,16 +219,8 @@ fn eq_16_2_gyroscope_effective_potential() {
     // I1 theta'' = -dU_eff/dtheta: the time derivative of the energy equation is eq. (3).
     let routes = |gravity: f64| {
         move |s: &Caught| {
-            let slope = effective_potential(&Caught {
-                mgl: gravity * s.mgl,
-                ..*s
-            })
-            .first[THETA];
-            (
-                s.accelerations()[THETA],
-                -slope / s.i1,
-                s.acceleration_scale(),
-            )
+            let slope = effective_potential(&Caught { mgl: gravity * s.mgl, ..*s }).first[THETA];
+            (s.accelerations()[THETA], -slope / s.i1, s.acceleration_scale())
         }
     };
     assert_largest!(disagreement(routes(1.0)), 6, @"2.99");
@@ -322,12 +272,7 @@ fn eq_16_2_4_theta_equation() {
     };
     assert_largest!(disagreement(routes(1.0)), 6, @"0.185");
     disagreement(routes(1.01)).exceed(FAR, 6);
-    instance(
-        "theta''",
-        theta_equation_4(2.0, 1.2, 0.2, 1.0),
-        -0.610373896215554,
-        5e-16,
-    );
+    instance("theta''", theta_equation_4(2.0, 1.2, 0.2, 1.0), -0.610373896215554, 5e-16);
 }
 
 #[test]
@@ -344,12 +289,7 @@ fn eq_16_2_5_precession_rate() {
     assert_largest!(disagreement(routes(1.0)), 6, @"1.15");
     disagreement(routes(1.01)).exceed(FAR, 6);
     let s = STATES[0];
-    instance(
-        "dphi/dt'",
-        s.rates[PHI] * s.dimensionless().3,
-        0.0163464786882942,
-        5e-17,
-    );
+    instance("dphi/dt'", s.rates[PHI] * s.dimensionless().3, 0.0163464786882942, 5e-17);
 }
 
 #[test]
@@ -359,20 +299,11 @@ fn eq_16_2_6_spin_rate() {
             let (a, _, _, unit) = s.dimensionless();
             let precession = s.rates[PHI] * unit;
             let formula = 1.0 / a.sqrt() - power * precession * cos(s.theta());
-            (
-                s.rates[ZETA] * unit,
-                formula,
-                1.0 / a.sqrt() + precession.abs(),
-            )
+            (s.rates[ZETA] * unit, formula, 1.0 / a.sqrt() + precession.abs())
         }
     };
     assert_largest!(disagreement(routes(1.0)), 6, @"3.42");
     disagreement(routes(-1.0)).exceed(FAR, 6);
     let s = STATES[0];
-    instance(
-        "dzeta/dt'",
-        s.rates[ZETA] * s.dimensionless().3,
-        2.45197180324412,
-        5e-15,
-    );
+    instance("dzeta/dt'", s.rates[ZETA] * s.dimensionless().3, 2.45197180324412, 5e-15);
 }

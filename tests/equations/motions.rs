@@ -48,12 +48,7 @@ fn eq_16_2_4_to_6_describe_the_motion() {
         for (b, energy, start) in motions {
             let top = ReducedTop::new(2.0, b, 0.2).expect("the notes' parameters");
             let exact = HeavyTop::from_energy(top, energy, start, 0.0, 0.0).expect("a motion");
-            let equations = FourToSix {
-                a: 2.0,
-                b,
-                c: 0.2,
-                factor,
-            };
+            let equations = FourToSix { a: 2.0, b, c: 0.2, factor };
             let state = [exact.angles(0.0).theta, 0.0, 0.0, 0.0];
             let run = Dop853::new(1e-14)
                 .and_then(|method| method.solve(&equations, 0.0, &state, 20.0, &[]))
@@ -81,18 +76,12 @@ fn eq_16_2_steady_precession() {
     // At the bottom of the valley: u p^2 - sqrt(a) p + c = 0 for p = dphi/dt'.
     let mut residuals = Errors::in_units_of(EPS, "steady precession");
     let mut damaged = Errors::in_units_of(EPS, "steady precession, the weight turned round");
-    for (a, b, c) in [
-        (2.0, 1.2, 0.2),
-        (2.0, 0.6, 0.2),
-        (0.165, 0.57, 0.006),
-        (1.25, 0.6, -0.3),
-    ] {
+    for (a, b, c) in [(2.0, 1.2, 0.2), (2.0, 0.6, 0.2), (0.165, 0.57, 0.006), (1.25, 0.6, -0.3)] {
         let top = ReducedTop::new(a, b, c).expect("a top");
         let (theta, _) = top.minimum();
         let u = cos(theta);
-        let precession = HeavyTop::from_angles(top, theta, 0.0, 0.0, 0.0)
-            .expect("steady")
-            .phi_rate(0.0);
+        let precession =
+            HeavyTop::from_angles(top, theta, 0.0, 0.0, 0.0).expect("steady").phi_rate(0.0);
         let residual = |sign: f64| u * precession * precession - a.sqrt() * precession + sign * c;
         let scale = a.sqrt() * (1.0 + b.abs()) / (1.0 - u * u);
         residuals.push_at(residual(1.0) / scale, a);

@@ -11,9 +11,8 @@ fn stems(directory: &Path) -> Vec<String> {
     let files = fs::read_dir(directory).expect("the directory can be read");
     let paths = files.map(|file| file.expect("an entry").path());
     let rust = paths.filter(|path| path.extension().is_some_and(|e| e == "rs"));
-    let mut stems: Vec<String> = rust
-        .filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()))
-        .collect();
+    let mut stems: Vec<String> =
+        rust.filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned())).collect();
     stems.sort();
     stems
 }
@@ -32,10 +31,7 @@ fn main() {
         format!("#[path = {file:?}]\npub mod {stem};\n")
     };
     let modules: String = pages.iter().map(module).collect();
-    let list: String = pages
-        .iter()
-        .map(|stem| format!("&{stem}::EXAMPLE, "))
-        .collect();
+    let list: String = pages.iter().map(|stem| format!("&{stem}::EXAMPLE, ")).collect();
     let library = format!(
         "{modules}\n/// Every example, in the order of the stems.\npub const ALL: &[&dyn Page] = &[{list}];\n\
          /// What moves of each, in the same order.\npub const MOVING: &[&dyn Moves] = &[{list}];\n\

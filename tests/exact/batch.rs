@@ -94,10 +94,7 @@ fn any_length_will_do() -> Result<()> {
     let times = times(case, 40);
     let whole = bits(&filled(case, &times)?);
     for length in 0..=times.len() {
-        assert_eq!(
-            bits(&filled(case, &times[..length])?),
-            whole[..length].to_vec()
-        );
+        assert_eq!(bits(&filled(case, &times[..length])?), whole[..length].to_vec());
     }
     Ok(())
 }
@@ -110,11 +107,7 @@ fn lists_of_different_length_are_refused_untouched() -> Result<()> {
         for length in [0, 6, 8] {
             let mut states = before.clone();
             let error = case.kinematics_at(&vec![1.0; length], &mut states);
-            let expected = Error::Lengths {
-                name: "samples",
-                found: 7,
-                expected: length,
-            };
+            let expected = Error::Lengths { name: "samples", found: 7, expected: length };
             assert_eq!(error, Err(expected));
             assert_eq!(bits(&states), bits(&before));
             refused += 1;
@@ -141,10 +134,7 @@ fn any_time_has_a_unit_quaternion_or_none() -> Result<()> {
                     continue;
                 }
                 known += 1;
-                let Kinematics {
-                    attitude,
-                    angular_velocity: omega,
-                } = now;
+                let Kinematics { attitude, angular_velocity: omega } = now;
                 let norm: f64 = attitude.quaternion().iter().map(|q| q * q).sum();
                 norms.push_at(norm - 1.0, (i, t));
                 assert!(omega.is_finite(), "case {i} at {t}: {omega:?}");

@@ -38,9 +38,7 @@ fn errors(damage: f64) -> BTreeMap<String, Errors> {
             _ => 1.0,
         };
         let of_this = errors.entry(op.to_owned());
-        of_this
-            .or_insert_with(|| Errors::in_units_of(UNIT, op))
-            .push_at(error / condition, line);
+        of_this.or_insert_with(|| Errors::in_units_of(UNIT, op)).push_at(error / condition, line);
     }
     errors
 }

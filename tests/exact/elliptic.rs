@@ -231,14 +231,8 @@ fn symmetric_integrals_reduce_to_elementary_ones() -> Result<()> {
 fn symmetries_hold_bit_for_bit() -> Result<()> {
     let up = 2.0_f64.powi(200);
     let four = up * up;
-    assert_eq!(
-        carlson::rf(four, 2.0 * four, 0.3 * four)? * up,
-        carlson::rf(1.0, 2.0, 0.3)?
-    );
-    assert_eq!(
-        carlson::rc(1.0 / four, 0.3 / four)? / up,
-        carlson::rc(1.0, 0.3)?
-    );
+    assert_eq!(carlson::rf(four, 2.0 * four, 0.3 * four)? * up, carlson::rf(1.0, 2.0, 0.3)?);
+    assert_eq!(carlson::rc(1.0 / four, 0.3 / four)? / up, carlson::rc(1.0, 0.3)?);
     assert_eq!(
         carlson::rj(four, 2.0 * four, 0.3 * four, 0.1 * four)? * up * up * up,
         carlson::rj(1.0, 2.0, 0.3, 0.1)?
@@ -297,10 +291,7 @@ fn bad_input_is_refused_with_its_numbers() -> Result<()> {
         Jacobi::new(m).am(1e16),
     ];
     for (i, result) in out_of_range.iter().enumerate() {
-        assert!(
-            matches!(result, Err(Error::OutOfRange { .. })),
-            "{i}: {result:?}"
-        );
+        assert!(matches!(result, Err(Error::OutOfRange { .. })), "{i}: {result:?}");
     }
     let not_finite = [
         Modulus::from_m(f64::NAN).map(|m| m.m()),
@@ -320,10 +311,7 @@ fn bad_input_is_refused_with_its_numbers() -> Result<()> {
         Jacobi::new(m).am(f64::INFINITY),
     ];
     for (i, result) in not_finite.iter().enumerate() {
-        assert!(
-            matches!(result, Err(Error::NotFinite { .. })),
-            "{i}: {result:?}"
-        );
+        assert!(matches!(result, Err(Error::NotFinite { .. })), "{i}: {result:?}");
     }
     Ok(())
 }

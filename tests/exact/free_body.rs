@@ -21,14 +21,7 @@ fn motion(moments: [f64; 3], omega: [f64; 3]) -> FreeBody {
     .expect("finite rates")
 }
 
-const ORDERS: [[usize; 3]; 6] = [
-    [0, 1, 2],
-    [0, 2, 1],
-    [1, 0, 2],
-    [1, 2, 0],
-    [2, 0, 1],
-    [2, 1, 0],
-];
+const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
 /// Every regime, in every order of the axes where that matters.
 fn cases() -> Vec<FreeBody> {
@@ -88,10 +81,7 @@ fn momentum_and_energy_stay() {
 /// Five-point derivative of the attitude against the rates.
 fn kinematic_error(case: &FreeBody, damage: f64) -> f64 {
     let t = 1.7;
-    let Kinematics {
-        attitude: here,
-        angular_velocity: omega,
-    } = case.kinematics(t);
+    let Kinematics { attitude: here, angular_velocity: omega } = case.kinematics(t);
     let h = 1e-3 / omega.norm();
     let turned = |k: f64| here.inverse().then_in_body(&case.attitude(t + k * h));
     let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(turned);
@@ -152,11 +142,7 @@ fn the_separatrix_is_a_single_flip() {
     let beside = motion([3.0, 4.0, 6.0], [2.0, 0.5, 1.0 + 1e-9]);
     assert_eq!(beside.kind(), Kind::Asymmetric);
     let back = (1..=80).any(|t| beside.angular_velocity(f64::from(t)).y() * late.y() < 0.0);
-    assert!(
-        back && beside.rate_period() < 80.0,
-        "{}",
-        beside.rate_period()
-    );
+    assert!(back && beside.rate_period() < 80.0, "{}", beside.rate_period());
 }
 
 /// All of the separatrix: every sign and order, up to the last digits either side, and from
@@ -171,22 +157,13 @@ fn every_part_of_the_separatrix_is_a_motion() {
     let (mut exactly, mut all) = (0, 0);
     for order in ORDERS {
         for signs in 0..8 {
-            for (middle, small) in [
-                (1.0, 0.25),
-                (0.0, 1.0),
-                (0.3, 0.7),
-                (1.0, 1e-8),
-                (1.0, 1e-100),
-                (1.0, 1e-200),
-            ] {
+            for (middle, small) in
+                [(1.0, 0.25), (0.0, 1.0), (0.3, 0.7), (1.0, 1e-8), (1.0, 1e-100), (1.0, 1e-200)]
+            {
                 for part in [1.0 - 2.0 * EPS, 1.0, 1.0 + 2.0 * EPS] {
                     let rates = [2.0 * small, middle, small * part];
                     let rates: [f64; 3] = core::array::from_fn(|i| {
-                        if signs >> i & 1 == 0 {
-                            rates[i]
-                        } else {
-                            -rates[i]
-                        }
+                        if signs >> i & 1 == 0 { rates[i] } else { -rates[i] }
                     });
                     let moved = |v: [f64; 3]| order.map(|i: usize| v[i]);
                     let case = motion(moved([3.0, 4.0, 6.0]), moved(rates));
@@ -220,11 +197,7 @@ fn the_period_of_the_flip_grows_as_a_logarithm() {
 #[test]
 fn a_rate_that_is_not_a_number_is_refused() -> Result<()> {
     let moments = PrincipalMoments::new(1.0, 2.0, 2.5)?;
-    let refused = FreeBody::new(
-        moments,
-        Attitude::IDENTITY,
-        BodyVector::new(0.1, f64::NAN, 0.0),
-    );
+    let refused = FreeBody::new(moments, Attitude::IDENTITY, BodyVector::new(0.1, f64::NAN, 0.0));
     let message = refused.expect_err("NaN").to_string();
     assert!(message.contains("angular_velocity"), "{message}");
     Ok(())

@@ -25,10 +25,7 @@ fn cases() -> Vec<Case> {
     lines
         .map(|line| {
             let (kind, numbers) = line.split_once(' ').expect("a kind and numbers");
-            let v: Vec<f64> = numbers
-                .split(' ')
-                .map(|x| x.parse().expect("a number"))
-                .collect();
+            let v: Vec<f64> = numbers.split(' ').map(|x| x.parse().expect("a number")).collect();
             Case {
                 kind: kind.to_owned(),
                 moments: PrincipalMoments::new(v[0], v[1], v[2]).expect("a body"),
@@ -44,9 +41,7 @@ fn cases() -> Vec<Case> {
 /// is not short is seen through its attitude.
 fn error(case: &Case, damage: f64) -> f64 {
     let flow = FreeFlow::new(case.moments);
-    let [w, x, y, z] = flow
-        .turn(case.momentum, case.dt * (1.0 + damage))
-        .quaternion();
+    let [w, x, y, z] = flow.turn(case.momentum, case.dt * (1.0 + damage)).quaternion();
     let [less, a, b, c] = case.want;
     let [mut size, mut off] = ["increment", "its error"].map(Errors::of);
     case.want.iter().for_each(|v| size.push(*v));
@@ -118,10 +113,7 @@ fn a_million_steps() {
     let moments = PrincipalMoments::new(1.0, 2.0, 2.5).expect("a body");
     let rates = BodyVector::new(0.8, -0.25, 0.24);
     let scene = Scene::new(RigidBody::new(moments));
-    let start = scene
-        .body()
-        .state(Attitude::IDENTITY, rates)
-        .expect("finite");
+    let start = scene.body().state(Attitude::IDENTITY, rates).expect("finite");
     let exact = FreeBody::new(moments, Attitude::IDENTITY, rates).expect("a motion");
     let mut point = scene.enter(&start).expect("any body");
     let (dt, mut angle) = (0.3, f64::NAN);

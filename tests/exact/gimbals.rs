@@ -24,19 +24,12 @@ fn with(ring: [f64; 3], fork: f64) -> Gimbals {
 
 /// Light gimbals, and gimbals as heavy as the rotor.
 fn both() -> [Gimbals; 2] {
-    [
-        with([1.5e-4, 1.5e-4, 2e-5], 2e-4),
-        with([4e-3, 5e-3, 3e-3], 6e-3),
-    ]
+    [with([1.5e-4, 1.5e-4, 2e-5], 2e-4), with([4e-3, 5e-3, 3e-3], 6e-3)]
 }
 
 fn pose(g: &Gimbals, theta: f64, rates: [f64; 2], spin: f64) -> Pose {
     let [theta_rate, phi_rate] = rates;
-    Pose {
-        theta_rate,
-        phi_rate,
-        ..g.released(theta, spin)
-    }
+    Pose { theta_rate, phi_rate, ..g.released(theta, spin) }
 }
 
 fn nod(g: &Gimbals, at: &Pose) -> NutationCycle {
@@ -55,11 +48,7 @@ fn without_gimbals_a_nod_is_that_of_the_heavy_top() {
                 let (s, c) = sincos(theta);
                 // L_z is I3 times the component along the axle.
                 let omega = BodyVector::new(rates[0], rates[1] * s, spin);
-                let angles = EulerAngles {
-                    phi: 0.0,
-                    theta,
-                    zeta: 0.0,
-                };
+                let angles = EulerAngles { phi: 0.0, theta, zeta: 0.0 };
                 let exact = HeavyTop::from_body(rotor(), angles, omega).expect("a top");
                 let got = nod(&g, &at);
                 // Near the vertical the walk magnifies what the start is off by rounding.
@@ -125,10 +114,7 @@ fn with_gimbals_a_nod_is_that_of_the_equations() {
             errors.push_at(exact.period / back.t - 1.0, (way, at));
             errors.push_at(exact.precession - back.state[2], (way, at));
             damaged.push(exact.period * (5.45e-3 / g.tilting()).sqrt() / back.t - 1.0);
-            errors.push_at(
-                (exact.spin - back.state[4]) / (1.0 + exact.spin.abs()),
-                (way, at),
-            );
+            errors.push_at((exact.spin - back.state[4]) / (1.0 + exact.spin.abs()), (way, at));
         }
     }
     assert!(ways.iter().all(|&count| count > 0), "{ways:?}");
@@ -142,12 +128,7 @@ fn a_heavy_fork_leaves_a_pendulum() {
     let g = with([0.0; 3], 1e18);
     let swing = nod(&g, &g.released(1.0, 314.0));
     let (mass, gravity, lever) = (1.0, 4.903325, 0.1);
-    let suspension = Suspension {
-        moment: 5.45e-3,
-        mass,
-        gravity,
-        lever,
-    };
+    let suspension = Suspension { moment: 5.45e-3, mass, gravity, lever };
     let exact = Pendulum::new(suspension, PI - 1.0, 0.0).expect("a pendulum");
     assert_error!(swing.period, exact.period(), 0.0 eps);
     assert_error!(swing.theta_max, TAU - 1.0, 0.0 eps);
@@ -156,17 +137,13 @@ fn a_heavy_fork_leaves_a_pendulum() {
 /// Kinetic energy and momenta from the vectors of three bodies.
 #[test]
 fn energy_and_momenta_are_those_of_rotor_ring_and_fork() {
-    let (mut errors, mut damaged) = (
-        Errors::in_units_of(EPS, "T, L_Z"),
-        Errors::of("ring unturned"),
-    );
+    let (mut errors, mut damaged) =
+        (Errors::in_units_of(EPS, "T, L_Z"), Errors::of("ring unturned"));
     let (ring, fork) = ([4e-3, 5e-3, 3e-3], 6e-3);
     let g = with(ring, fork);
-    for (theta, [tilt, walk], spin) in [
-        (0.7, [3.0, 2.0], 50.0),
-        (1.9, [-1.0, 4.0], -20.0),
-        (2.8, [0.3, -5.0], 7.0),
-    ] {
+    for (theta, [tilt, walk], spin) in
+        [(0.7, [3.0, 2.0], 50.0), (1.9, [-1.0, 4.0], -20.0), (2.8, [0.3, -5.0], 7.0)]
+    {
         let at = pose(&g, theta, [tilt, walk], spin);
         let (phi, zeta) = (0.4, 0.9);
         let euler =
@@ -193,11 +170,7 @@ fn energy_and_momenta_are_those_of_rotor_ring_and_fork() {
                 + fork * walk * walk)
         };
         let vertical = 0.5 * (with_walk(walk + 1.0) - with_walk(walk - 1.0));
-        errors.add(
-            g.vertical_momentum(&at),
-            vertical,
-            kinetic(on(0.0, of_ring)),
-        );
+        errors.add(g.vertical_momentum(&at), vertical, kinetic(on(0.0, of_ring)));
     }
     assert_largest!(errors, 6, @"4.84");
     damaged.exceed(1e-6, 3);
@@ -209,17 +182,10 @@ fn without_friction_energy_and_momentum_stay() {
     let (mut errors, mut damaged) = (Errors::of("energy, L_Z"), Errors::of("without the fork"));
     for g in both() {
         let at = pose(&g, 0.9, [2.0, -1.0], 150.0);
-        let (end, _) = Dop853::new(1e-14)
-            .unwrap()
-            .advance(&g, 0.0, &at.to_array(), 5.0)
-            .unwrap();
+        let (end, _) = Dop853::new(1e-14).unwrap().advance(&g, 0.0, &at.to_array(), 5.0).unwrap();
         let end = Pose::from_array(end);
         errors.add(g.axis_energy(&end), g.axis_energy(&at), g.axis_energy(&at));
-        errors.add(
-            g.vertical_momentum(&end),
-            g.vertical_momentum(&at),
-            g.vertical_momentum(&at),
-        );
+        errors.add(g.vertical_momentum(&end), g.vertical_momentum(&at), g.vertical_momentum(&at));
         let bare = with([0.0; 3], 0.0);
         damaged.add(
             bare.vertical_momentum(&end),
@@ -305,12 +271,8 @@ fn no_reversal_is_missed() {
     for (g, b) in both().into_iter().flat_map(|g| frictions().map(|b| (g, b))) {
         let run = |step| GimbalMotion::new(g, b, g.released(1.0, 314.0), None, 2.0, step).unwrap();
         let [coarse, fine] = [run(1e-8), run(1e-13)];
-        let names = |c: &GimbalMotion| {
-            c.changes()
-                .iter()
-                .map(|c| (c.name, c.to))
-                .collect::<Vec<_>>()
-        };
+        let names =
+            |c: &GimbalMotion| c.changes().iter().map(|c| (c.name, c.to)).collect::<Vec<_>>();
         assert_eq!(names(&coarse), names(&fine));
         count += names(&fine).len();
         for (a, b) in coarse.changes().iter().zip(fine.changes()) {
@@ -361,15 +323,8 @@ fn a_locking_axle_leaves_the_vertical_momentum() {
     let b = rubbing([0.0; 2], [0.0; 2], [0.0, 0.5], false);
     let start = g.released(1.0, 100.0);
     let course = GimbalMotion::new(g, b, start, None, 1.0, 1e-12).unwrap();
-    let locks = course
-        .changes()
-        .iter()
-        .find(|c| c.name == "axle stops")
-        .expect("it locks");
-    assert!(
-        (locks.t - 9e-4 * 100.0 / 0.5).abs() < 0.1 * locks.t,
-        "{locks:?}"
-    );
+    let locks = course.changes().iter().find(|c| c.name == "axle stops").expect("it locks");
+    assert!((locks.t - 9e-4 * 100.0 / 0.5).abs() < 0.1 * locks.t, "{locks:?}");
     let (mut errors, mut damaged) = (Errors::of("L_Z"), Errors::of("L_z"));
     for t in [0.5 * locks.t, locks.t, 1.0] {
         let at = course.at(t).unwrap();
@@ -425,22 +380,12 @@ fn dry_friction_takes_equal_steps() {
     let bottom = 0.5 * (nod.theta_min + nod.theta_max);
     let theory = Decay::of(&g, &b, bottom, axial).unwrap();
     let course = GimbalMotion::new(g, b, start, None, 1.0, 1e-13).unwrap();
-    let stops: Vec<f64> = course
-        .changes()
-        .iter()
-        .filter(|c| c.name == "tilt stops")
-        .map(|c| c.pose.theta)
-        .collect();
+    let stops: Vec<f64> =
+        course.changes().iter().filter(|c| c.name == "tilt stops").map(|c| c.pose.theta).collect();
     let count = ((bottom - 1.0) / theory.shortening - 0.5).ceil();
-    assert!(
-        (stops.len() as f64 - count).abs() <= 1.0,
-        "{} {count}",
-        stops.len()
-    );
+    assert!((stops.len() as f64 - count).abs() <= 1.0, "{} {count}", stops.len());
     let (mut errors, mut damaged) = (Errors::of("shortening"), Errors::of("of the rotor alone"));
-    let bare = Decay::of(&with([0.0; 3], 0.0), &b, bottom, axial)
-        .unwrap()
-        .shortening;
+    let bare = Decay::of(&with([0.0; 3], 0.0), &b, bottom, axial).unwrap().shortening;
     for three in stops.windows(3).take(50) {
         let step = 0.5 * ((three[0] - three[1]).abs() - (three[1] - three[2]).abs());
         errors.push(step / theory.shortening - 1.0);
@@ -458,10 +403,8 @@ fn dry_friction_takes_equal_steps() {
 #[test]
 fn the_axis_sinks_and_rises_as_the_slow_motion_says() {
     let g = both()[0];
-    let (mut errors, mut damaged) = (
-        Errors::of("tilt"),
-        Errors::of("torques about the vertical alone"),
-    );
+    let (mut errors, mut damaged) =
+        (Errors::of("tilt"), Errors::of("torques about the vertical alone"));
     let mut senses = Vec::new();
     for b in [
         rubbing([1e-3, 0.0], [0.0, 2e-3], [0.0; 2], false),
@@ -471,16 +414,11 @@ fn the_axis_sinks_and_rises_as_the_slow_motion_says() {
     ] {
         let axial = 9e-4 * 314.0;
         let phi_rate = g.steady_rate(1.0, axial, 0.0).unwrap();
-        let start = Pose {
-            phi_rate,
-            ..g.released(1.0, 314.0)
-        };
+        let start = Pose { phi_rate, ..g.released(1.0, 314.0) };
         let course = GimbalMotion::new(g, b, start, None, 30.0, 1e-11).unwrap();
         let slow = Decay::slow(g, b);
-        let (end, _) = Dop853::new(1e-12)
-            .unwrap()
-            .advance(&slow, 0.0, &[1.0, 0.0, axial], 30.0)
-            .unwrap();
+        let (end, _) =
+            Dop853::new(1e-12).unwrap().advance(&slow, 0.0, &[1.0, 0.0, axial], 30.0).unwrap();
         let sank = course.at(30.0).unwrap().theta - 1.0;
         errors.push((end[0] - 1.0) / sank - 1.0);
         let about = b.azimuth.dry() + b.azimuth.viscous() * phi_rate - b.axle.dry() * cos(1.0);
@@ -503,42 +441,17 @@ fn what_is_no_gyroscope_is_refused() {
     );
     assert!(refused([1.0, 1.0, 3.0], 0.0).contains("belong to no body"));
     assert!(refused([0.0; 3], f64::NAN).contains("moment of the fork = NaN"));
-    assert!(
-        Bearing::new(-1.0, 0.0)
-            .unwrap_err()
-            .to_string()
-            .contains("viscous coefficient")
-    );
-    assert!(
-        Bearing::new(0.0, -1.0)
-            .unwrap_err()
-            .to_string()
-            .contains("dry torque")
-    );
+    assert!(Bearing::new(-1.0, 0.0).unwrap_err().to_string().contains("viscous coefficient"));
+    assert!(Bearing::new(0.0, -1.0).unwrap_err().to_string().contains("dry torque"));
     let g = both()[0];
     let slow = g.steady_rate(0.5, 1e-3, 0.0).unwrap_err().to_string();
     assert!(slow.contains("1 or more"), "{slow}");
-    let bad = Pose {
-        theta: f64::NAN,
-        ..g.released(1.0, 1.0)
-    };
+    let bad = Pose { theta: f64::NAN, ..g.released(1.0, 1.0) };
     assert!(NutationCycle::of(&g, &bad).is_err());
     let run = |theta: f64, t: f64| {
-        GimbalMotion::new(
-            g,
-            Bearings::SMOOTH,
-            g.released(theta, 300.0),
-            Some(2.0),
-            t,
-            1e-9,
-        )
+        GimbalMotion::new(g, Bearings::SMOOTH, g.released(theta, 300.0), Some(2.0), t, 1e-9)
     };
-    assert!(
-        run(2.5, 1.0)
-            .unwrap_err()
-            .to_string()
-            .contains("less than the tilt at the stop")
-    );
+    assert!(run(2.5, 1.0).unwrap_err().to_string().contains("less than the tilt at the stop"));
     let late = run(1.0, 0.5).unwrap().at(0.6).unwrap_err();
     assert!(matches!(late, Error::OutsideRun { .. }));
     // On the separatrix a nod takes for ever.

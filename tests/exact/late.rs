@@ -45,11 +45,7 @@ impl Case {
     /// Attitude and rates on the body axes, or angle and rate, at the time `t`.
     fn got(&self, t: f64) -> Result<Vec<f64>> {
         let v = self.inputs.as_slice();
-        let angles = |v: &[f64]| EulerAngles {
-            phi: v[0],
-            theta: v[1],
-            zeta: v[2],
-        };
+        let angles = |v: &[f64]| EulerAngles { phi: v[0], theta: v[1], zeta: v[2] };
         let rates = |v: &[f64]| BodyVector::new(v[0], v[1], v[2]);
         let now = match self.kind {
             "free" => {
@@ -62,12 +58,8 @@ impl Case {
                 HeavyTop::from_body(body, angles(&v[3..]), rates(&v[6..]))?.try_kinematics(t)?
             }
             _ => {
-                let suspension = Suspension {
-                    moment: v[0],
-                    mass: v[1],
-                    gravity: v[2],
-                    lever: v[3],
-                };
+                let suspension =
+                    Suspension { moment: v[0], mass: v[1], gravity: v[2], lever: v[3] };
                 let state = Pendulum::new(suspension, v[4], v[5])?.at(t)?;
                 return Ok(vec![state.theta, state.omega]);
             }
@@ -104,10 +96,7 @@ impl Case {
         let size = |v: &[f64]| v.iter().fold(0.0, |size, x| hypot(size, *x));
         let apart = [0, 1, 2, 3].map(|i| got[i] * along.signum() - moved[i]);
         let faster = [0, 1, 2].map(|i| got[4 + i] - rates[i]);
-        [
-            2.0 * size(&apart),
-            relative(size(&faster), 0.0, size(rates)),
-        ]
+        [2.0 * size(&apart), relative(size(&faster), 0.0, size(rates))]
     }
 }
 
@@ -116,10 +105,8 @@ impl Case {
 #[test]
 fn a_trillion_periods_cost_no_digit() {
     let mut rows = Vec::new();
-    let (mut places, mut rates) = (
-        Errors::in_units_of(EPS, "attitude"),
-        Errors::in_units_of(EPS, "rates"),
-    );
+    let (mut places, mut rates) =
+        (Errors::in_units_of(EPS, "attitude"), Errors::in_units_of(EPS, "rates"));
     let mut damaged = Errors::in_units_of(EPS, "with rates that are off by 2^-80 of themselves");
     let cases: Vec<Case> = cases(include_str!("../data/late.txt")).collect();
     for motion in cases.chunks(5) {
@@ -154,10 +141,8 @@ fn a_trillion_periods_cost_no_digit() {
 /// missing, and what is beyond is refused.
 #[test]
 fn the_last_turns_cost_no_digit() {
-    let (mut places, mut rates) = (
-        Errors::in_units_of(EPS, "attitude"),
-        Errors::in_units_of(EPS, "rates"),
-    );
+    let (mut places, mut rates) =
+        (Errors::in_units_of(EPS, "attitude"), Errors::in_units_of(EPS, "rates"));
     let mut damaged = Errors::in_units_of(EPS, "with rates that are off by 2^-88 of themselves");
     for case in cases(include_str!("../data/latest.txt")) {
         let latest = crate::latest(case.got(1e300).err());

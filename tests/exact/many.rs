@@ -28,11 +28,7 @@ fn bodies(number: u32) -> Vec<FreeBody> {
         let moments = PrincipalMoments::new(i1, i2, i3)?;
         // A power of two leaves the separatrix where it is.
         let faster = f64::from(1 << (k % 4));
-        FreeBody::new(
-            moments,
-            start,
-            BodyVector::from_array(rates.map(|w| w * faster)),
-        )
+        FreeBody::new(moments, start, BodyVector::from_array(rates.map(|w| w * faster)))
     };
     (0..number).map(|k| body(k).expect("a motion")).collect()
 }
@@ -132,21 +128,16 @@ fn a_wrong_number_of_states_or_a_time_that_is_none_is_refused_untouched() {
     let mut refused = 0;
     let mut refuse = |length: usize, t: f64, told: &dyn Fn(Error) -> bool| {
         let mut states = vec![Kinematics::REST; length];
-        for error in [
-            bodies.kinematics(t, &mut states).err(),
-            tops.kinematics(t, &mut states).err(),
-        ] {
+        for error in
+            [bodies.kinematics(t, &mut states).err(), tops.kinematics(t, &mut states).err()]
+        {
             assert!(error.is_some_and(told), "{length} states at {t}");
             assert!(states.iter().all(|state| *state == Kinematics::REST));
             refused += 1;
         }
     };
     for found in [0, 10, 12] {
-        let lengths = Error::Lengths {
-            name: "states",
-            found,
-            expected: 11,
-        };
+        let lengths = Error::Lengths { name: "states", found, expected: 11 };
         refuse(found, 1.0, &|error| error == lengths);
     }
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
@@ -157,11 +148,7 @@ fn a_wrong_number_of_states_or_a_time_that_is_none_is_refused_untouched() {
         );
     }
     for late in [1e17, -1e300] {
-        refuse(
-            11,
-            late,
-            &|error| matches!(error, Error::PhaseLost { t, .. } if t == late),
-        );
+        refuse(11, late, &|error| matches!(error, Error::PhaseLost { t, .. } if t == late));
     }
     assert_eq!(refused, 16);
 }

@@ -39,12 +39,7 @@ fn reduced(energy: f64) -> HeavyTop {
 }
 
 fn pendulum(theta0: f64, omega0: f64) -> Pendulum {
-    let suspension = Suspension {
-        moment: 1.0,
-        mass: 1.0,
-        gravity: 1.0,
-        lever: 1.0,
-    };
+    let suspension = Suspension { moment: 1.0, mass: 1.0, gravity: 1.0, lever: 1.0 };
     Pendulum::new(suspension, theta0, omega0).expect("a pendulum")
 }
 
@@ -53,9 +48,8 @@ fn pendulum(theta0: f64, omega0: f64) -> Pendulum {
 fn many_states_are_single_states_and_the_first_bad_time_is_named() {
     let body = RigidBody::new(PrincipalMoments::new(1.0, 2.0, 2.5).expect("a body"));
     let own = free([1.0, 2.0, 2.5], [0.8, 0.4, 0.3]);
-    let closure = ExactMotion::new("mine", move |t| {
-        body.state(own.attitude(t), BodyVector::zero())
-    });
+    let closure =
+        ExactMotion::new("mine", move |t| body.state(own.attitude(t), BodyVector::zero()));
     let motions: [Box<dyn Motion<State = State>>; 5] = [
         Box::new(free([1.0, 2.0, 2.5], [0.8, 0.4, 0.3])),
         Box::new(free([1.0, 1.0, 1.5], [0.8, 0.4, 0.3])),
@@ -80,10 +74,7 @@ fn many_states_are_single_states_and_the_first_bad_time_is_named() {
     assert!(matches!(unknown, Error::ConditionUnknown { name: "mine" }));
     let ladder = Ladder::new(3.0, 9.8, 0.25).expect("a ladder");
     let late = ladder.try_states(&[0.5, 9.0]).expect_err("landed");
-    assert!(
-        late.to_string().starts_with("times[1]: t = 9 is outside"),
-        "{late}"
-    );
+    assert!(late.to_string().starts_with("times[1]: t = 9 is outside"), "{late}");
 }
 
 /// What is said to be kept, from states along the way.
@@ -103,18 +94,12 @@ fn what_is_kept_stays() {
         let now = motion.kinematics(t);
         let own = motion.body_momentum(now.angular_velocity);
         let [x, y, z] = now.attitude.to_space(own).to_array();
-        compare(
-            motion.kept(),
-            &[x, y, z, 0.5 * own.dot(&now.angular_velocity)],
-        );
+        compare(motion.kept(), &[x, y, z, 0.5 * own.dot(&now.angular_velocity)]);
         let motion = top();
         let (state, rates) = (motion.state(t), motion.angular_velocity(t));
         let own = state.attitude.to_body(state.angular_momentum);
         let energy = 0.5 * own.dot(&rates) + 2.0 * motion.cos_theta(t);
-        compare(
-            motion.kept(),
-            &[state.angular_momentum.z(), own.z(), energy],
-        );
+        compare(motion.kept(), &[state.angular_momentum.z(), own.z(), energy]);
         let motion = pendulum(1.0, 0.3);
         let state = motion.try_state(t).expect("a time");
         let rise = 2.0 * sin(0.5 * state.theta) * sin(0.5 * state.theta);
@@ -143,10 +128,9 @@ fn the_condition_of_a_sphere() {
 fn the_condition_on_a_separatrix_is_that_of_its_growth() {
     let mut errors = Errors::of("growth of the condition over ten seconds");
     let rate = 0.2_f64.sqrt();
-    for (distance, times) in [
-        (0.0, [60.0, 100.0, 200.0, 400.0]),
-        (1e-180, [60.0, 100.0, 200.0, 400.0]),
-    ] {
+    for (distance, times) in
+        [(0.0, [60.0, 100.0, 200.0, 400.0]), (1e-180, [60.0, 100.0, 200.0, 400.0])]
+    {
         let motion = free([1.0, 2.0, 2.5], [distance, 1.0, 0.0]);
         for t in times {
             let [now, later] = [t, t + 10.0].map(|t| motion.condition(t).expect("known"));
@@ -156,9 +140,7 @@ fn the_condition_on_a_separatrix_is_that_of_its_growth() {
     }
     assert_largest!(errors, 8, @"1.17e-8");
     // A steady rotation about the largest moment is tame.
-    let tame = free([1.0, 2.0, 2.5], [0.0, 0.0, 1.0])
-        .condition(400.0)
-        .expect("known");
+    let tame = free([1.0, 2.0, 2.5], [0.0, 0.0, 1.0]).condition(400.0).expect("known");
     assert!(tame < 3e3, "{tame}");
 }
 
@@ -169,30 +151,16 @@ fn conditions_are_felt_changes() {
     let mut push = |changes: &[f64], condition: f64| {
         let most = changes.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
         shares.push(most / condition);
-        assert!(
-            most <= condition && condition <= 4.0 * most,
-            "{changes:?} {condition}"
-        );
+        assert!(most <= condition && condition <= 4.0 * most, "{changes:?} {condition}");
     };
     let by = 3e-8;
-    for (theta0, omega0, t) in [
-        (1.0, 0.3, 20.0),
-        (0.0, 2.0 * (1.0 - 1e-9), 30.0),
-        (3.0, 1.0, 20.0),
-    ] {
+    for (theta0, omega0, t) in [(1.0, 0.3, 20.0), (0.0, 2.0 * (1.0 - 1e-9), 30.0), (3.0, 1.0, 20.0)]
+    {
         let motion = pendulum(theta0, omega0);
         let here = motion.at(t).expect("a time");
         let changes = [
-            (pendulum(theta0 * (1.0 + by), omega0)
-                .at(t)
-                .expect("a time")
-                .theta
-                - here.theta)
-                / by,
-            (pendulum(theta0, omega0 * (1.0 + by * 1e-4))
-                .at(t)
-                .expect("a time")
-                .theta
+            (pendulum(theta0 * (1.0 + by), omega0).at(t).expect("a time").theta - here.theta) / by,
+            (pendulum(theta0, omega0 * (1.0 + by * 1e-4)).at(t).expect("a time").theta
                 - here.theta)
                 / (by * 1e-4),
             here.omega * t,
@@ -205,38 +173,22 @@ fn conditions_are_felt_changes() {
         let here = motion.at(t).expect("a time");
         let other = Plank::new(length, 9.8, theta0 * (1.0 + by), 0.0).expect("a plank");
         let change = (other.at(t).expect("a time").theta - here.theta) / by;
-        push(
-            &[change, here.omega * t],
-            motion.condition(t).expect("known"),
-        );
+        push(&[change, here.omega * t], motion.condition(t).expect("known"));
         let motion = Ladder::new(length, 9.8, theta0).expect("a ladder");
         let t = 0.9 * motion.landing_time();
         let here = motion.at(t).expect("a time");
         let other = Ladder::new(length, 9.8, theta0 * (1.0 + by)).expect("a ladder");
         let change = (other.at(t).expect("a time").theta - here.theta) / by;
-        push(
-            &[change, here.omega * t],
-            motion.condition(t).expect("known"),
-        );
+        push(&[change, here.omega * t], motion.condition(t).expect("known"));
     }
     let (motion, t) = (top(), 40.0);
-    let other = HeavyTop::new(
-        body(),
-        motion.attitude(0.0),
-        BodyVector::new(0.3, -0.2, 6.0 * (1.0 + by)),
-    );
-    let spun = other
-        .expect("a motion")
-        .attitude(t)
-        .angle_to(&motion.attitude(t))
-        / by;
+    let other =
+        HeavyTop::new(body(), motion.attitude(0.0), BodyVector::new(0.3, -0.2, 6.0 * (1.0 + by)));
+    let spun = other.expect("a motion").attitude(t).angle_to(&motion.attitude(t)) / by;
     let turned = motion.angular_velocity(t).norm() * t;
     push(&[spun, turned], motion.condition(t).expect("known"));
     let motion = reduced(0.55);
-    let moved = reduced(0.55 * (1.0 + by))
-        .attitude(t)
-        .angle_to(&motion.attitude(t))
-        / by;
+    let moved = reduced(0.55 * (1.0 + by)).attitude(t).angle_to(&motion.attitude(t)) / by;
     let turned = motion.angular_velocity(t).norm() * t;
     push(&[moved, turned], motion.condition(t).expect("known"));
     assert_largest!(shares, 9, @"0.834");
@@ -271,9 +223,7 @@ fn a_top_starts_at_an_attitude() {
                 0.0,
             ]);
             let start = start.expect("a rotation");
-            HeavyTop::new(top, start, BodyVector::zero())
-                .expect("a motion")
-                .nutation_period()
+            HeavyTop::new(top, start, BodyVector::zero()).expect("a motion").nutation_period()
         };
         let grown = (fall(1e-60) - fall(1e-20)) / log(1e40);
         // Two passages, at the rate sqrt(m g l/I1).

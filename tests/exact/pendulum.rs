@@ -8,12 +8,7 @@ use rotation_dynamics::math::{DoubleDouble, EPS, pow, sin};
 use support::{Errors, assert_error, assert_largest};
 
 /// W = 1.
-const UNIT: Suspension = Suspension {
-    moment: 1.0,
-    mass: 1.0,
-    gravity: 1.0,
-    lever: 1.0,
-};
+const UNIT: Suspension = Suspension { moment: 1.0, mass: 1.0, gravity: 1.0, lever: 1.0 };
 
 fn unit(theta0: f64, omega0: f64) -> Pendulum {
     Pendulum::new(UNIT, theta0, omega0).unwrap()
@@ -27,26 +22,13 @@ fn what_is_no_pendulum_is_refused() {
             let mut numbers = [1.0; 4];
             numbers[which] = bad;
             let [moment, mass, gravity, lever] = numbers;
-            let suspension = Suspension {
-                moment,
-                mass,
-                gravity,
-                lever,
-            };
+            let suspension = Suspension { moment, mass, gravity, lever };
             let error = Pendulum::new(suspension, 1.0, 0.0).unwrap_err();
-            assert!(
-                matches!(error, Error::NotFinite { .. } | Error::OutOfRange { .. }),
-                "{error}"
-            );
+            assert!(matches!(error, Error::NotFinite { .. } | Error::OutOfRange { .. }), "{error}");
             ran += 1;
         }
     }
-    for (theta0, omega0) in [
-        (f64::NAN, 0.0),
-        (1e16, 0.0),
-        (0.0, f64::INFINITY),
-        (0.0, 1e61),
-    ] {
+    for (theta0, omega0) in [(f64::NAN, 0.0), (1e16, 0.0), (0.0, f64::INFINITY), (0.0, 1e61)] {
         assert!(Pendulum::new(UNIT, theta0, omega0).is_err());
         ran += 1;
     }
@@ -56,35 +38,14 @@ fn what_is_no_pendulum_is_refused() {
     }
     assert_eq!(ran, 31);
     let message = Pendulum::new(UNIT, 1e16, 0.0).unwrap_err().to_string();
-    assert_eq!(
-        message,
-        "theta0 = 1e16 is not allowed: its size must not exceed 1e15 rad"
-    );
+    assert_eq!(message, "theta0 = 1e16 is not allowed: its size must not exceed 1e15 rad");
 }
 
 /// Starts in every regime.
 fn starts() -> Vec<(f64, f64)> {
-    let mut starts = vec![
-        (0.0, 0.0),
-        (0.0, 2.0),
-        (0.0, -2.0),
-        (PI, 0.0),
-        (-PI, 1e-9),
-        (PI, -1e-17),
-    ];
-    for theta0 in [
-        1e-300,
-        1e-19,
-        1e-8,
-        0.3,
-        1.0,
-        PI / 2.0,
-        2.0,
-        3.1,
-        3.2,
-        100.0,
-        -1e6,
-    ] {
+    let mut starts =
+        vec![(0.0, 0.0), (0.0, 2.0), (0.0, -2.0), (PI, 0.0), (-PI, 1e-9), (PI, -1e-17)];
+    for theta0 in [1e-300, 1e-19, 1e-8, 0.3, 1.0, PI / 2.0, 2.0, 3.1, 3.2, 100.0, -1e6] {
         for omega0 in [0.0, 1e-250, -1e-12, 0.5, -1.3, 2.0, 2.5, -40.0, 1e8] {
             starts.push((theta0, omega0));
         }
@@ -134,10 +95,7 @@ fn the_period_near_pi_needs_the_complement() {
         let other = 4.0 * legendre::k(modulus).unwrap();
         errors.add(period, other, other);
         let m = s.to_f64() * s.to_f64();
-        let damaged = 4.0
-            * Modulus::from_m(m)
-                .and_then(legendre::k)
-                .unwrap_or(f64::INFINITY);
+        let damaged = 4.0 * Modulus::from_m(m).and_then(legendre::k).unwrap_or(f64::INFINITY);
         plain.add(damaged, other, other);
     }
     assert_largest!(errors, 15, @"0");
@@ -181,12 +139,7 @@ fn a_period_next_to_the_top() {
 #[test]
 fn the_separatrix_is_met_exactly_or_not_at_all() {
     // omega0^2 I = 4 m g d in factors that no single rounding would keep.
-    let cube = Suspension {
-        moment: 0.6,
-        mass: 0.6,
-        gravity: 0.37,
-        lever: 0.37,
-    };
+    let cube = Suspension { moment: 0.6, mass: 0.6, gravity: 0.37, lever: 0.37 };
     let kind = |omega0: f64| Pendulum::new(cube, 0.0, omega0).unwrap().kind();
     assert_eq!(kind(0.74), PendulumKind::Separatrix);
     assert_eq!(kind(-0.74), PendulumKind::Separatrix);

@@ -16,19 +16,8 @@ fn plank(theta0: f64, omega0: f64) -> Plank {
 fn starts() -> Vec<Plank> {
     let growth = (6.0 * G).sqrt();
     let mut all = Vec::new();
-    for theta0 in [
-        0.0,
-        1e-250,
-        1e-30,
-        1e-12,
-        1e-5,
-        0.01,
-        0.3,
-        1.0,
-        1.5,
-        1.5706,
-        FRAC_PI_2 - 1e-12,
-    ] {
+    for theta0 in [0.0, 1e-250, 1e-30, 1e-12, 1e-5, 0.01, 0.3, 1.0, 1.5, 1.5706, FRAC_PI_2 - 1e-12]
+    {
         for omega0 in [0.0, 1e-200, 1e-8, (growth * theta0).min(4.1), 0.5, 4.0] {
             if theta0 > 0.0 || omega0 > 0.0 {
                 all.push(plank(theta0, omega0));
@@ -59,10 +48,7 @@ fn what_does_not_fall_is_refused() {
     ];
     for (length, gravity, theta0, omega0) in refused {
         let error = Plank::new(length, gravity, theta0, omega0).unwrap_err();
-        assert!(
-            matches!(error, Error::NotFinite { .. } | Error::OutOfRange { .. }),
-            "{error}"
-        );
+        assert!(matches!(error, Error::NotFinite { .. } | Error::OutOfRange { .. }), "{error}");
     }
     let message = Plank::new(1.0, G, 0.0, 5.0).unwrap_err().to_string();
     assert_eq!(

@@ -30,16 +30,10 @@ fn what_is_no_ladder_is_refused() {
     ];
     for (length, gravity, theta0) in refused {
         let error = Ladder::new(length, gravity, theta0).unwrap_err();
-        assert!(
-            matches!(error, Error::NotFinite { .. } | Error::OutOfRange { .. }),
-            "{error}"
-        );
+        assert!(matches!(error, Error::NotFinite { .. } | Error::OutOfRange { .. }), "{error}");
     }
     let message = Ladder::new(3.0, G, 1.6).unwrap_err().to_string();
-    assert!(
-        message.starts_with("theta0 = 1.6 is not allowed"),
-        "{message}"
-    );
+    assert!(message.starts_with("theta0 = 1.6 is not allowed"), "{message}");
     assert!(message.contains("pi/2 = 1.5708 (flat)"), "{message}");
 }
 
@@ -63,10 +57,9 @@ fn the_phases_join() {
     for theta0 in [1e-12, 1e-3, 0.25, 1.0, 1.55, flat] {
         let ladder = Ladder::new(3.0, G, theta0).unwrap();
         let (release, t) = (ladder.release(), ladder.release_time());
-        for (t, phase) in [
-            (t * (1.0 - 4.0 * EPS), Phase::OnWall),
-            (t * (1.0 + 4.0 * EPS), Phase::OffWall),
-        ] {
+        for (t, phase) in
+            [(t * (1.0 - 4.0 * EPS), Phase::OnWall), (t * (1.0 + 4.0 * EPS), Phase::OffWall)]
+        {
             let state = ladder.at(t).unwrap();
             assert_eq!(state.phase, phase);
             let unit = EPS * (1.0 + release.omega * t);

@@ -27,14 +27,7 @@ fn errors(damage: f64) -> [Errors; 2] {
         let (sin, cos) = angle.sin_cos();
         let (s, c) = sincos_turns(t * (1.0 + damage));
         for (errors, (got, want)) in errors.iter_mut().zip([(s, sin), (c, cos)]) {
-            errors.push_at(
-                if want == 0.0 {
-                    got
-                } else {
-                    ((want - got) / want).to_f64()
-                },
-                t,
-            );
+            errors.push_at(if want == 0.0 { got } else { ((want - got) / want).to_f64() }, t);
         }
     }
     errors
@@ -60,8 +53,5 @@ fn quarters_are_exact_and_rounding_is_to_even() {
         seen += 1;
     }
     assert_eq!(seen, 81);
-    assert_eq!(
-        [-2.5, -0.5, 0.5, 1.5, 2.5].map(round_even),
-        [-2.0, 0.0, 0.0, 2.0, 2.0]
-    );
+    assert_eq!([-2.5, -0.5, 0.5, 1.5, 2.5].map(round_even), [-2.0, 0.0, 0.0, 2.0, 2.0]);
 }

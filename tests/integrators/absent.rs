@@ -52,8 +52,7 @@ impl<E: Effect> Separable for Components<'_, E> {
     type Point = <Scene<E> as Separable>::Point;
 
     fn enter(&self, y: &[f64; 7]) -> rotation_dynamics::Result<Self::Point> {
-        self.0
-            .enter(&rotation_dynamics::integrators::scene::state(y)?)
+        self.0.enter(&rotation_dynamics::integrators::scene::state(y)?)
     }
 
     fn leave(&self, point: &Self::Point, _: f64) -> rotation_dynamics::Result<[f64; 7]> {
@@ -126,12 +125,7 @@ fn a_scene_is_its_equations_written_out_by_hand() {
     let rows = [
         (
             "RK4, free",
-            different_bits(
-                |n| Box::new(rk4(n)),
-                (&free, &ByHand::free(BRICK)),
-                &y,
-                &LENGTHS,
-            ),
+            different_bits(|n| Box::new(rk4(n)), (&free, &ByHand::free(BRICK)), &y, &LENGTHS),
         ),
         (
             "RK4, heavy",
@@ -144,12 +138,7 @@ fn a_scene_is_its_equations_written_out_by_hand() {
         ),
         (
             "DOP853, free",
-            different_bits(
-                |n| Box::new(dop(n)),
-                (&free, &ByHand::free(BRICK)),
-                &y,
-                &LENGTHS,
-            ),
+            different_bits(|n| Box::new(dop(n)), (&free, &ByHand::free(BRICK)), &y, &LENGTHS),
         ),
         (
             "DOP853, heavy",
@@ -191,10 +180,7 @@ fn a_scene_is_its_equations_written_out_by_hand() {
             "Gauss, heavy",
             different_bits(
                 |n| Box::new(gauss(n)),
-                (
-                    &heavy_on_axes,
-                    &LaneByLane(EulersEquations(ByHand::heavy(BRICK, MOMENT))),
-                ),
+                (&heavy_on_axes, &LaneByLane(EulersEquations(ByHand::heavy(BRICK, MOMENT)))),
                 &l,
                 &LENGTHS,
             ),
@@ -208,22 +194,14 @@ fn a_scene_is_its_equations_written_out_by_hand() {
     assert_eq!(ran, 8 * LENGTHS.len());
     // The damaged twin: equations with the weight for a scene without it, and a moment that
     // is off by its last bit.
-    let (seen, _) = different_bits(
-        |n| Box::new(rk4(n)),
-        (&free, &ByHand::heavy(BRICK, MOMENT)),
-        &y,
-        &[8],
-    );
+    let (seen, _) =
+        different_bits(|n| Box::new(rk4(n)), (&free, &ByHand::heavy(BRICK, MOMENT)), &y, &[8]);
     assert!(seen > 50, "{seen}");
     let [i1, i2, i3] = brick().moments().to_array();
     let other = PrincipalMoments::new(i1, i2, i3.next_up()).expect("a brick");
     let other = Scene::new(RigidBody::new(other));
-    let (seen, _) = different_bits(
-        |n| Box::new(rk4(n)),
-        (&other, &ByHand::free(BRICK)),
-        &y,
-        &[500],
-    );
+    let (seen, _) =
+        different_bits(|n| Box::new(rk4(n)), (&other, &ByHand::free(BRICK)), &y, &[500]);
     assert!(seen > 10, "{seen}");
 }
 
@@ -272,30 +250,10 @@ fn what_is_absent_is_not_called() {
     for (strength, present) in [1.0, 0.0].map(|s| (s, Scene::new(body).with(counted(s)))) {
         let runs = [
             run(&Rk4::new(700).expect("steps"), &absent, &present, &torques),
-            run(
-                &Dop853::new(1e-10).expect("valid"),
-                &absent,
-                &present,
-                &torques,
-            ),
-            run(
-                &Splitting::new(Scheme::SRKN14, 150).expect("steps"),
-                &absent,
-                &present,
-                &torques,
-            ),
-            run(
-                &Splitting::new(Scheme::STRANG, 900).expect("steps"),
-                &absent,
-                &present,
-                &torques,
-            ),
-            run(
-                &GaussLegendre::new(80).expect("steps"),
-                &absent,
-                &present,
-                &torques,
-            ),
+            run(&Dop853::new(1e-10).expect("valid"), &absent, &present, &torques),
+            run(&Splitting::new(Scheme::SRKN14, 150).expect("steps"), &absent, &present, &torques),
+            run(&Splitting::new(Scheme::STRANG, 900).expect("steps"), &absent, &present, &torques),
+            run(&GaussLegendre::new(80).expect("steps"), &absent, &present, &torques),
         ];
         for (calls_absent, calls, expected, apart) in runs {
             assert_eq!(calls_absent, 0);
@@ -333,10 +291,7 @@ fn what_is_absent_is_not_stored() {
     assert_eq!(body, 3 * size_of::<f64>());
     assert_eq!(size_of::<Scene<()>>(), body);
     assert_eq!(size_of::<Scene<((), ())>>(), body);
-    assert_eq!(
-        size_of::<Scene<((), ViscousFriction)>>(),
-        body + size_of::<ViscousFriction>()
-    );
+    assert_eq!(size_of::<Scene<((), ViscousFriction)>>(), body + size_of::<ViscousFriction>());
     assert_eq!(
         size_of::<Scene<(((), GravityAtLever), CoulombBearing)>>(),
         body + size_of::<GravityAtLever>() + size_of::<CoulombBearing>()

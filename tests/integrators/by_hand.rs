@@ -30,16 +30,8 @@ impl ByHand<true> {
 
 /// R^T v of the quaternion (w, x, y, z).
 fn on_body([w, x, y, z]: [f64; 4], [a, b, c]: [f64; 3]) -> [f64; 3] {
-    let (p, q, r) = (
-        2.0 * (z * b - y * c),
-        2.0 * (x * c - z * a),
-        2.0 * (y * a - x * b),
-    );
-    [
-        a + (w * p + (z * q - y * r)),
-        b + (w * q + (x * r - z * p)),
-        c + (w * r + (y * p - x * q)),
-    ]
+    let (p, q, r) = (2.0 * (z * b - y * c), 2.0 * (x * c - z * a), 2.0 * (y * a - x * b));
+    [a + (w * p + (z * q - y * r)), b + (w * q + (x * r - z * p)), c + (w * r + (y * p - x * q))]
 }
 
 fn length([w, x, y, z]: [f64; 4]) -> f64 {
@@ -71,11 +63,7 @@ impl<const HEAVY: bool> Ode<7> for ByHand<HEAVY> {
 
     fn scale(&self, &[w, x, y, z, lx, ly, lz]: &[f64; 7]) -> [f64; 7] {
         let q = length([w, x, y, z]);
-        let built_up = if HEAVY {
-            (self.moments[2] * self.moment).sqrt()
-        } else {
-            0.0
-        };
+        let built_up = if HEAVY { (self.moments[2] * self.moment).sqrt() } else { 0.0 };
         let l = SpaceVector::new(lx, ly, lz).norm().max(built_up);
         [q, q, q, q, l, l, l]
     }
@@ -199,10 +187,7 @@ impl<const HEAVY: bool> Separable for TurnAndPush<HEAVY> {
     fn kick(&self, ((q, _), momentum): &mut Self::Point, dt: f64) {
         if HEAVY {
             let ([w, x, y, z], moment) = (*q, self.moment);
-            let (tx, ty) = (
-                2.0 * (y * z - w * x) * -moment,
-                2.0 * (x * z + w * y) * moment,
-            );
+            let (tx, ty) = (2.0 * (y * z - w * x) * -moment, 2.0 * (x * z + w * y) * moment);
             plus(momentum, [dt * tx, dt * ty, 0.0]);
         }
     }

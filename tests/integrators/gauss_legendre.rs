@@ -133,9 +133,7 @@ fn the_continuation_is_the_polynomial_through_the_stages() {
     let mut errors = Errors::of("continuation");
     for n in 0..8 {
         for i in 0..8 {
-            let sum: f64 = (0..8)
-                .map(|j| CONTINUATION[j][i] * power(NODES[j], n))
-                .sum();
+            let sum: f64 = (0..8).map(|j| CONTINUATION[j][i] * power(NODES[j], n)).sum();
             errors.push(sum / power(1.0 + NODES[i], n) - 1.0);
         }
     }
@@ -161,10 +159,7 @@ fn tumbling() -> (Scene<()>, State, FreeBody) {
     let moments = PrincipalMoments::new(1.0, 2.0, 8.0 / 3.0).expect("a body");
     let rates = BodyVector::new(0.8, 0.4, 0.3375);
     let scene = Scene::new(RigidBody::new(moments));
-    let start = scene
-        .body()
-        .state(Attitude::IDENTITY, rates)
-        .expect("finite");
+    let start = scene.body().state(Attitude::IDENTITY, rates).expect("finite");
     let exact = FreeBody::new(moments, Attitude::IDENTITY, rates).expect("a motion");
     (scene, start, exact)
 }
@@ -200,9 +195,7 @@ fn slope_on_the_free_body_and_the_top() {
     let points: Vec<(f64, f64)> = [68, 72, 76, 80, 84, 88]
         .into_iter()
         .map(|n| {
-            let (end, _) = gauss(n)
-                .advance(&problem, 0.0, &start, t_end)
-                .expect("smooth");
+            let (end, _) = gauss(n).advance(&problem, 0.0, &start, t_end).expect("smooth");
             (t_end / n as f64, end.attitude.angle_to(&want))
         })
         .collect();
@@ -220,18 +213,16 @@ fn what_a_digit_costs() {
     let want = exact.attitude(t_end);
     let method = |steps, precision| GaussLegendre::with_precision(steps, precision).expect("valid");
     let tumble = |steps, precision| {
-        let (end, work) = method(steps, precision)
-            .advance(&free, 0.0, &start, t_end)
-            .expect("smooth");
+        let (end, work) =
+            method(steps, precision).advance(&free, 0.0, &start, t_end).expect("smooth");
         (end.attitude.angle_to(&want), work.derivatives / 8)
     };
     let (scene, start_of_top) = top::figure_3();
     let problem = SpinFree::new(&scene).expect("symmetric");
     let axis = notes_top().attitude(2000.0);
     let precess = |steps, precision| {
-        let (end, work) = method(steps, precision)
-            .advance(&problem, 0.0, &start_of_top, 2000.0)
-            .expect("smooth");
+        let (end, work) =
+            method(steps, precision).advance(&problem, 0.0, &start_of_top, 2000.0).expect("smooth");
         (end.attitude.angle_to(&axis), work.derivatives / 8)
     };
     let rows = [
@@ -269,9 +260,7 @@ fn what_a_digit_costs() {
     // A moment of inertia off by 1e-12 is seen.
     let off = PrincipalMoments::new(1.0 + 1e-12, 2.0, 8.0 / 3.0).expect("a body");
     let damaged = FreeRotation::new(&Scene::new(RigidBody::new(off)));
-    let (end, _) = gauss(10_000)
-        .advance(&damaged, 0.0, &start, t_end)
-        .expect("smooth");
+    let (end, _) = gauss(10_000).advance(&damaged, 0.0, &start, t_end).expect("smooth");
     assert_error!(end.attitude.angle_to(&want), 1.3e-8);
 }
 
@@ -306,19 +295,14 @@ fn what_sweeps_leave() {
     for steps in [50_u32, 80, 100] {
         let part = |apart: f64, precision: f64| apart / (precision * f64::from(steps).sqrt());
         let run = |precision: f64| {
-            let method = GaussLegendre::with_precision(u64::from(steps), precision)
-                .expect("valid")
-                .steady();
+            let method =
+                GaussLegendre::with_precision(u64::from(steps), precision).expect("valid").steady();
             let (tumbled, _) = method.advance(&free, 0.0, &start, 90.0).expect("smooth");
-            let (spun, _) = method
-                .advance(&without_spin, 0.0, &start_of_top, 60.0)
-                .expect("smooth");
-            let (on_axes, _) = method
-                .advance(&axes, 0.0, &start_of_top, 60.0)
-                .expect("smooth");
-            let (surged, _) = method
-                .advance(&LaneByLane(Surge), 0.0, &[1.0, 0.0], 40.0)
-                .expect("smooth");
+            let (spun, _) =
+                method.advance(&without_spin, 0.0, &start_of_top, 60.0).expect("smooth");
+            let (on_axes, _) = method.advance(&axes, 0.0, &start_of_top, 60.0).expect("smooth");
+            let (surged, _) =
+                method.advance(&LaneByLane(Surge), 0.0, &[1.0, 0.0], 40.0).expect("smooth");
             ([tumbled, spun, on_axes].map(|end| end.attitude), surged)
         };
         let (solved, surged) = run(0.0);
@@ -365,15 +349,11 @@ fn invariants_over_a_hundred_thousand_steps() {
     let mut kinetic = Errors::of("energy, L on the fixed axes");
     for block in 0..100 {
         let t = f64::from(block) * 1500.0;
-        (y, _) = gauss(1000)
-            .advance(&axes, t, &y, t + 1500.0)
-            .expect("smooth");
+        (y, _) = gauss(1000).advance(&axes, t, &y, t + 1500.0).expect("smooth");
         for (errors, off) in kept.iter_mut().zip(off(&y)) {
             errors.push(off);
         }
-        (state, _) = gauss(1000)
-            .advance(&free, t, &state, t + 1500.0)
-            .expect("smooth");
+        (state, _) = gauss(1000).advance(&free, t, &state, t + 1500.0).expect("smooth");
         kinetic.push(scene.energy(&state) / scene.energy(&start) - 1.0);
         assert_eq!(state.angular_momentum, start.angular_momentum);
     }
@@ -396,9 +376,7 @@ fn invariants_over_a_hundred_thousand_steps() {
     let [mut energy, mut vertical] = ["energy", "L_Z"].map(Errors::of);
     for block in 0..100 {
         let t = f64::from(block) * 1000.0;
-        (state, _) = gauss(1000)
-            .advance(&problem, t, &state, t + 1000.0)
-            .expect("smooth");
+        (state, _) = gauss(1000).advance(&problem, t, &state, t + 1000.0).expect("smooth");
         energy.push(scene.energy(&state) / scene.energy(&start) - 1.0);
         vertical.push(state.angular_momentum.z() / start.angular_momentum.z() - 1.0);
     }
@@ -418,23 +396,14 @@ fn too_long_steps_are_refused() {
     let (_, _, exact) = tumbling();
     let period = exact.rate_period();
     let result = gauss(30).advance(&free, 0.0, &start, 10.0 * period);
-    assert!(
-        matches!(result, Err(Error::NoConvergence { .. })),
-        "{result:?}"
-    );
+    assert!(matches!(result, Err(Error::NoConvergence { .. })), "{result:?}");
     assert!(gauss(40).advance(&free, 0.0, &start, 10.0 * period).is_ok());
-    assert!(matches!(
-        GaussLegendre::new(0),
-        Err(Error::OutOfRange { name: "steps", .. })
-    ));
+    assert!(matches!(GaussLegendre::new(0), Err(Error::OutOfRange { name: "steps", .. })));
     let mut ran = 0;
     for precision in [-1e-9, 0.2, f64::NAN, f64::INFINITY] {
         assert!(matches!(
             GaussLegendre::with_precision(1, precision),
-            Err(Error::OutOfRange {
-                name: "precision",
-                ..
-            })
+            Err(Error::OutOfRange { name: "precision", .. })
         ));
         ran += 1;
     }
@@ -461,10 +430,7 @@ fn too_long_steps_are_refused() {
         "{result:?}"
     );
     // A body at rest stays at rest.
-    let rest = State {
-        angular_momentum: SpaceVector::zero(),
-        ..start
-    };
+    let rest = State { angular_momentum: SpaceVector::zero(), ..start };
     let (end, _) = gauss(5).advance(&scene, 0.0, &rest, 100.0).expect("rest");
     assert_eq!(top::distance(&end, &rest), 0.0);
     let (end, work) = gauss(5).advance(&free, 1.0, &rest, 1.0).expect("no time");
@@ -478,12 +444,8 @@ fn the_same_bits_on_every_route() {
     macro_rules! same {
         ($problem:expr, $start:expr) => {
             for precision in [0.0, 1e-9] {
-                let method = GaussLegendre::with_precision(500, precision)
-                    .expect("valid")
-                    .steady();
-                let widest = method
-                    .advance($problem, 0.0, $start, 700.0)
-                    .expect("smooth");
+                let method = GaussLegendre::with_precision(500, precision).expect("valid").steady();
+                let widest = method.advance($problem, 0.0, $start, 700.0).expect("smooth");
                 for registers in [Registers::Avx2, Registers::Common] {
                     let other = method
                         .limited_to(registers)
@@ -512,9 +474,7 @@ fn the_same_bits_on_every_route() {
     let y = axes.components(&start);
     assert_eq!(
         gauss(500).advance(&axes, 0.0, &y, 700.0).expect("smooth"),
-        gauss(500)
-            .advance(&LaneByLane(axes), 0.0, &y, 700.0)
-            .expect("smooth")
+        gauss(500).advance(&LaneByLane(axes), 0.0, &y, 700.0).expect("smooth")
     );
 }
 
@@ -562,26 +522,15 @@ fn torques_side_by_side() {
     let plain = Scene::new(*scene.body()).with(Plain(scene.effects().1));
     let problem = SpinFree::new(&scene).expect("symmetric");
     let other = SpinFree::new(&plain).expect("symmetric");
-    let (lanes, _) = gauss(200)
-        .advance(&problem, 0.0, &start, 200.0)
-        .expect("smooth");
-    let (one_by_one, _) = gauss(200)
-        .advance(&other, 0.0, &start, 200.0)
-        .expect("smooth");
+    let (lanes, _) = gauss(200).advance(&problem, 0.0, &start, 200.0).expect("smooth");
+    let (one_by_one, _) = gauss(200).advance(&other, 0.0, &start, 200.0).expect("smooth");
     assert_error!(lanes.attitude.angle_to(&one_by_one.attitude), 1e-13);
 }
 
 /// Bodies of every kind, their axes in every order: against the closed form.
 #[test]
 fn every_free_body() {
-    let orders = [
-        [0, 1, 2],
-        [1, 2, 0],
-        [2, 0, 1],
-        [0, 2, 1],
-        [2, 1, 0],
-        [1, 0, 2],
-    ];
+    let orders = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
     let kinds = [
         [1.0, 2.0, 8.0 / 3.0],
         [1.0, 1.0, 1.5],
@@ -620,23 +569,14 @@ fn every_free_body() {
 fn backwards_and_counted() {
     let start = [1.0, 0.3];
     let problem = LaneByLane(Pendulum);
-    let (there, work) = gauss(40)
-        .advance(&problem, 0.0, &start, 20.0)
-        .expect("smooth");
-    let (back, _) = gauss(40)
-        .advance(&problem, 20.0, &there, 0.0)
-        .expect("smooth");
+    let (there, work) = gauss(40).advance(&problem, 0.0, &start, 20.0).expect("smooth");
+    let (back, _) = gauss(40).advance(&problem, 20.0, &there, 0.0).expect("smooth");
     let [mut off, mut apart] = ["there and back", "from DOP853"].map(Errors::of);
     (0..2).for_each(|i| off.push(back[i] - start[i]));
-    let (other, _) = Dop853::new(1e-15)
-        .expect("valid")
-        .advance(&Pendulum, 0.0, &start, 20.0)
-        .expect("smooth");
+    let (other, _) =
+        Dop853::new(1e-15).expect("valid").advance(&Pendulum, 0.0, &start, 20.0).expect("smooth");
     (0..2).for_each(|i| apart.push(there[i] - other[i]));
-    assert_eq!(
-        (work.steps, work.derivatives % 8, work.rejected),
-        (40, 0, 0)
-    );
+    assert_eq!((work.steps, work.derivatives % 8, work.rejected), (40, 0, 0));
     assert_largest!(off, 2, @"2.22e-16");
     assert_largest!(apart, 2, @"1.61e-15");
 }

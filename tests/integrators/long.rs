@@ -28,21 +28,12 @@ fn body() -> RigidBody {
 fn free() -> Long<()> {
     let rates = BodyVector::new(0.3, 0.2, 1.0);
     let start = body().state(Attitude::IDENTITY, rates).unwrap();
-    Long {
-        scene: Scene::new(body()),
-        start,
-        step: 0.5,
-        vertical: SpaceVector::zero(),
-    }
+    Long { scene: Scene::new(body()), start, step: 0.5, vertical: SpaceVector::zero() }
 }
 
 /// The same under gravity, which pulls on its third axis: nothing solves that in closed form.
 fn heavy(step: f64) -> Long<((), GravityAtLever)> {
-    let tilted = EulerAngles {
-        phi: 0.3,
-        theta: 0.8,
-        zeta: 0.2,
-    };
+    let tilted = EulerAngles { phi: 0.3, theta: 0.8, zeta: 0.2 };
     let tilted = Attitude::from_euler(tilted).unwrap();
     let rates = BodyVector::new(0.3, 0.2, 1.0);
     Long {
@@ -62,28 +53,15 @@ impl<E: Effect> Long<E> {
     fn after(&self, method: Method, steps: u64) -> Off {
         let stepper = Stepper::new(method, Resolution::Steps(steps)).unwrap();
         let span = [0.0, self.step * steps as f64];
-        let (end, _) = stepper
-            .advance_as_usual(&self.scene, span, &self.start)
-            .unwrap();
+        let (end, _) = stepper.advance_as_usual(&self.scene, span, &self.start).unwrap();
         let norm: f64 = end.attitude.quaternion().iter().map(|c| c * c).sum();
         let size = self.start.angular_momentum.norm();
         let gained = end.angular_momentum - self.start.angular_momentum;
-        let gained = if E::PROPERTIES.torque_free {
-            gained.norm()
-        } else {
-            gained.dot(&self.vertical)
-        };
+        let gained =
+            if E::PROPERTIES.torque_free { gained.norm() } else { gained.dot(&self.vertical) };
         let energy = |state| self.scene.energy(state);
-        let lifted = if E::PROPERTIES.torque_free {
-            energy(&self.start)
-        } else {
-            0.8
-        };
-        [
-            norm - 1.0,
-            gained / size,
-            (energy(&end) - energy(&self.start)) / lifted,
-        ]
+        let lifted = if E::PROPERTIES.torque_free { energy(&self.start) } else { 0.8 };
+        [norm - 1.0, gained / size, (energy(&end) - energy(&self.start)) / lifted]
     }
 
     /// The norm to a rounding, L exactly (nothing turns it) or L_Z to a rounding for each step,
@@ -93,11 +71,7 @@ impl<E: Effect> Long<E> {
         let name = method.name();
         println!("{name}, {steps} steps: norm {norm:e}, momentum {momentum:e}, energy {energy:e}");
         assert!(norm.abs() <= 4.0 * EPS, "{name}: {norm:e}");
-        let turned = if E::PROPERTIES.torque_free {
-            0.0
-        } else {
-            roundings(steps)
-        };
+        let turned = if E::PROPERTIES.torque_free { 0.0 } else { roundings(steps) };
         assert!(momentum.abs() <= turned, "{name}: {momentum:e}");
         assert!(energy.abs() <= bound, "{name}: {energy:e}");
         off
@@ -143,23 +117,14 @@ fn a_hundred_thousand_steps() {
     for ([.., energy], bound) in [
         (free().after(Method::Rk4, steps), roundings(steps)),
         (heavy(STEP).after(Method::Rk4, steps), roundings(steps)),
-        (
-            heavy(SPLIT).after(Method::Rk4, steps),
-            swings(Method::Srkn14, steps),
-        ),
-        (
-            heavy(4.0 * SPLIT).after(Method::Rk4, steps),
-            swings(Method::Strang, steps),
-        ),
+        (heavy(SPLIT).after(Method::Rk4, steps), swings(Method::Srkn14, steps)),
+        (heavy(4.0 * SPLIT).after(Method::Rk4, steps), swings(Method::Strang, steps)),
     ] {
         println!("another method, {steps} steps: energy {energy:e} of {bound:e}");
         assert!(energy.abs() > 10.0 * bound, "{energy:e} of {bound:e}");
     }
     // A vertical that is a millionth off.
-    let askew = Long {
-        vertical: SpaceVector::new(1e-6, 0.0, 1.0),
-        ..heavy(STEP)
-    };
+    let askew = Long { vertical: SpaceVector::new(1e-6, 0.0, 1.0), ..heavy(STEP) };
     let [_, momentum, _] = askew.after(Method::GaussLegendre16, steps);
     assert!(momentum.abs() > 10.0 * roundings(steps), "{momentum:e}");
 }

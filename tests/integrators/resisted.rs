@@ -75,10 +75,7 @@ fn orders_of_a_top_with_friction() {
     let friction = ViscousFriction::new(0.2, 0.1).expect("friction");
     let scene = Scene::new(body).with(gravity()).with(friction);
     let gauss = GaussLegendre::new(200).expect("steps");
-    let exact = gauss
-        .advance(&scene, 0.0, &start(&body), 5.0)
-        .expect("smooth")
-        .0;
+    let exact = gauss.advance(&scene, 0.0, &start(&body), 5.0).expect("smooth").0;
     let slopes = [
         ("2.00000", "1.1e-6"),
         ("7.88", "0.025"),
@@ -97,10 +94,7 @@ fn orders_of_a_brick_in_air() {
     let friction = ViscousFriction::new(0.2, 0.0).expect("friction");
     let scene = Scene::new(body).with(drag).with(gravity()).with(friction);
     let dop = Dop853::new(1e-14).expect("a tolerance");
-    let exact = dop
-        .advance(&scene, 0.0, &start(&body), 5.0)
-        .expect("smooth")
-        .0;
+    let exact = dop.advance(&scene, 0.0, &start(&body), 5.0).expect("smooth").0;
     let slopes = [
         ("2.00000", "2.6e-6"),
         ("7.86", "0.030"),
@@ -119,16 +113,9 @@ fn strong_friction_takes_the_order_of_srkn_14a() {
     let friction = ViscousFriction::new(3.0, 1.0).expect("friction");
     let scene = Scene::new(body).with(gravity()).with(friction);
     let gauss = GaussLegendre::new(400).expect("steps");
-    let exact = gauss
-        .advance(&scene, 0.0, &start(&body), 2.0)
-        .expect("smooth")
-        .0;
+    let exact = gauss.advance(&scene, 0.0, &start(&body), 2.0).expect("smooth").0;
     let slope = |scheme, steps: &[u64], slope, scatter| {
-        assert_slope(
-            &errors(&scene, scheme, steps, 2.0, &exact.attitude),
-            slope,
-            scatter,
-        );
+        assert_slope(&errors(&scene, scheme, steps, 2.0, &exact.attitude), slope, scatter);
     };
     slope(Scheme::SRKN6, &[40, 56, 80, 112], "3.999", "8.3e-5");
     slope(Scheme::SRKN14, &[40, 56, 80, 112], "3.999", "7.2e-5");
@@ -146,19 +133,12 @@ fn isotropic_resistance_slows_a_free_motion_like_a_clock() {
     let (k, t) = (0.15, 10.0);
     let friction = ViscousFriction::new(k, k * 0.6).expect("friction");
     let scene = Scene::new(body).with(friction);
-    let motion = FreeBody::new(
-        body.moments(),
-        start.attitude,
-        body.angular_velocity(&start),
-    );
+    let motion = FreeBody::new(body.moments(), start.attitude, body.angular_velocity(&start));
     let motion = motion.expect("a motion");
     let method = Splitting::new(Scheme::KAHAN_LI17, 200).expect("steps");
     let problem = Resisted::new(&scene, 0.0).expect("known");
     let (end, _) = method.advance(&problem, 0.0, &start, t).expect("smooth");
-    off.push(
-        end.attitude
-            .angle_to(&motion.attitude((1.0 - exp(-k * t)) / k)),
-    );
+    off.push(end.attitude.angle_to(&motion.attitude((1.0 - exp(-k * t)) / k)));
     twin.push(end.attitude.angle_to(&motion.attitude(t)));
     assert_largest!(off, 1, @"1.42e-15");
     twin.exceed(0.1, 1);
@@ -240,9 +220,7 @@ fn weak_friction_is_cheap() {
     let body = body(5.45e-3, 5.45e-3, 9e-4);
     let (phi, theta, zeta) = (0.0, 1.047, 0.0);
     let attitude = Attitude::from_euler(EulerAngles { phi, theta, zeta }).expect("angles");
-    let start = body
-        .state(attitude, BodyVector::new(0.0, 0.0, 314.0))
-        .expect("a state");
+    let start = body.state(attitude, BodyVector::new(0.0, 0.0, 314.0)).expect("a state");
     let weight = GravityAtLever::new(4.9, 0.1).expect("gravity");
     let friction = ViscousFriction::new(2e-5, 2e-6).expect("friction");
     let scene = Scene::new(body).with(weight).with(friction);

@@ -9,15 +9,12 @@ pub fn fitted(points: &[(f64, f64)]) -> (f64, f64) {
     assert!(points.len() >= 4, "a slope needs at least four points");
     let logs: Vec<(f64, f64)> = points.iter().map(|&(h, e)| (log(h), log(e))).collect();
     let n = logs.len() as f64;
-    let (mx, my) = logs
-        .iter()
-        .fold((0.0, 0.0), |(a, b), &(x, y)| (a + x / n, b + y / n));
+    let (mx, my) = logs.iter().fold((0.0, 0.0), |(a, b), &(x, y)| (a + x / n, b + y / n));
     let sxy: f64 = logs.iter().map(|&(x, y)| (x - mx) * (y - my)).sum();
     let sxx: f64 = logs.iter().map(|&(x, _)| (x - mx) * (x - mx)).sum();
     let slope = sxy / sxx;
     let mut off = Errors::of("distance from the line");
-    logs.iter()
-        .for_each(|&(x, y)| off.push(y - my - slope * (x - mx)));
+    logs.iter().for_each(|&(x, y)| off.push(y - my - slope * (x - mx)));
     (slope, off.largest())
 }
 
@@ -31,10 +28,7 @@ pub fn assert_slope(points: &[(f64, f64)], slope: &str, off: &str) {
 
 #[test]
 fn the_slope_of_a_cube_is_three() {
-    let points: Vec<(f64, f64)> = (1..=5)
-        .map(f64::from)
-        .map(|h| (h, 7.0 * h * h * h))
-        .collect();
+    let points: Vec<(f64, f64)> = (1..=5).map(f64::from).map(|h| (h, 7.0 * h * h * h)).collect();
     let (slope, off) = fitted(&points);
     assert_error!(slope - 3.0, 4.4e-16);
     assert_error!(off, 6.1e-16);

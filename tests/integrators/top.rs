@@ -16,11 +16,7 @@ pub type HeavyTop = Scene<((), GravityAtLever)>;
 pub fn top(a: f64, b: f64, c: f64, theta: f64) -> (HeavyTop, State) {
     let body = RigidBody::new(PrincipalMoments::symmetric(1.0, a).expect("a body"));
     let scene = Scene::new(body).with(GravityAtLever::new(c, 1.0).expect("gravity"));
-    let angles = EulerAngles {
-        phi: 0.0,
-        theta,
-        zeta: 0.0,
-    };
+    let angles = EulerAngles { phi: 0.0, theta, zeta: 0.0 };
     let attitude = Attitude::from_euler(angles).expect("angles");
     let precession = a.sqrt() * (b - cos(theta)) / sin(theta);
     let omega = BodyVector::new(0.0, precession, 1.0 / a.sqrt());

@@ -17,11 +17,7 @@ pub struct Block {
 
 impl Block {
     fn new(slope: f64, mu: f64) -> Self {
-        Self {
-            slope,
-            kinetic: mu,
-            holding: mu,
-        }
+        Self { slope, kinetic: mu, holding: mu }
     }
 }
 
@@ -34,17 +30,12 @@ impl Mechanism<2, 1> for Block {
     }
     fn contacts(&self, block: &MechanismState<2>) -> [Contact<2>; 1] {
         let slope = Contact::new("slope", block.q[1], [0.0, 1.0], 0.0);
-        [slope
-            .tangent([1.0, 0.0], 0.0)
-            .frictions(self.kinetic, self.holding)]
+        [slope.tangent([1.0, 0.0], 0.0).frictions(self.kinetic, self.holding)]
     }
 }
 
 fn slide(block: &Block, speed: f64, t_end: f64) -> ContactMotion<&Block, 2, 1> {
-    let start = MechanismState {
-        q: [0.0, 0.0],
-        v: [speed, 0.0],
-    };
+    let start = MechanismState { q: [0.0, 0.0], v: [speed, 0.0] };
     motion_within(block, 1e-12, start, t_end).unwrap()
 }
 
@@ -110,13 +101,9 @@ fn a_block_holds_up_to_the_tangent() {
 /// Stop and way of a pushed block whose friction is off by the part `damage`.
 fn stops(damage: f64) -> Errors {
     let mut errors = Errors::in_units_of(EPS, "stop and way");
-    for (slope, mu, speed) in [
-        (0.0, 0.3, 2.0),
-        (0.0, 0.3, -2.0),
-        (0.2, 0.3, 2.0),
-        (0.2, 0.3, -2.0),
-        (-0.2, 1.0, 1e-3),
-    ] {
+    for (slope, mu, speed) in
+        [(0.0, 0.3, 2.0), (0.0, 0.3, -2.0), (0.2, 0.3, 2.0), (0.2, 0.3, -2.0), (-0.2, 1.0, 1e-3)]
+    {
         let block = Block::new(slope, mu * (1.0 + damage));
         let brake = G * (mu * cos(slope) - f64::copysign(sin(slope), speed * slope));
         let stop = speed.abs() / brake;
@@ -163,27 +150,13 @@ fn wrong_starts_are_refused() {
         |block: &Block, q, v| motion_within(block, 1e-9, MechanismState { q, v }, 1.0).unwrap_err();
     for (q, v) in [([0.0, -1e-6], [0.0, 0.0]), ([0.0, 0.0], [0.0, -1e-6])] {
         let error = refused(&block, q, v);
-        assert!(
-            matches!(
-                error,
-                Error::CannotHold {
-                    name: "slope",
-                    rate: Some(_),
-                    ..
-                }
-            ),
-            "{error}"
-        );
+        assert!(matches!(error, Error::CannotHold { name: "slope", rate: Some(_), .. }), "{error}");
     }
-    for (q, v, name) in [
-        ([0.0, f64::NAN], [0.0, 0.0], "coordinates"),
-        ([0.0, 0.0], [0.0, f64::NAN], "velocities"),
-    ] {
+    for (q, v, name) in
+        [([0.0, f64::NAN], [0.0, 0.0], "coordinates"), ([0.0, 0.0], [0.0, f64::NAN], "velocities")]
+    {
         let message = refused(&block, q, v).to_string();
-        assert_eq!(
-            message,
-            format!("{name}[1]: value = NaN is not a finite number")
-        );
+        assert_eq!(message, format!("{name}[1]: value = NaN is not a finite number"));
     }
     let message = refused(&block, [0.0, -0.5], [0.0, 0.0]).to_string();
     assert!(
@@ -191,15 +164,8 @@ fn wrong_starts_are_refused() {
         "{message}"
     );
     for (kinetic, holding) in [(-0.1, 0.0), (0.3, 0.2), (f64::NAN, 1.0)] {
-        let block = Block {
-            slope: 0.0,
-            kinetic,
-            holding,
-        };
+        let block = Block { slope: 0.0, kinetic, holding };
         let error = refused(&block, [0.0; 2], [0.0; 2]);
-        assert!(
-            matches!(error, Error::OutOfRange { .. } | Error::NotFinite { .. }),
-            "{error}"
-        );
+        assert!(matches!(error, Error::OutOfRange { .. } | Error::NotFinite { .. }), "{error}");
     }
 }

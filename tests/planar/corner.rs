@@ -31,10 +31,7 @@ impl Mechanism<3, 2> for Cylinder {
 }
 
 fn spun(cylinder: &Cylinder, spin: f64, t_end: f64) -> ContactMotion<&Cylinder, 3, 2> {
-    let start = MechanismState {
-        q: [R, R, 0.0],
-        v: [0.0, 0.0, spin],
-    };
+    let start = MechanismState { q: [R, R, 0.0], v: [0.0, 0.0, spin] };
     motion(cylinder, &Dop853::new(1e-14).unwrap(), start, t_end).unwrap()
 }
 
@@ -122,9 +119,7 @@ fn the_other_sense_rolls_away() {
     assert_error!(end.v[0], 2.0, 0.0 eps);
     assert_eq!(motion.modes(2.0).unwrap(), [Mode::Stick, Mode::Open]);
     // The damaged twin: another friction.
-    let damaged = Cylinder {
-        mu: 0.25 * (1.0 + 1e-9),
-    };
+    let damaged = Cylinder { mu: 0.25 * (1.0 + 1e-9) };
     let later = spun(&damaged, -60.0, 2.0).events()[0].t;
     assert!((later / rolls - 1.0).abs() > 1e-10);
 }

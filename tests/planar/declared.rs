@@ -26,17 +26,12 @@ impl Mechanism<2, 1> for Bead {
         let bias = -2.0 * vx * vx * (1.0 + self.bias);
         let slip_bias = 2.0 * vx * vy * (1.0 + self.slip);
         let bowl = Contact::new("bowl", y - x * x, along, bias);
-        [bowl
-            .tangent([1.0, 2.0 * x], slip_bias)
-            .rising(self.rises, 0.0)]
+        [bowl.tangent([1.0, 2.0 * x], slip_bias).rising(self.rises, 0.0)]
     }
 }
 
 fn error(bead: &Bead, faster: f64) -> f64 {
-    let state = MechanismState {
-        q: [0.7, 1.9],
-        v: [0.4 * faster, -1.3 * faster],
-    };
+    let state = MechanismState { q: [0.7, 1.9], v: [0.4 * faster, -1.3 * faster] };
     misdeclared(bead, &state)
 }
 
@@ -48,12 +43,7 @@ fn each_row_is_looked_at() {
     let mut damaged = Errors::of("rows off by a hundredth");
     let mut unseen = Errors::of("normal rows of a bowl that rises");
     for faster in [1e-6, 1.0, 1e6] {
-        let with = |gradient, bias, slip, rises| Bead {
-            gradient,
-            bias,
-            slip,
-            rises,
-        };
+        let with = |gradient, bias, slip, rises| Bead { gradient, bias, slip, rises };
         sound.push(error(&Bead::default(), faster));
         rising.push(error(&with(0.0, 0.0, 0.0, 2.0), faster));
         for bead in [

@@ -42,13 +42,7 @@ fn tightest() -> Dop853 {
 }
 
 /// A plank that swings between rollers too fast to catch it: nothing happens.
-const SWINGS: Plank = Plank {
-    a: 1.2,
-    g: G,
-    kinetic: 0.3,
-    holding: 0.3,
-    speed: 2.0,
-};
+const SWINGS: Plank = Plank { a: 1.2, g: G, kinetic: 0.3, holding: 0.3, speed: 2.0 };
 const OFF: f64 = 0.3;
 
 /// Errors of its place over a thousand seconds, where `at` says what it is, in eps of what an
@@ -80,9 +74,7 @@ fn silence_does_not_drift() {
 fn energy(at: impl Fn(f64) -> [f64; 4]) -> [f64; 2] {
     let of = |[_, y, u, v]: [f64; 4]| 0.5 * (u * u + v * v) + G * (1.0 + y);
     let parts = (0..=2000).map(|i| of(at(0.1 * f64::from(i))) / of(at(0.0)) - 1.0);
-    parts.fold([0.0, 0.0], |[gained, lost], part| {
-        [part.max(gained), part.min(lost)]
-    })
+    parts.fold([0.0, 0.0], |[gained, lost], part| [part.max(gained), part.min(lost)])
 }
 
 /// A bead that is put back onto its rod gains round-off, or about its error of a step; without,
@@ -90,10 +82,7 @@ fn energy(at: impl Fn(f64) -> [f64; 4]) -> [f64; 2] {
 #[test]
 fn no_energy_is_gained() {
     let rod = Bead { string: false };
-    let start = MechanismState {
-        q: [0.0, -1.0],
-        v: [2.0, 0.0],
-    };
+    let start = MechanismState { q: [0.0, -1.0], v: [2.0, 0.0] };
     let energies = |tolerance| {
         let method = Dop853::new(tolerance).unwrap();
         let kept = motion(&rod, &method, start, 200.0).unwrap();

@@ -85,18 +85,10 @@ impl Phased<2> for Forgetful {
             return Vec::new();
         }
         let forget = |_, [clock, x]: &[f64; 2]| -> Result<_> {
-            let after = if *x < self.threshold {
-                Growth::WasSmall
-            } else {
-                Growth::WasLarge
-            };
+            let after = if *x < self.threshold { Growth::WasSmall } else { Growth::WasLarge };
             Ok((after, [*clock, 0.0]))
         };
-        vec![Condition::gap(
-            "forgets",
-            |y| 1.0 - y[0],
-            Next::decide(forget),
-        )]
+        vec![Condition::gap("forgets", |y| 1.0 - y[0], Next::decide(forget))]
     }
 
     fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
@@ -107,9 +99,7 @@ impl Phased<2> for Forgetful {
 /// Times and ends agree whatever the steps; only the state at the event tells the runs apart.
 #[test]
 fn states_at_events_are_compared() {
-    let scene = Forgetful {
-        threshold: f64::INFINITY,
-    };
+    let scene = Forgetful { threshold: f64::INFINITY };
     let mut errors = Errors::of("state at the event, in parts of the estimate");
     let mut estimates = Errors::of("estimates, in parts of the tolerance");
     let mut blind = Errors::of("one that sees ends and times alone");
@@ -135,17 +125,13 @@ fn states_at_events_are_compared() {
 #[test]
 fn phases_are_compared() {
     let tolerance = 1e-3;
-    let scene = Forgetful {
-        threshold: f64::INFINITY,
-    };
+    let scene = Forgetful { threshold: f64::INFINITY };
     let runs = two_runs(&scene, Growth::Grows, [0.0, 1.0], 2.0, tolerance);
     let [first, second] = runs.map(|run| run.transitions()[0].before[1]);
     // Their states would pass.
     assert_error!(first, second, 4.1e-5);
     // The first two runs pass on either side; the third is needed.
-    let scene = Forgetful {
-        threshold: 0.5 * (first + second),
-    };
+    let scene = Forgetful { threshold: 0.5 * (first + second) };
     let done = simulate_within(&scene, tolerance, Growth::Grows, [0.0, 1.0], 2.0).unwrap();
     assert_eq!(done.step_error, tolerance / 32.0 / 32.0);
     // Without a threshold in between two runs are enough.
@@ -169,16 +155,10 @@ impl Phased<2> for Tied {
     }
     fn conditions(&self, (): ()) -> Vec<Condition<'_, (), 2>> {
         let left = |[clock, _]: &[f64; 2]| (clock - 2.0).abs() - 1.0;
-        let [one, other] = self
-            .leaves
-            .map(|x| Next::jump((), move |_: &[f64; 2]| [4.0, x]));
+        let [one, other] = self.leaves.map(|x| Next::jump((), move |_: &[f64; 2]| [4.0, x]));
         vec![
             Condition::gap("one", left, one),
-            Condition::gap(
-                "other",
-                move |y| left(y) + 1e-7 * (self.threshold - y[1]),
-                other,
-            ),
+            Condition::gap("other", move |y| left(y) + 1e-7 * (self.threshold - y[1]), other),
         ]
     }
 
@@ -194,15 +174,8 @@ fn what_follows_is_compared_and_not_which_came_first() {
     let tolerance = 1e-3;
     let runs = |scene: &Tied| two_runs(scene, (), [0.0, 1.0], 2.0, tolerance);
     let before = |run: Run<(), 2>| run.transitions()[0].before[1];
-    let [first, second] = runs(&Tied {
-        threshold: 1e4,
-        leaves: [0.0; 2],
-    })
-    .map(before);
-    let tied = |leaves| Tied {
-        threshold: 0.5 * (first + second),
-        leaves,
-    };
+    let [first, second] = runs(&Tied { threshold: 1e4, leaves: [0.0; 2] }).map(before);
+    let tied = |leaves| Tied { threshold: 0.5 * (first + second), leaves };
     let names = runs(&tied([0.0; 2])).map(|run| run.transitions()[0].name);
     assert_ne!(names[0], names[1]);
     let step_error = |leaves| {

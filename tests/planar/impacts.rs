@@ -24,9 +24,7 @@ impl Mechanism<3, 2> for Ball {
     }
     fn contacts(&self, ball: &MechanismState<3>) -> [Contact<3>; 2] {
         [("floor", Surface::FLOOR), ("wall", Surface::WALL)].map(|(name, surface)| {
-            Contact::rim(name, ball, 0.1, surface)
-                .friction(self.mu)
-                .restitution(self.restitution)
+            Contact::rim(name, ball, 0.1, surface).friction(self.mu).restitution(self.restitution)
         })
     }
 }
@@ -38,10 +36,8 @@ fn bounces(rougher: f64, livelier: f64) -> Errors {
     for restitution in [0.0, 0.5, 1.0] {
         for mu in [0.0, 0.05, 0.1, 0.9] {
             for (v, spin) in [(1.0, 0.0), (0.0, 30.0), (1.0, -30.0)] {
-                let ball = Ball {
-                    restitution: restitution * (1.0 + livelier),
-                    mu: mu * (1.0 + rougher),
-                };
+                let ball =
+                    Ball { restitution: restitution * (1.0 + livelier), mu: mu * (1.0 + rougher) };
                 let fall = 0.5;
                 let start = MechanismState {
                     q: [5.0, 0.1 + 0.5 * G * fall * fall, 0.0],
@@ -54,19 +50,11 @@ fn bounces(rougher: f64, livelier: f64) -> Errors {
                 let slip: f64 = v + 0.1 * spin;
                 let most = mu * (1.0 + restitution) * G * fall;
                 let change = -f64::copysign(most.min(2.0 / 7.0 * slip.abs()), slip);
-                let want = [
-                    v + change,
-                    restitution * G * fall,
-                    spin + change * 0.1 / 0.004,
-                ];
+                let want = [v + change, restitution * G * fall, spin + change * 0.1 / 0.004];
                 for (got, want) in hit.after.v.into_iter().zip(want) {
                     errors.add(got, want, 1.0 + want.abs());
                 }
-                let name = if restitution > 0.0 {
-                    "floor bounces"
-                } else {
-                    "floor touches"
-                };
+                let name = if restitution > 0.0 { "floor bounces" } else { "floor touches" };
                 assert_eq!(hit.name, name);
             }
         }
@@ -87,14 +75,9 @@ fn a_spinning_ball_bounces_off_sideways() {
 #[test]
 fn two_contacts_are_hit_at_once() {
     let hit = |restitution| {
-        let ball = Ball {
-            restitution,
-            mu: 0.0,
-        };
-        let start = MechanismState {
-            q: [1.1, 0.1 + 1.0 + 0.5 * G * 0.25, 0.0],
-            v: [-2.0, -2.0, 3.0],
-        };
+        let ball = Ball { restitution, mu: 0.0 };
+        let start =
+            MechanismState { q: [1.1, 0.1 + 1.0 + 0.5 * G * 0.25, 0.0], v: [-2.0, -2.0, 3.0] };
         let motion = motion_within(&ball, 1e-12, start, 0.55).unwrap();
         motion.events()[0].clone()
     };
@@ -114,23 +97,14 @@ fn two_contacts_are_hit_at_once() {
 #[test]
 fn ends_among_bounces_are_refused() {
     let drop = MechanismState::rest([5.0, 0.1 + 0.5 * G, 0.0]);
-    let ball = |restitution| Ball {
-        restitution,
-        mu: 0.3,
-    };
+    let ball = |restitution| Ball { restitution, mu: 0.3 };
     let method = Dop853::new(1e-12).unwrap();
     let until = |restitution, t_end| motion_so_far(ball(restitution), &method, drop, t_end);
     let (bounces, refused) = until(0.5, 2.999);
     assert_eq!((bounces.events().len(), refused), (11, None));
     // 1 + 2 (1/2 + 1/4 + ...) seconds.
     let (bounces, refused) = until(0.5, 3.0 - 1e-9);
-    let Some(Error::BouncesUnresolved {
-        contact,
-        height,
-        t,
-        until: last,
-    }) = refused
-    else {
+    let Some(Error::BouncesUnresolved { contact, height, t, until: last }) = refused else {
         panic!("{refused:?}")
     };
     assert_eq!(contact, "floor");
@@ -141,10 +115,7 @@ fn ends_among_bounces_are_refused() {
     assert_eq!(bounces.events().last().unwrap().name, "floor touches");
     assert_eq!(until(0.5, 3.0 + 1e-9).1, None);
     // One that keeps its speed, too low to be seen, never comes to rest.
-    let low = MechanismState {
-        q: [5.0, 0.1, 0.0],
-        v: [0.0, 1e-6, 0.0],
-    };
+    let low = MechanismState { q: [5.0, 0.1, 0.0], v: [0.0, 1e-6, 0.0] };
     let (_, refused) = motion_so_far(ball(1.0), &method, low, 1.0);
     assert!(
         matches!(refused, Some(Error::BouncesUnresolved { until, .. }) if until.is_infinite()),
@@ -152,14 +123,7 @@ fn ends_among_bounces_are_refused() {
     );
     let (bounces, refused) = until(0.99, 200.0);
     assert!(
-        matches!(
-            refused,
-            Some(Error::LimitReached {
-                what: "changes of phase",
-                limit: 1000,
-                ..
-            })
-        ),
+        matches!(refused, Some(Error::LimitReached { what: "changes of phase", limit: 1000, .. })),
         "{refused:?}"
     );
     assert_eq!(bounces.events().len(), 1000);
@@ -197,14 +161,8 @@ impl Mechanism<3, 2> for Row {
 fn together(damage: f64) -> Errors {
     let mut errors = Errors::in_units_of(EPS, "common velocity");
     for ratio in [1e-12, 1e-6, 1.0, 1e6, 1e12] {
-        let row = Row {
-            masses: [1.0, ratio * (1.0 + damage), 2.0],
-            restitution: 0.0,
-        };
-        let start = MechanismState {
-            q: [-1.0, 0.0, 0.0],
-            v: [1.0, 0.0, 0.0],
-        };
+        let row = Row { masses: [1.0, ratio * (1.0 + damage), 2.0], restitution: 0.0 };
+        let start = MechanismState { q: [-1.0, 0.0, 0.0], v: [1.0, 0.0, 0.0] };
         let motion = motion_within(&row, 1e-12, start, 2.0).unwrap();
         let common = 1.0 / (3.0 + ratio);
         for v in motion.at(2.0).unwrap().v {
@@ -222,14 +180,8 @@ fn a_row_is_hit_through() {
     assert_largest!(together(0.0), 15, @"3.00");
     assert!(together(1e-12).largest() > 1e3);
     let end = |restitution| {
-        let row = Row {
-            masses: [1.0; 3],
-            restitution,
-        };
-        let start = MechanismState {
-            q: [-1.0, 0.0, 0.5],
-            v: [1.0, 0.0, 0.0],
-        };
+        let row = Row { masses: [1.0; 3], restitution };
+        let start = MechanismState { q: [-1.0, 0.0, 0.5], v: [1.0, 0.0, 0.0] };
         let motion = motion_within(&row, 1e-12, start, 3.0).unwrap();
         motion.at(3.0).unwrap()
     };
@@ -261,10 +213,7 @@ impl Mechanism<3, 1> for Rod {
 /// The state of the rod at an angle below the horizontal, its tip on the floor.
 fn on_tip(angle: f64, v: [f64; 3]) -> MechanismState<3> {
     let (s, _) = sincos(angle);
-    MechanismState {
-        q: [0.0, s, -angle],
-        v,
-    }
+    MechanismState { q: [0.0, s, -angle], v }
 }
 
 /// Painlevé: a rod pushed with its tip ahead on a rough floor; at mu = 2 and 45 degrees
@@ -272,10 +221,7 @@ fn on_tip(angle: f64, v: [f64; 3]) -> MechanismState<3> {
 #[test]
 fn the_rod_of_painleve_is_refused() {
     let half = core::f64::consts::FRAC_PI_4;
-    let rod = |mu| Rod {
-        mu,
-        restitution: 0.0,
-    };
+    let rod = |mu| Rod { mu, restitution: 0.0 };
     let (s, c) = sincos(half);
     // The tip slips forward at 1 m/s and stays on the floor: v_y + omega c = 0.
     let start = |omega: f64| on_tip(half, [1.0 - omega * s, -omega * c, omega]);
@@ -289,9 +235,7 @@ fn the_rod_of_painleve_is_refused() {
     );
     assert!(error.to_string().contains("Painlev\u{e9}"), "{error}");
     let error = go(2.0, 5.0).unwrap_err();
-    let Error::ContactsUndetermined { motions, .. } = &error else {
-        panic!("{error}")
-    };
+    let Error::ContactsUndetermined { motions, .. } = &error else { panic!("{error}") };
     assert_eq!(motions[..], ["tip slips forward", "tip opens"]);
 }
 
@@ -299,19 +243,14 @@ fn the_rod_of_painleve_is_refused() {
 /// such an impact is refused.
 #[test]
 fn an_impact_that_gains_energy_is_refused() {
-    let rod = Rod {
-        mu: 0.0,
-        restitution: 1.0,
-    };
+    let rod = Rod { mu: 0.0, restitution: 1.0 };
     let mut start = on_tip(0.9, [-0.86, -1.0, 0.0]);
     start.q[1] += 0.1;
     let hit =
         |mu, restitution| motion_within(&Rod { mu, restitution }, 1e-9, start, 0.15).map(|_| ());
     assert_eq!(hit(rod.mu, rod.restitution), Ok(()));
     let error = hit(1.0, 1.0).unwrap_err();
-    let Error::ImpactGainsEnergy { before, after, .. } = error else {
-        panic!("{error}")
-    };
+    let Error::ImpactGainsEnergy { before, after, .. } = error else { panic!("{error}") };
     assert!(after > before, "{error}");
     // Plastic, the same impact is one.
     assert_eq!(hit(1.0, 0.0), Ok(()));

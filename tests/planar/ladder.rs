@@ -18,11 +18,7 @@ use rotation_dynamics::planar::contact::{
 use support::{EPS, Errors, assert_error, assert_largest, relative};
 
 fn rubs(mu: f64) -> Ladder {
-    Ladder {
-        gravity: G,
-        overhang: 0.0,
-        mu,
-    }
+    Ladder { gravity: G, overhang: 0.0, mu }
 }
 
 fn slide(ladder: Ladder, angle: f64) -> ContactMotion<Ladder, 3, 2> {
@@ -129,10 +125,7 @@ fn a_kept_wall_pulls() {
 /// What is declared of the contacts agrees with differences; a wrong sign is seen.
 #[test]
 fn rows_are_those_of_the_gaps() {
-    let state = MechanismState {
-        q: [0.7, 1.1, 0.6],
-        v: [0.5, -1.3, 0.9],
-    };
+    let state = MechanismState { q: [0.7, 1.1, 0.6], v: [0.5, -1.3, 0.9] };
     let ladder = rubs(0.1);
     assert_error!(misdeclared(&ladder, &state), 1.7e-13);
     /// The damaged twin: an angle counted the other way round.

@@ -33,10 +33,7 @@ impl Mechanism<2, 1> for Lift {
 }
 
 fn carried(lift: &Lift, height: f64, v: f64, t_end: f64) -> ContactMotion<&Lift, 2, 1> {
-    let start = MechanismState {
-        q: [height, 0.0],
-        v: [v, 1.0],
-    };
+    let start = MechanismState { q: [height, 0.0], v: [v, 1.0] };
     motion_within(lift, 1e-12, start, t_end).unwrap()
 }
 
@@ -70,11 +67,7 @@ fn a_plate_carries() {
 /// The plate that falls faster than g is left at once.
 #[test]
 fn a_plate_that_drops_is_left() {
-    let lift = Lift {
-        speed: 0.0,
-        acceleration: -1.5 * G,
-        restitution: 0.0,
-    };
+    let lift = Lift { speed: 0.0, acceleration: -1.5 * G, restitution: 0.0 };
     let motion = carried(&lift, 0.0, 0.0, 1.0);
     assert_eq!(motion.modes(0.5).unwrap(), [Mode::Open]);
 }
@@ -84,11 +77,7 @@ fn a_plate_that_drops_is_left() {
 fn thrown(damage: f64) -> Errors {
     let mut errors = Errors::in_units_of(EPS, "impacts on a plate that rises");
     for (speed, restitution) in [(0.0, 1.0), (1.0, 1.0), (1.0, 0.25), (-2.0, 0.5)] {
-        let lift = Lift {
-            speed,
-            acceleration: 0.0,
-            restitution: restitution * (1.0 - damage),
-        };
+        let lift = Lift { speed, acceleration: 0.0, restitution: restitution * (1.0 - damage) };
         // From rest relative to the plate it meets it after one second.
         let motion = carried(&lift, 0.5 * G, speed, 1.01);
         let [hit] = motion.events() else {
@@ -112,16 +101,9 @@ fn a_plate_throws() {
 /// A run says where it ends, what it cost and, where that was asked for, how good it is.
 #[test]
 fn a_run_says_what_it_is() {
-    let lift = Lift {
-        speed: 1.0,
-        acceleration: 0.0,
-        restitution: 0.5,
-    };
+    let lift = Lift { speed: 1.0, acceleration: 0.0, restitution: 0.5 };
     let motion_at = |step_error: f64| {
-        let start = MechanismState {
-            q: [0.5 * G, 0.0],
-            v: [1.0, 1.0],
-        };
+        let start = MechanismState { q: [0.5 * G, 0.0], v: [1.0, 1.0] };
         motion(&lift, &Dop853::new(step_error).unwrap(), start, 1.5).unwrap()
     };
     let asked = carried(&lift, 0.5 * G, 1.0, 1.5);
@@ -137,17 +119,11 @@ fn a_run_says_what_it_is() {
     both += fine.work();
     assert_eq!(asked.work(), both);
     assert_ne!(fine.work(), both);
-    assert!(matches!(
-        asked.event("plate sticks"),
-        Err(Error::NotReached { until: 1.5, .. })
-    ));
+    assert!(matches!(asked.event("plate sticks"), Err(Error::NotReached { until: 1.5, .. })));
     for t in [-1e-9, 1.5 + 1e-9, f64::NAN] {
         assert!(matches!(asked.at(t), Err(Error::OutsideRun { .. })));
         assert!(asked.forces(t).is_err() && asked.modes(t).is_err());
     }
     let told = format!("{asked:?}");
-    assert!(
-        told.contains("end_time: 1.5") && told.contains("plate bounces"),
-        "{told}"
-    );
+    assert!(told.contains("end_time: 1.5") && told.contains("plate bounces"), "{told}");
 }

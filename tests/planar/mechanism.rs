@@ -38,10 +38,7 @@ impl Mechanism<3, 2> for Ladder {
         let (s, c) = sincos(ladder.q[2]);
         let (s, c) = (0.5 * LENGTH * s, 0.5 * LENGTH * c);
         let (sin, cos) = sincos(self.overhang);
-        let wall = Surface {
-            normal: [cos, -sin],
-            offset: 0.0,
-        };
+        let wall = Surface { normal: [cos, -sin], offset: 0.0 };
         [
             Contact::corner("wall", ladder, [-s, c], wall).friction(self.mu),
             Contact::corner("foot", ladder, [s, -c], Surface::FLOOR).friction(self.mu),
@@ -53,9 +50,6 @@ impl Mechanism<3, 2> for Ladder {
     fn scale(&self, ladder: &MechanismState<3>) -> MechanismState<3> {
         let rate = (1.5 * self.gravity / LENGTH).sqrt();
         let q = [ladder.q[0].abs(), LENGTH, ladder.q[2].abs()];
-        MechanismState {
-            q,
-            v: q.map(|size| rate * size),
-        }
+        MechanismState { q, v: q.map(|size| rate * size) }
     }
 }

@@ -14,11 +14,7 @@ use support::{Errors, assert_largest};
 
 /// What its contacts do at first, from rest at this angle.
 fn begins(overhang: f64, mu: f64, angle: f64) -> Result<[Mode; 2]> {
-    let ladder = Ladder {
-        gravity: G,
-        overhang,
-        mu,
-    };
+    let ladder = Ladder { gravity: G, overhang, mu };
     motion(&ladder, &Dop853::new(1e-9)?, ladder.at_rest(angle), 1e-3)?.modes(0.0)
 }
 
@@ -79,13 +75,8 @@ fn both_motions_obey_all_laws() {
     for (overhang, angle) in ANGLES {
         let mu = 1.1 * least(overhang, angle, 0.0);
         let error = begins(overhang, mu, angle).unwrap_err();
-        let Error::ContactsUndetermined { motions, .. } = &error else {
-            panic!("{error}")
-        };
-        assert_eq!(
-            motions[..],
-            ["wall sticks, foot sticks", "wall opens, foot sticks"]
-        );
+        let Error::ContactsUndetermined { motions, .. } = &error else { panic!("{error}") };
+        assert_eq!(motions[..], ["wall sticks, foot sticks", "wall opens, foot sticks"]);
         let (s, c) = sincos(angle);
         // Wedged, in weights: the wall's force along the edge of its cone that points up.
         let slope = tan(overhang);
@@ -127,11 +118,7 @@ fn swings(damage: f64) -> Errors {
         let is_above = |t: f64| falls.at(t).unwrap().theta > FRAC_PI_2;
         let [_, lands] = bisect([0.0, 1.0], 0.0, is_above);
         let rate = (3.0 * G * cos(angle) / length).sqrt();
-        let ladder = Ladder {
-            gravity: G,
-            overhang,
-            mu,
-        };
+        let ladder = Ladder { gravity: G, overhang, mu };
         let (method, start) = (Dop853::new(1e-15).unwrap(), ladder.at_rest(angle));
         let found = motion(&ladder, &method, start, 1.0).unwrap();
         let end = found.event("lands").unwrap();

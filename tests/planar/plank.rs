@@ -36,10 +36,7 @@ impl Mechanism<3, 2> for Plank {
                 .frictions(self.kinetic, self.holding)
                 .moving(speed)
         };
-        [
-            roller("left", -0.5 * self.a, self.speed),
-            roller("right", 0.5 * self.a, -self.speed),
-        ]
+        [roller("left", -0.5 * self.a, self.speed), roller("right", 0.5 * self.a, -self.speed)]
     }
 }
 
@@ -51,9 +48,6 @@ pub fn laid(
     t_end: f64,
     tolerance: f64,
 ) -> Result<ContactMotion<&Plank, 3, 2>> {
-    let start = MechanismState {
-        q: [x, 0.0, 0.0],
-        v: [v, 0.0, 0.0],
-    };
+    let start = MechanismState { q: [x, 0.0, 0.0], v: [v, 0.0, 0.0] };
     motion(plank, &Dop853::new(tolerance)?, start, t_end)
 }

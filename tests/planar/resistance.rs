@@ -27,32 +27,17 @@ impl Mechanism<3, 2> for Resisted {
     }
     fn contacts(&self, body: &MechanismState<3>) -> [Contact<3>; 2] {
         let [rim] = self.round.contacts(body);
-        [
-            rim,
-            Contact::rolling("body", 0, self.round.radius, self.resistance),
-        ]
+        [rim, Contact::rolling("body", 0, self.round.radius, self.resistance)]
     }
 }
 
 fn resisted(shape: f64, mass: f64, slope: f64, resistance: f64) -> Resisted {
-    let round = Round {
-        mass,
-        shape,
-        radius: 0.1,
-        mu: 0.6,
-    };
-    Resisted {
-        round,
-        slope,
-        resistance,
-    }
+    let round = Round { mass, shape, radius: 0.1, mu: 0.6 };
+    Resisted { round, slope, resistance }
 }
 
 fn rolling(speed: f64) -> MechanismState<3> {
-    MechanismState {
-        q: [0.0, 0.1, 0.0],
-        v: [speed, 0.0, -10.0 * speed],
-    }
+    MechanismState { q: [0.0, 0.1, 0.0], v: [speed, 0.0, -10.0 * speed] }
 }
 
 /// On the level: C_rr g/(1 + k) until it stops, at v^2/2a; and then nothing happens any more.
@@ -96,9 +81,7 @@ fn it_holds_on_a_gentle_slope() {
             for (part, rolls) in [(0.999_999, false), (1.000_001, true), (3.0, true)] {
                 let slope = rotation_dynamics::math::atan2(part * resistance, 1.0);
                 let body = resisted(shape, 2.0, slope, resistance);
-                let held = entry(&body, MechanismState::rest([0.0, 0.1, 0.0]))
-                    .unwrap()
-                    .0[1]
+                let held = entry(&body, MechanismState::rest([0.0, 0.1, 0.0])).unwrap().0[1]
                     == Mode::Stick;
                 assert_eq!(held, !rolls, "{shape} {resistance} {part}");
                 let up = (sin(slope) + resistance * cos(slope)) * G / (1.0 + shape);
@@ -120,10 +103,7 @@ fn it_holds_on_a_gentle_slope() {
 fn it_slips_then_rolls_then_stops() {
     let (shape, resistance, spin) = (0.4, 0.02, -70.0);
     let body = resisted(shape, 1.0, 0.0, resistance);
-    let start = MechanismState {
-        q: [0.0, 0.1, 0.0],
-        v: [0.0, 0.0, spin],
-    };
+    let start = MechanismState { q: [0.0, 0.1, 0.0], v: [0.0, 0.0, spin] };
     let motion = motion_within(&body, 1e-12, start, 60.0).unwrap();
     let names: Vec<_> = motion.events().iter().map(|e| e.name.as_str()).collect();
     assert_eq!(names, ["floor sticks", "body stops"]);
@@ -140,10 +120,7 @@ fn it_slips_then_rolls_then_stops() {
 #[test]
 fn in_the_air_it_resists_nothing() {
     let body = resisted(0.4, 1.0, 0.0, 0.05);
-    let start = MechanismState {
-        q: [0.0, 0.1 + 0.5 * G, 0.0],
-        v: [0.0, 0.0, -3.0],
-    };
+    let start = MechanismState { q: [0.0, 0.1 + 0.5 * G, 0.0], v: [0.0, 0.0, -3.0] };
     let motion = motion_within(&body, 1e-12, start, 2.0).unwrap();
     assert_eq!(motion.modes(0.5).unwrap(), [Mode::Open; 2]);
     let lands = motion.event("floor touches").unwrap();
@@ -174,12 +151,7 @@ fn what_resists_nothing_that_pushes_is_refused() {
     told(0, 0.0).expect("no resistance");
     for by in [1, 2, 100] {
         let error = told(by, 0.01).unwrap_err();
-        assert!(
-            error
-                .to_string()
-                .contains("place of the contact that presses"),
-            "{error}"
-        );
+        assert!(error.to_string().contains("place of the contact that presses"), "{error}");
     }
     for coefficient in [-0.01, f64::NAN, f64::INFINITY] {
         assert!(told(0, coefficient).is_err());
@@ -190,16 +162,7 @@ fn what_resists_nothing_that_pushes_is_refused() {
         assert!(QuadraticDrag::in_air(1.2, bad, 0.1).is_err());
     }
     let error = QuadraticDrag::in_air(1.2, 0.5, -0.1).unwrap_err();
-    assert!(
-        matches!(
-            error,
-            Error::OutOfRange {
-                name: "frontal area",
-                ..
-            }
-        ),
-        "{error}"
-    );
+    assert!(matches!(error, Error::OutOfRange { name: "frontal area", .. }), "{error}");
 }
 
 /// A stone in free fall.
@@ -229,36 +192,21 @@ fn drags(damage: f64) -> Errors {
     let more = 1.0 + damage;
     for c in [0.01, 0.3, 4.0] {
         for t in [0.1, 1.0, 5.0] {
-            let start = MechanismState {
-                q: [0.0; 3],
-                v: [0.0, 0.0, 7.0],
-            };
+            let start = MechanismState { q: [0.0; 3], v: [0.0, 0.0, 7.0] };
             let falls = Stone.with(QuadraticDrag::new(c * more).unwrap());
             let last = (2.0 * G / c).sqrt();
-            let end = motion_within(&falls, 1e-13, start, t)
-                .unwrap()
-                .at(t)
-                .unwrap();
+            let end = motion_within(&falls, 1e-13, start, t).unwrap().at(t).unwrap();
             errors.add(end.v[1], -last * tanh(G * t / last), last);
             assert_eq!(end.v[2], 7.0);
             let sinks = Stone.with(LinearDrag::new(c * more).unwrap());
-            let end = motion_within(&sinks, 1e-13, start, t)
-                .unwrap()
-                .at(t)
-                .unwrap();
+            let end = motion_within(&sinks, 1e-13, start, t).unwrap().at(t).unwrap();
             let want = -2.0 * G / c * (1.0 - exp(-0.5 * c * t));
             errors.add(end.v[1], want, want.abs());
             let turns = Stone.with(LinearSpinDrag::new(c * more).unwrap());
-            let end = motion_within(&turns, 1e-13, start, t)
-                .unwrap()
-                .at(t)
-                .unwrap();
+            let end = motion_within(&turns, 1e-13, start, t).unwrap().at(t).unwrap();
             errors.add(end.v[2], 7.0 * exp(-c / 0.3 * t), 7.0);
             let paddles = Stone.with(QuadraticSpinDrag::new(c * more).unwrap());
-            let end = motion_within(&paddles, 1e-13, start, t)
-                .unwrap()
-                .at(t)
-                .unwrap();
+            let end = motion_within(&paddles, 1e-13, start, t).unwrap().at(t).unwrap();
             errors.add(end.v[2], 7.0 / (1.0 + 7.0 * c / 0.3 * t), 7.0);
         }
     }
@@ -271,10 +219,8 @@ fn driven(damage: f64) -> Errors {
     let mut errors = Errors::in_units_of(EPS, "time and speed at the end of a way");
     for c in [1e-9, 0.01, 0.3, 4.0] {
         for part in [1e-6, 1e-3, 0.1, 1.0, 5.0] {
-            let (drag, last) = (
-                QuadraticDrag::new(c * (1.0 + damage)).unwrap(),
-                (2.0 * G / c).sqrt(),
-            );
+            let (drag, last) =
+                (QuadraticDrag::new(c * (1.0 + damage)).unwrap(), (2.0 * G / c).sqrt());
             let half = rotation_dynamics::math::sinh(0.5 * part);
             let way = last * last / G * rotation_dynamics::math::log1p(2.0 * half * half);
             let [time, speed] = drag.driven(G, 2.0, way);
@@ -307,10 +253,7 @@ fn the_energy_goes_where_the_power_says() {
         .with(QuadraticDrag::new(c[1]).unwrap())
         .with(LinearSpinDrag::new(c[2]).unwrap())
         .with(QuadraticSpinDrag::new(c[3]).unwrap());
-    let start = MechanismState {
-        q: [0.0; 3],
-        v: [3.0, 4.0, -7.0],
-    };
+    let start = MechanismState { q: [0.0; 3], v: [3.0, 4.0, -7.0] };
     let motion = motion_within(&loads, 1e-13, start, 2.0).unwrap();
     let energy = |t: f64| {
         let MechanismState { q, v } = motion.at(t).unwrap();
@@ -326,19 +269,12 @@ fn the_energy_goes_where_the_power_says() {
         let theirs = loads.load().power(&state)
             + loads.mechanism().load().power(&state)
             + loads.mechanism().mechanism().load().power(&state)
-            + loads
-                .mechanism()
-                .mechanism()
-                .mechanism()
-                .load()
-                .power(&state);
+            + loads.mechanism().mechanism().mechanism().load().power(&state);
         assert!((ours - theirs).abs() < 1e-12 * ours.abs());
         ours
     };
-    let (mut errors, mut damaged) = (
-        Errors::of("slope of the energy"),
-        Errors::of("without a drag"),
-    );
+    let (mut errors, mut damaged) =
+        (Errors::of("slope of the energy"), Errors::of("without a drag"));
     for t in [0.3, 0.9, 1.7] {
         let slope = derivative(energy, t, 1e-2);
         errors.add(slope, power(t), power(t).abs());
@@ -353,16 +289,8 @@ fn the_energy_goes_where_the_power_says() {
 /// where the resistance has its own equations.
 #[test]
 fn what_is_absent_changes_no_bit() {
-    let start = MechanismState {
-        q: [0.0, 0.1, 0.0],
-        v: [1.0, 0.0, 50.0],
-    };
-    let round = || Round {
-        mass: 1.0,
-        shape: 0.4,
-        radius: 0.1,
-        mu: 0.6,
-    };
+    let start = MechanismState { q: [0.0, 0.1, 0.0], v: [1.0, 0.0, 50.0] };
+    let round = || Round { mass: 1.0, shape: 0.4, radius: 0.1, mu: 0.6 };
     let plain = motion_within(round(), 1e-12, start, 1.0).unwrap();
     let none = motion_within(resisted(0.4, 1.0, 0.0, 0.0), 1e-12, start, 1.0).unwrap();
     let apart = |t: f64| {
@@ -372,8 +300,5 @@ fn what_is_absent_changes_no_bit() {
     assert!(apart(0.2) < 1e-14 && apart(0.9) < 1e-14);
     // In size, too: the drag is a field of the type that has it.
     assert_eq!(size_of::<Stone>(), 0);
-    assert_eq!(
-        size_of_val(&Stone.with(LinearDrag::new(1.0).unwrap())),
-        size_of::<f64>()
-    );
+    assert_eq!(size_of_val(&Stone.with(LinearDrag::new(1.0).unwrap())), size_of::<f64>());
 }

@@ -50,13 +50,7 @@ struct Ball {
 
 impl Ball {
     const fn new(radius: f64, mu: f64, restitution: f64) -> Self {
-        Self {
-            radius,
-            shape: 0.4,
-            mu,
-            restitution,
-            slope: 0.0,
-        }
+        Self { radius, shape: 0.4, mu, restitution, slope: 0.0 }
     }
 }
 
@@ -89,30 +83,17 @@ fn limits(damage: f64) -> [Errors; 3] {
             let fall = f64::sqrt(2.0 * height / G);
             let limit = fall * (1.0 + restitution) / (1.0 - restitution);
             let off = restitution * (1.0 + damage);
-            let plates = Particle {
-                restitution: off,
-                ceiling: 10.0,
-            };
-            let rests = motion(
-                &plates,
-                &method(),
-                MechanismState::rest([height]),
-                1.1 * limit,
-            )
-            .unwrap();
+            let plates = Particle { restitution: off, ceiling: 10.0 };
+            let rests =
+                motion(&plates, &method(), MechanismState::rest([height]), 1.1 * limit).unwrap();
             particle.add(rests.event("floor rests").unwrap().t, limit, limit);
             assert_eq!(rests.at(1.1 * limit).unwrap(), MechanismState::rest([0.0]));
             for (radius, errors) in [(0.1, &mut small), (1.0, &mut large)] {
                 let ball = Ball::new(radius, 0.2, off);
                 let start = MechanismState::rest([0.0, radius + height, 0.0]);
                 let rests = motion(ball, &method(), start, 1.1 * limit).unwrap();
-                let [.., touches, rest] = rests.events() else {
-                    panic!("{:?}", rests.events())
-                };
-                assert_eq!(
-                    [&touches.name, &rest.name],
-                    ["floor touches", "floor rests"]
-                );
+                let [.., touches, rest] = rests.events() else { panic!("{:?}", rests.events()) };
+                assert_eq!([&touches.name, &rest.name], ["floor touches", "floor rests"]);
                 assert!(touches.t < rest.t);
                 errors.add(rest.t, limit, limit);
             }
@@ -142,10 +123,7 @@ fn promised(damage: f64) -> [Errors; 2] {
         for restitution in [0.1, 0.5, 0.9] {
             let fall = f64::sqrt(2.0 / G);
             let limit = fall * (1.0 + restitution) / (1.0 - restitution);
-            let start = MechanismState {
-                q: [0.0, 1.1, 0.0],
-                v: [2.0, 0.0, 0.0],
-            };
+            let start = MechanismState { q: [0.0, 1.1, 0.0], v: [2.0, 0.0, 0.0] };
             let ball = Ball::new(0.1, 0.05, restitution * (1.0 + damage));
             let found = motion_within(ball, tolerance, start, 2.0 * limit + 2.0).unwrap();
             let (rest, end) = (found.event("floor rests").unwrap(), found.end_time());
@@ -187,10 +165,7 @@ fn bounced(ball: &Ball, [height, mut v, mut slip]: [f64; 3], t_end: f64) -> [f64
     let before = v;
     rub(&mut v, &mut slip, f64::INFINITY);
     assert!(t + slides < t_end);
-    [
-        x + 0.5 * (before + v) * slides + v * (t_end - t - slides),
-        v,
-    ]
+    [x + 0.5 * (before + v) * slides + v * (t_end - t - slides), v]
 }
 
 /// Speed and place of balls that roll in the end, if their inertia is off by the part `damage`.
@@ -202,11 +177,7 @@ fn rolled(damage: f64) -> [Errors; 2] {
     for _ in 0..300 {
         let ball = Ball {
             shape: 0.4 * (1.0 + damage),
-            ..Ball::new(
-                random.size(0.03, 3.0),
-                random.size(0.01, 1.0),
-                random.between(0.0, 0.95),
-            )
+            ..Ball::new(random.size(0.03, 3.0), random.size(0.01, 1.0), random.between(0.0, 0.95))
         };
         let [height, v] = [random.size(0.01, 3.0), random.between(-3.0, 3.0)];
         let turns = random.between(-3.0, 3.0);
@@ -247,14 +218,8 @@ fn after_any_fall_a_ball_rolls_at_five_sevenths() {
 fn between_plates(damage: f64) -> Errors {
     let mut errors = Errors::in_units_of(EPS, "times between two plates");
     let (ceiling, e) = (1.0, 0.9);
-    let plates = Particle {
-        restitution: e * (1.0 + damage),
-        ceiling,
-    };
-    let start = MechanismState {
-        q: [0.0],
-        v: [10.0],
-    };
+    let plates = Particle { restitution: e * (1.0 + damage), ceiling };
+    let start = MechanismState { q: [0.0], v: [10.0] };
     let found = motion(&plates, &method(), start, 20.0).unwrap();
     let (mut t, mut up) = (0.0, 10.0);
     let mut events = found.events().iter();
@@ -291,19 +256,11 @@ fn superball(damage: f64) -> Errors {
     let mut errors = Errors::in_units_of(EPS, "superball");
     for (mu, slip) in [(0.1, 4.0), (0.15, -6.0), (0.3, 12.0)] {
         let down = f64::sqrt(2.0 * G);
-        let ball = Ball {
-            shape: 0.4 * (1.0 + damage),
-            ..Ball::new(0.1, mu, 1.0)
-        };
-        let start = MechanismState {
-            q: [0.0, 1.1, 0.0],
-            v: [1.0, 0.0, (slip - 1.0) / 0.1],
-        };
+        let ball = Ball { shape: 0.4 * (1.0 + damage), ..Ball::new(0.1, mu, 1.0) };
+        let start = MechanismState { q: [0.0, 1.1, 0.0], v: [1.0, 0.0, (slip - 1.0) / 0.1] };
         let fall = down / G;
         let found = motion(&ball, &method(), start, 4.0 * fall).unwrap();
-        let [first, second] = found.events() else {
-            panic!("{:?}", found.events())
-        };
+        let [first, second] = found.events() else { panic!("{:?}", found.events()) };
         errors.add(second.t, 3.0 * fall, 3.0 * fall);
         // Friction gives all it can, 2 mu times the speed of the fall; then the rest of the slip is
         // too little for it, and 2/7 of that is taken.
@@ -335,15 +292,9 @@ fn inclined(damage: f64) -> Errors {
     for restitution in [0.1, 0.5, 0.8] {
         for slope in [0.1, 0.3, 0.5] {
             for v in [-2.0, 0.0, 3.0] {
-                let ball = Ball {
-                    shape: 0.4 * (1.0 + damage),
-                    slope,
-                    ..Ball::new(0.1, 0.5, restitution)
-                };
-                let start = MechanismState {
-                    q: [0.0, 0.6, 0.0],
-                    v: [v, 0.0, 5.0],
-                };
+                let ball =
+                    Ball { shape: 0.4 * (1.0 + damage), slope, ..Ball::new(0.1, 0.5, restitution) };
+                let start = MechanismState { q: [0.0, 0.6, 0.0], v: [v, 0.0, 5.0] };
                 let found = motion(&ball, &method(), start, 8.0).unwrap();
                 assert!(found.event("floor rests").is_ok());
                 assert_eq!(found.modes(8.0).unwrap(), [Mode::Stick]);
@@ -400,23 +351,12 @@ fn rattled(damage: f64) -> Errors {
     for restitution in [0.0, 0.2, 0.5, 0.7] {
         for tilt in [0.01, 0.1, 0.3] {
             let mu = 0.1;
-            let rod = Rod {
-                mu: mu * (1.0 + damage),
-                restitution,
-                size: 1.0,
-            };
-            let start = MechanismState {
-                q: [0.0, 1.0, tilt],
-                v: [20.0, 0.0, 0.0],
-            };
+            let rod = Rod { mu: mu * (1.0 + damage), restitution, size: 1.0 };
+            let start = MechanismState { q: [0.0, 1.0, tilt], v: [20.0, 0.0, 0.0] };
             let end = 6.0;
             let found = motion(&rod, &method(), start, end).unwrap();
             let rests = found.events().last().unwrap();
-            let name = if restitution > 0.0 {
-                "rests"
-            } else {
-                "touches"
-            };
+            let name = if restitution > 0.0 { "rests" } else { "touches" };
             assert!(rests.name.ends_with(name), "{rests:?}");
             let last = found.at(end).unwrap();
             // All of friction is mu times all of the push: x'' = -mu (y'' + g).
@@ -447,15 +387,8 @@ fn the_time_of_rest_is_that_of_bounces_a_hundred_times_lower() {
     for restitution in [0.2, 0.5, 0.7] {
         for tilt in [0.01, 0.1, 0.3] {
             let times = |size| {
-                let rod = Rod {
-                    mu: 0.1,
-                    restitution,
-                    size,
-                };
-                let start = MechanismState {
-                    q: [0.0, 1.0, tilt],
-                    v: [20.0, 0.0, 0.0],
-                };
+                let rod = Rod { mu: 0.1, restitution, size };
+                let start = MechanismState { q: [0.0, 1.0, tilt], v: [20.0, 0.0, 0.0] };
                 let found = motion(&rod, &method(), start, 6.0).unwrap();
                 ["rests", "touches"].map(|what| {
                     let mut events = found.events().iter().rev();
@@ -479,11 +412,7 @@ const ACROSS: [f64; 2] = [0.5, 2.0];
 impl Mechanism<3, 2> for Block {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let [b, h] = ACROSS;
-        [
-            [1.0, 0.0, 0.0],
-            [0.0, 1.0, 0.0],
-            [0.0, 0.0, (b * b + h * h) / 3.0],
-        ]
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, (b * b + h * h) / 3.0]]
     }
     fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -G, 0.0]
@@ -508,11 +437,8 @@ fn a_block_rocks_to_rest() {
     let found = motion(&Block, &method(), start, 20.0).unwrap();
     let (diagonal, _) = sincos(atan(b / h));
     let part = 1.0 - 1.5 * diagonal * diagonal;
-    let touches: Vec<_> = found
-        .events()
-        .iter()
-        .filter(|event| event.name.ends_with("touches"))
-        .collect();
+    let touches: Vec<_> =
+        found.events().iter().filter(|event| event.name.ends_with("touches")).collect();
     let mut rates = Errors::in_units_of(EPS, "rate after a corner touches");
     let mut wider = Errors::in_units_of(EPS, "the rate of a block that is a little wider");
     let last = touches.len() - 1;
@@ -533,9 +459,6 @@ fn a_block_rocks_to_rest() {
     assert!((touches[last].t + step - want).abs() > 1e-6);
     assert_eq!(found.modes(20.0).unwrap(), [Mode::Stick; 2]);
     let end = found.at(20.0).unwrap();
-    assert!(
-        end.q[2].abs() < 1e-15 && (end.q[1] - h).abs() < 1e-14,
-        "{end:?}"
-    );
+    assert!(end.q[2].abs() < 1e-15 && (end.q[1] - h).abs() < 1e-14, "{end:?}");
     assert_eq!(end.v, [0.0; 3]);
 }

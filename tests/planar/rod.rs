@@ -36,10 +36,7 @@ impl Mechanism<2, 1> for Bead {
 /// Sent round from the bottom with v^2 = `part` g: 4 g is what reaches the top on a rod, 5 g
 /// on a string.
 fn swung(bead: &Bead, part: f64) -> ContactMotion<&Bead, 2, 1> {
-    let start = MechanismState {
-        q: [0.0, -1.0],
-        v: [(part * G).sqrt(), 0.0],
-    };
+    let start = MechanismState { q: [0.0, -1.0], v: [(part * G).sqrt(), 0.0] };
     motion_within(bead, 1e-9, start, 2.0).unwrap()
 }
 
@@ -67,9 +64,8 @@ fn a_rod_pulls_and_pushes() {
     let rod = Bead { string: false };
     assert_largest!(errors(&rod, 4.5), 82, @"1.11e-11");
     errors(&rod, 4.5 + 1e-9).exceed(1e-10, 82);
-    let forces: Vec<f64> = (0..=40)
-        .map(|i| swung(&rod, 4.5).forces(0.05 * f64::from(i)).unwrap()[0].normal)
-        .collect();
+    let forces: Vec<f64> =
+        (0..=40).map(|i| swung(&rod, 4.5).forces(0.05 * f64::from(i)).unwrap()[0].normal).collect();
     assert!(forces.iter().any(|f| *f > 0.0) && forces.iter().any(|f| *f < 0.0));
     let (gap, slip) = swung(&rod, 4.5).drift().unwrap();
     assert_error!(gap, 1.2e-13);

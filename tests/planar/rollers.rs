@@ -13,13 +13,7 @@ use support::{EPS, Errors, assert_error, assert_largest};
 /// part `damage`.
 fn limit_cycle(damage: f64) -> Errors {
     let (a, mu, mu_s, v) = (1.2, 0.2, 0.35, 0.25);
-    let plank = Plank {
-        a,
-        g: G,
-        kinetic: mu,
-        holding: mu_s * (1.0 + damage),
-        speed: v,
-    };
+    let plank = Plank { a, g: G, kinetic: mu, holding: mu_s * (1.0 + damage), speed: v };
     let motion = laid(&plank, 0.3, 0.0, 30.0, 1e-14).unwrap();
     let named = |name| motion.events().iter().filter(move |e| e.name == name);
     let catches: Vec<_> = named("right sticks").map(|e| e.t).collect();
@@ -49,22 +43,11 @@ fn stick_and_slip_have_a_period() {
 #[test]
 fn a_plank_lifts_off() {
     let pushed = |a| {
-        let plank = Plank {
-            a,
-            g: G,
-            kinetic: 0.3,
-            holding: 0.3,
-            speed: -5.0,
-        };
+        let plank = Plank { a, g: G, kinetic: 0.3, holding: 0.3, speed: -5.0 };
         let motion = laid(&plank, 0.49, 0.0, 0.5, 1e-14).unwrap();
         let lifts = motion.event("left lets go").unwrap().before.q[0];
         let [_, right] = motion.forces(0.5).unwrap();
-        (
-            lifts,
-            motion.at(0.5).unwrap(),
-            right,
-            motion.drift().unwrap(),
-        )
+        (lifts, motion.at(0.5).unwrap(), right, motion.drift().unwrap())
     };
     let (lifts, end, right, (gap, _)) = pushed(1.0);
     assert_error!(lifts, 0.5, 2.0 eps);

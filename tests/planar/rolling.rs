@@ -17,11 +17,7 @@ pub struct Round {
 impl Mechanism<3, 1> for Round {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let inertia = self.shape * self.mass * self.radius * self.radius;
-        [
-            [self.mass, 0.0, 0.0],
-            [0.0, self.mass, 0.0],
-            [0.0, 0.0, inertia],
-        ]
+        [[self.mass, 0.0, 0.0], [0.0, self.mass, 0.0], [0.0, 0.0, inertia]]
     }
     fn force(&self, _: &MechanismState<3>) -> [f64; 3] {
         [0.0, -self.mass * G, 0.0]
@@ -36,25 +32,14 @@ impl Mechanism<3, 1> for Round {
 fn rolls(damage: f64) -> Errors {
     let mut errors = Errors::in_units_of(EPS, "from slipping to rolling");
     for mass in [1e-12, 1e-3, 1.0, 1e12] {
-        for (shape, v, omega) in [
-            (0.4, 0.0, -70.0),
-            (0.5, 3.0, 0.0),
-            (1.0, -2.0, 10.0),
-            (0.4, 1.0, 50.0),
-        ] {
-            let round = Round {
-                mass,
-                shape,
-                radius: 0.1,
-                mu: 0.2 * (1.0 + damage),
-            };
+        for (shape, v, omega) in
+            [(0.4, 0.0, -70.0), (0.5, 3.0, 0.0), (1.0, -2.0, 10.0), (0.4, 1.0, 50.0)]
+        {
+            let round = Round { mass, shape, radius: 0.1, mu: 0.2 * (1.0 + damage) };
             let slip: f64 = v + 0.1 * omega;
             let stop = slip.abs() / (0.2 * G * (1.0 + 1.0 / shape));
             let rolls_at = v - f64::copysign(0.2 * G * stop, slip);
-            let start = MechanismState {
-                q: [0.0, 0.1, 0.0],
-                v: [v, 0.0, omega],
-            };
+            let start = MechanismState { q: [0.0, 0.1, 0.0], v: [v, 0.0, omega] };
             let motion = motion_within(&round, 1e-12, start, 3.0 * stop + 0.5).unwrap();
             assert_eq!(motion.events().len(), 1, "{:?}", motion.events());
             let sticks = motion.event("floor sticks").unwrap();

@@ -53,10 +53,7 @@ fn stands(damage: f64) -> Stands {
     for mu in [0.1, 0.5, 1.0] {
         for part in [0.0, 0.5, 0.999, 1.001] {
             let slope = part * atan(mu);
-            let body = Box {
-                slope,
-                mu: mu * (1.0 + damage),
-            };
+            let body = Box { slope, mu: mu * (1.0 + damage) };
             let start = MechanismState::rest([0.0, 0.5, 0.0]);
             let motion = motion_within(&body, 1e-12, start, 1.0).unwrap();
             let [upper, lower] = motion.forces(1.0).unwrap();
@@ -144,10 +141,7 @@ fn pile(damage: f64) -> (Errors, Errors) {
     let mut speeds = Errors::in_units_of(EPS, "speed of a pile at rest");
     for exponent in -12..=12 {
         let heavy = rotation_dynamics::math::pow(10.0, f64::from(exponent));
-        let pile = Pile {
-            light: 1.0,
-            heavy: heavy * (1.0 + damage),
-        };
+        let pile = Pile { light: 1.0, heavy: heavy * (1.0 + damage) };
         let motion = motion_within(&pile, 1e-12, MechanismState::rest([0.0; 2]), 10.0).unwrap();
         let [floor, between] = motion.forces(10.0).unwrap();
         let weight = (pile.light + heavy) * G;
@@ -186,11 +180,7 @@ impl Mechanism<2, 1> for Unwinding {
     fn contacts(&self, disc: &MechanismState<2>) -> [Contact<2>; 1] {
         let [fallen, angle] = disc.q;
         let slack = 0.2 * angle - fallen;
-        let string = if self.glued {
-            Contact::joint
-        } else {
-            Contact::new
-        };
+        let string = if self.glued { Contact::joint } else { Contact::new };
         [string("string", slack, [-1.0, 0.2], 0.0)]
     }
 }
@@ -206,27 +196,14 @@ fn a_disc_unwinds_from_its_string() {
     assert_error!(end.v[1], 16.3444166666667, 17.6 eps);
     assert_error!(motion.forces(0.2).unwrap()[0].normal, G, 0.0 eps);
     // Spinning too fast the string is slack: free fall until g t = 2 R omega, then a jerk.
-    let spun = MechanismState {
-        q: [0.0; 2],
-        v: [0.0, 10.0],
-    };
+    let spun = MechanismState { q: [0.0; 2], v: [0.0, 10.0] };
     let motion = motion_within(&disc, 1e-12, spun, 0.5).unwrap();
     let jerk = motion.event("string touches").unwrap();
     assert_error!(jerk.t, 4.0 / G, 1.2 eps);
     assert_error!(jerk.after.v[0], 10.0 / 3.0, 0.0 eps);
     // The damaged twin of a string: it pushes, and has no free fall.
     let error = motion_within(&Unwinding { glued: true }, 1e-9, spun, 0.5).unwrap_err();
-    assert!(
-        matches!(
-            error,
-            Error::CannotHold {
-                name: "string",
-                rate: Some(_),
-                ..
-            }
-        ),
-        "{error}"
-    );
+    assert!(matches!(error, Error::CannotHold { name: "string", rate: Some(_), .. }), "{error}");
 }
 
 /// Two discs pressed together (exercise 15.1): inertias 0.03 and 0.05 kg m^2.
@@ -253,14 +230,8 @@ impl Mechanism<2, 1> for Discs {
 #[test]
 fn pressed_discs_end_at_one_rate() {
     let run = |damage: f64| {
-        let start = MechanismState {
-            q: [0.0; 2],
-            v: [40.0, -10.0],
-        };
-        let discs = Discs {
-            force: 10.0 * (1.0 + damage),
-            torque: 0.0,
-        };
+        let start = MechanismState { q: [0.0; 2], v: [40.0, -10.0] };
+        let discs = Discs { force: 10.0 * (1.0 + damage), torque: 0.0 };
         let motion = motion_within(discs, 1e-12, start, 3.0).unwrap();
         assert_eq!(motion.events().len(), 1);
         let sticks = motion.event("faces sticks").unwrap().t;
@@ -281,22 +252,10 @@ fn pressed_discs_end_at_one_rate() {
 /// Together they are turned by up to 0.8 N m, of which friction hands on 5/8.
 #[test]
 fn pressed_discs_hold_up_to_their_friction() {
-    for (torque, holds) in [
-        (0.799, true),
-        (-0.799, true),
-        (0.801, false),
-        (-0.801, false),
-    ] {
-        let discs = Discs {
-            force: 10.0,
-            torque,
-        };
+    for (torque, holds) in [(0.799, true), (-0.799, true), (0.801, false), (-0.801, false)] {
+        let discs = Discs { force: 10.0, torque };
         let motion = motion_within(discs, 1e-12, MechanismState::rest([0.0; 2]), 1.0).unwrap();
-        assert_eq!(
-            motion.modes(1.0).unwrap() == [Mode::Stick],
-            holds,
-            "{torque}"
-        );
+        assert_eq!(motion.modes(1.0).unwrap() == [Mode::Stick], holds, "{torque}");
         assert!(motion.events().is_empty());
         let [first, second] = motion.at(1.0).unwrap().v;
         assert_eq!((first - second).abs() < 1e-12, holds, "{first} {second}");

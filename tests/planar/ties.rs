@@ -22,9 +22,7 @@ impl Mechanism<3, 2> for Tie {
     }
     fn contacts(&self, both: &MechanismState<3>) -> [Contact<3>; 2] {
         [
-            Contact::pressed("block", BRAKE)
-                .tangent([1.0, 0.0, 0.0], 0.0)
-                .friction(1.0),
+            Contact::pressed("block", BRAKE).tangent([1.0, 0.0, 0.0], 0.0).friction(1.0),
             Contact::new("shelf", both.q[1], [0.0, 1.0, 0.0], 0.0),
         ]
     }
@@ -40,16 +38,11 @@ fn a_stop_and_a_release_in_one_instant() {
     for stops in [0.2, 0.6, 1.0, 1.7, 3.0] {
         for roundings in -4..=4 {
             let lifts = stops * (1.0 + 2.0 * EPS * f64::from(roundings));
-            let start = MechanismState {
-                q: [0.0; 3],
-                v: [BRAKE * stops, 0.0, 1.0],
-            };
+            let start = MechanismState { q: [0.0; 3], v: [BRAKE * stops, 0.0, 1.0] };
             let (tie, end) = (Tie { lifts }, stops + 1.0);
             let found = motion(&tie, &method, start, end).unwrap();
-            let (sticks, lets_go) = (
-                found.event("block sticks").unwrap().t,
-                found.event("shelf lets go").unwrap().t,
-            );
+            let (sticks, lets_go) =
+                (found.event("block sticks").unwrap().t, found.event("shelf lets go").unwrap().t);
             assert_eq!(found.events().len(), 2, "{stops} {roundings}");
             let [x, y, _] = found.at(end).unwrap().q;
             errors.add(sticks, stops, stops);

@@ -18,18 +18,11 @@ struct Rod {
 
 impl Rod {
     fn in_units(mass: f64, length: f64) -> Self {
-        Self {
-            mass: [mass, mass, mass * length * length / 12.0],
-            length,
-            gravity: G * length,
-        }
+        Self { mass: [mass, mass, mass * length * length / 12.0], length, gravity: G * length }
     }
 
     fn start(&self) -> MechanismState<3> {
-        MechanismState {
-            q: [0.0, 1.5 * self.length, 0.4],
-            v: [0.3 * self.length, 0.0, 0.0],
-        }
+        MechanismState { q: [0.0, 1.5 * self.length, 0.4], v: [0.3 * self.length, 0.0, 0.0] }
     }
 }
 
@@ -44,12 +37,7 @@ impl Mechanism<3, 2> for Rod {
     fn contacts(&self, rod: &MechanismState<3>) -> [Contact<3>; 2] {
         let ((s, c), half) = (sincos(rod.q[2]), 0.5 * self.length);
         let corner = |name, side| {
-            Contact::corner(
-                name,
-                rod,
-                [side * half * c, side * half * s],
-                Surface::FLOOR,
-            )
+            Contact::corner(name, rod, [side * half * c, side * half * s], Surface::FLOOR)
         };
         [corner("left", -1.0), corner("right", 1.0)]
     }
@@ -85,10 +73,7 @@ fn units(damage: f64) -> Errors {
             assert_eq!(other.name, one.name);
             errors.add(other.t, one.t, one.t);
             let v = other.after.v;
-            for (v, want) in [v[0] / length, v[1] / length, v[2]]
-                .into_iter()
-                .zip(one.after.v)
-            {
+            for (v, want) in [v[0] / length, v[1] / length, v[2]].into_iter().zip(one.after.v) {
                 errors.add(v, want, 1.0 + want.abs());
             }
         }
@@ -118,17 +103,11 @@ fn what_has_no_motion_is_refused() {
         [1.0, 1.0, f64::INFINITY],
     ] {
         let error = refused(&Rod { mass, ..one() });
-        let Error::FunctionOutOfRange { value: told, .. } = &error else {
-            panic!("{error}")
-        };
+        let Error::FunctionOutOfRange { value: told, .. } = &error else { panic!("{error}") };
         let [x, y, turning] = mass.map(f64::to_bits);
         let told: Vec<_> = told.iter().map(|m| m.to_bits()).collect();
         assert_eq!(told, [x, 0, 0, 0, y, 0, 0, 0, turning]);
-        assert!(
-            error
-                .to_string()
-                .ends_with("symmetric and positive definite")
-        );
+        assert!(error.to_string().ends_with("symmetric and positive definite"));
     }
     for gravity in [f64::NAN, f64::INFINITY] {
         let error = refused(&Rod { gravity, ..one() });
@@ -169,10 +148,7 @@ fn coupled_masses_are_looked_at_as_a_whole() {
         for small in [1e-30, 1.0] {
             let with = |upper: f64, lower: f64| {
                 let coupling = unit * small;
-                [
-                    [unit, upper * coupling],
-                    [lower * coupling, coupling * small],
-                ]
+                [[unit, upper * coupling], [lower * coupling, coupling * small]]
             };
             assert!(taken(with(0.0, 0.0)) && taken(with(0.999_999, 0.999_999)));
             assert!(taken(with(-0.5, -0.5 * (1.0 + EPS))));
@@ -192,21 +168,8 @@ fn no_time_and_negative_time() {
     assert_eq!(none.at(0.0).unwrap(), rod.start());
     assert!(none.events().is_empty());
     let error = motion_within(&rod, 1e-10, rod.start(), -1.0).unwrap_err();
-    assert!(
-        matches!(
-            error,
-            Error::OutOfRange {
-                name: "t_end",
-                value: -1.0,
-                ..
-            }
-        ),
-        "{error}"
-    );
-    assert!(
-        error.to_string().contains("cannot be run backward"),
-        "{error}"
-    );
+    assert!(matches!(error, Error::OutOfRange { name: "t_end", value: -1.0, .. }), "{error}");
+    assert!(error.to_string().contains("cannot be run backward"), "{error}");
     // x = t^2/2.
     let free = Coupled([[1.0, 0.0], [0.0, 1.0]]);
     let back = motion_within(&free, 1e-10, MechanismState::rest([0.0; 2]), -1.0).unwrap();

@@ -56,14 +56,8 @@ pub fn moments() -> impl Strategy<Value = PrincipalMoments> {
         "is a body",
         |((a, b, c), scale, order)| {
             let of = [(b + c) * scale, (c + a) * scale, (a + b) * scale];
-            let [i, j, k] = [
-                [0, 1, 2],
-                [0, 2, 1],
-                [1, 0, 2],
-                [1, 2, 0],
-                [2, 0, 1],
-                [2, 1, 0],
-            ][order];
+            let [i, j, k] =
+                [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]][order];
             PrincipalMoments::new(of[i], of[j], of[k]).ok()
         },
     )

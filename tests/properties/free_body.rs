@@ -16,21 +16,12 @@ use support::EPS;
 const K: f64 = 64.0;
 
 fn inputs() -> impl Strategy<Value = (PrincipalMoments, Attitude, BodyVector, f64)> {
-    (
-        drawn::moments(),
-        drawn::attitude(),
-        drawn::rates(),
-        drawn::radians(),
-    )
+    (drawn::moments(), drawn::attitude(), drawn::rates(), drawn::radians())
 }
 
 /// The time in which the fastest rate makes so many radians.
 fn time(rates: BodyVector, radians: f64) -> f64 {
-    radians
-        / rates
-            .to_array()
-            .iter()
-            .fold(0.0_f64, |most, w| most.max(w.abs()))
+    radians / rates.to_array().iter().fold(0.0_f64, |most, w| most.max(w.abs()))
 }
 
 #[test]
@@ -60,11 +51,7 @@ fn energy_and_momentum_stay() {
                 attitude.to_space(momentum(rates)),
                 now.attitude.to_space(momentum(now.angular_velocity)),
             );
-            within!(
-                (to - from).norm(),
-                K * EPS * from.norm(),
-                "L on the fixed axes"
-            );
+            within!((to - from).norm(), K * EPS * from.norm(), "L on the fixed axes");
             Ok(Held::Yes)
         },
     );
@@ -103,11 +90,8 @@ fn the_names_of_the_axes_do_not_matter() {
             let ([i1, i2, i3], [a, b, c]) = (moments.to_array(), rates.to_array());
             let renamed = or_refused!(PrincipalMoments::new(i2, i3, i1));
             let motion = or_refused!(FreeBody::new(moments, attitude, rates));
-            let other = or_refused!(FreeBody::new(
-                renamed,
-                attitude * third,
-                BodyVector::new(b, c, a)
-            ));
+            let other =
+                or_refused!(FreeBody::new(renamed, attitude * third, BodyVector::new(b, c, a)));
             let off = (other.attitude(t) * third.inverse()).angle_to(&motion.attitude(t));
             let condition = or_refused!(motion.condition(t));
             within!(off, K * EPS * (1.0 + condition), "attitude");
@@ -132,9 +116,7 @@ fn units_do_not_matter() {
             let faster = BodyVector::from_array(rates.to_array().map(|w| ldexp(w, -second)));
             let motion = or_refused!(FreeBody::new(moments, attitude, rates));
             let scaled = or_refused!(FreeBody::new(other, attitude, faster));
-            let off = scaled
-                .attitude(ldexp(t, second))
-                .angle_to(&motion.attitude(t));
+            let off = scaled.attitude(ldexp(t, second)).angle_to(&motion.attitude(t));
             let condition = or_refused!(motion.condition(t));
             within!(off, K * EPS * (1.0 + condition), "attitude");
             Ok(Held::Yes)
@@ -153,11 +135,7 @@ fn there_and_back() {
             let t = time(rates, radians);
             let motion = or_refused!(FreeBody::new(moments, attitude, rates));
             let there = or_refused!(motion.try_kinematics(t));
-            let back = or_refused!(FreeBody::new(
-                moments,
-                there.attitude,
-                there.angular_velocity
-            ));
+            let back = or_refused!(FreeBody::new(moments, there.attitude, there.angular_velocity));
             let condition = or_refused!(motion.condition(t)) + or_refused!(back.condition(-t));
             // An error made on the way there may grow on the way back: for motions that are not wild.
             if condition < 1e9 {
@@ -175,31 +153,16 @@ fn there_and_back() {
 /// Two methods: the closed form, and `solve`'s stepping with the same scene.
 #[test]
 fn stepping_agrees() {
-    let inputs = (
-        drawn::moments(),
-        drawn::attitude(),
-        drawn::rates(),
-        0.1..30.0,
-    );
-    holds(
-        "free body: stepped",
-        60,
-        0.2,
-        inputs,
-        |(moments, attitude, rates, radians)| {
-            let t = time(rates, radians);
-            let body = RigidBody::new(moments);
-            let start = or_refused!(body.state(attitude, rates));
-            let motion = or_refused!(FreeBody::new(moments, attitude, rates));
-            let solved = or_refused!(
-                rotation_dynamics::scene::Scene::new(body).solve_by_stepping(&start, t, 1e-8)
-            );
-            within!(
-                solved.state.attitude.angle_to(&motion.attitude(t)),
-                1e-8,
-                "attitude"
-            );
-            Ok(Held::Yes)
-        },
-    );
+    let inputs = (drawn::moments(), drawn::attitude(), drawn::rates(), 0.1..30.0);
+    holds("free body: stepped", 60, 0.2, inputs, |(moments, attitude, rates, radians)| {
+        let t = time(rates, radians);
+        let body = RigidBody::new(moments);
+        let start = or_refused!(body.state(attitude, rates));
+        let motion = or_refused!(FreeBody::new(moments, attitude, rates));
+        let solved = or_refused!(
+            rotation_dynamics::scene::Scene::new(body).solve_by_stepping(&start, t, 1e-8)
+        );
+        within!(solved.state.attitude.angle_to(&motion.attitude(t)), 1e-8, "attitude");
+        Ok(Held::Yes)
+    });
 }

@@ -61,110 +61,69 @@ fn sound(state: &State) -> bool {
 
 #[test]
 fn motions_of_any_bits() {
-    holds(
-        "motions of any bits",
-        20_000,
-        1.0,
-        prop::array::uniform12(double()),
-        |x| {
-            let attitude =
-                Attitude::from_quaternion([x[0], x[1], x[2], x[3]]).unwrap_or(Attitude::IDENTITY);
-            let rates = BodyVector::new(x[4], x[5], x[6]);
-            let free = PrincipalMoments::new(x[7], x[8], x[9])
-                .and_then(|i| FreeBody::new(i, attitude, rates));
-            let top = SymmetricTop::new(x[7], x[8], x[9], x[10]);
-            let angles = EulerAngles {
-                phi: x[0],
-                theta: x[1],
-                zeta: x[2],
-            };
-            let answers = [
-                asked(free, x[11], sound)?,
-                asked(
-                    top.clone()
-                        .and_then(|top| HeavyTop::new(top, attitude, rates)),
-                    x[11],
-                    sound,
-                )?,
-                asked(
-                    top.and_then(|top| HeavyTop::from_body(top, angles, rates)),
-                    x[11],
-                    sound,
-                )?,
-                asked(
-                    Pendulum::new(
-                        Suspension {
-                            moment: x[0],
-                            mass: x[1],
-                            gravity: x[2],
-                            lever: x[3],
-                        },
-                        x[4],
-                        x[5],
-                    ),
-                    x[11],
-                    |s| s.theta.is_finite() && s.omega.is_finite(),
-                )?,
-                asked(Plank::new(x[0], x[1], x[2], x[3]), x[11], |s| {
-                    s.theta.is_finite() && s.omega.is_finite()
-                })?,
-                asked(Ladder::new(x[0], x[1], x[2]), x[11], |s| {
-                    s.theta.is_finite() && s.omega.is_finite()
-                })?,
-            ];
-            Ok(if answers.contains(&true) {
-                Held::Yes
-            } else {
-                Held::Refused
-            })
-        },
-    );
+    holds("motions of any bits", 20_000, 1.0, prop::array::uniform12(double()), |x| {
+        let attitude =
+            Attitude::from_quaternion([x[0], x[1], x[2], x[3]]).unwrap_or(Attitude::IDENTITY);
+        let rates = BodyVector::new(x[4], x[5], x[6]);
+        let free =
+            PrincipalMoments::new(x[7], x[8], x[9]).and_then(|i| FreeBody::new(i, attitude, rates));
+        let top = SymmetricTop::new(x[7], x[8], x[9], x[10]);
+        let angles = EulerAngles { phi: x[0], theta: x[1], zeta: x[2] };
+        let answers = [
+            asked(free, x[11], sound)?,
+            asked(top.clone().and_then(|top| HeavyTop::new(top, attitude, rates)), x[11], sound)?,
+            asked(top.and_then(|top| HeavyTop::from_body(top, angles, rates)), x[11], sound)?,
+            asked(
+                Pendulum::new(
+                    Suspension { moment: x[0], mass: x[1], gravity: x[2], lever: x[3] },
+                    x[4],
+                    x[5],
+                ),
+                x[11],
+                |s| s.theta.is_finite() && s.omega.is_finite(),
+            )?,
+            asked(Plank::new(x[0], x[1], x[2], x[3]), x[11], |s| {
+                s.theta.is_finite() && s.omega.is_finite()
+            })?,
+            asked(Ladder::new(x[0], x[1], x[2]), x[11], |s| {
+                s.theta.is_finite() && s.omega.is_finite()
+            })?,
+        ];
+        Ok(if answers.contains(&true) { Held::Yes } else { Held::Refused })
+    });
 }
 
 #[test]
 fn bodies_and_effects_of_any_bits() {
-    holds(
-        "bodies and effects of any bits",
-        20_000,
-        1.0,
-        prop::array::uniform9(double()),
-        |x| {
-            let space = |i: usize| SpaceVector::new(x[i], x[i + 1], x[i + 2]);
-            let tensor =
-                InertiaTensor::new([[x[0], x[1], x[2]], [x[1], x[3], x[4]], [x[2], x[4], x[5]]]);
-            let body = PrincipalMoments::new(x[0], x[1], x[2]).map(RigidBody::new);
-            let state = State::new(Attitude::IDENTITY, space(3));
-            let answers = [
-                tensor.map(|tensor| {
-                    tensor
-                        .principal_axes()
-                        .moments()
-                        .iter()
-                        .all(|i| i.is_finite())
-                }),
-                solids::cylinder(x[0], x[1], x[2])
-                    .map(|solid| solid.about_centre_of_mass().matrix()[0][0].is_finite()),
-                solids::torus(x[0], x[1], x[2]).map(|solid| solid.mass().is_finite()),
-                solids::cone(x[0], x[1], x[2]).map(|solid| solid.mass().is_finite()),
-                GravityAtLever::new(x[0], x[1]).map(|gravity| gravity.moment().is_finite()),
-                GravityGradient::on_orbit(x[0], space(1), space(4))
-                    .map(|gradient| gradient.direction(1.0 / (1.0 + x[0])).is_finite()),
-                InternalDissipation::new(x[0]).map(|loss| loss.coefficient().is_finite()),
-                DiscDrag::new(x[0], x[1], x[2], x[3])
-                    .map(|drag| drag.axial_torque(1.0).is_finite()),
-                body.and_then(|body| Ok(body.kinetic_energy(&state?) >= 0.0)),
-            ];
-            let mut held = Held::Refused;
-            for (n, answer) in answers.into_iter().enumerate() {
-                match answer {
-                    Ok(finite) => {
-                        prop_assert!(finite, "answer {n} is no number");
-                        held = Held::Yes;
-                    }
-                    Err(error) => prop_assert!(error.to_string().len() > 10),
+    holds("bodies and effects of any bits", 20_000, 1.0, prop::array::uniform9(double()), |x| {
+        let space = |i: usize| SpaceVector::new(x[i], x[i + 1], x[i + 2]);
+        let tensor =
+            InertiaTensor::new([[x[0], x[1], x[2]], [x[1], x[3], x[4]], [x[2], x[4], x[5]]]);
+        let body = PrincipalMoments::new(x[0], x[1], x[2]).map(RigidBody::new);
+        let state = State::new(Attitude::IDENTITY, space(3));
+        let answers = [
+            tensor.map(|tensor| tensor.principal_axes().moments().iter().all(|i| i.is_finite())),
+            solids::cylinder(x[0], x[1], x[2])
+                .map(|solid| solid.about_centre_of_mass().matrix()[0][0].is_finite()),
+            solids::torus(x[0], x[1], x[2]).map(|solid| solid.mass().is_finite()),
+            solids::cone(x[0], x[1], x[2]).map(|solid| solid.mass().is_finite()),
+            GravityAtLever::new(x[0], x[1]).map(|gravity| gravity.moment().is_finite()),
+            GravityGradient::on_orbit(x[0], space(1), space(4))
+                .map(|gradient| gradient.direction(1.0 / (1.0 + x[0])).is_finite()),
+            InternalDissipation::new(x[0]).map(|loss| loss.coefficient().is_finite()),
+            DiscDrag::new(x[0], x[1], x[2], x[3]).map(|drag| drag.axial_torque(1.0).is_finite()),
+            body.and_then(|body| Ok(body.kinetic_energy(&state?) >= 0.0)),
+        ];
+        let mut held = Held::Refused;
+        for (n, answer) in answers.into_iter().enumerate() {
+            match answer {
+                Ok(finite) => {
+                    prop_assert!(finite, "answer {n} is no number");
+                    held = Held::Yes;
                 }
+                Err(error) => prop_assert!(error.to_string().len() > 10),
             }
-            Ok(held)
-        },
-    );
+        }
+        Ok(held)
+    });
 }

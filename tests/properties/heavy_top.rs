@@ -26,30 +26,19 @@ fn inputs() -> impl Strategy<Value = Drawn> {
     let shape = prop_oneof![4 => 0.05..1.99, 1 => drawn::decades(-9.0..0.0), 1 => Just(1.0), 1 => drawn::decades(-9.0..-1.0).prop_map(|x| 2.0 - x)];
     // Torque over I1 omega^2: from nearly free to hardly turning.
     let strength = (drawn::decades(-8.0..6.0), any::<bool>());
-    let parts = (
-        shape,
-        drawn::decades(-40.0..38.0),
-        strength,
-        drawn::attitude(),
-    );
-    (
-        parts,
-        drawn::direction(),
-        drawn::decades(-3.0..4.0),
-        drawn::radians(),
+    let parts = (shape, drawn::decades(-40.0..38.0), strength, drawn::attitude());
+    (parts, drawn::direction(), drawn::decades(-3.0..4.0), drawn::radians()).prop_map(
+        |((shape, i1, (strength, below), attitude), direction, rate, radians)| {
+            let size = i1 * rate * rate * strength;
+            Drawn {
+                moments: [i1, shape * i1],
+                torque: if below { -size } else { size },
+                attitude,
+                rates: BodyVector::from_array(direction.map(|x| x * rate)),
+                radians,
+            }
+        },
     )
-        .prop_map(
-            |((shape, i1, (strength, below), attitude), direction, rate, radians)| {
-                let size = i1 * rate * rate * strength;
-                Drawn {
-                    moments: [i1, shape * i1],
-                    torque: if below { -size } else { size },
-                    attitude,
-                    rates: BodyVector::from_array(direction.map(|x| x * rate)),
-                    radians,
-                }
-            },
-        )
 }
 
 impl Drawn {
@@ -107,28 +96,16 @@ fn energy_and_momenta_stay() {
 #[test]
 fn a_turn_about_the_vertical_turns_the_motion() {
     let inputs = (inputs(), -3.2..3.2);
-    holds(
-        "heavy top: the start turned",
-        2000,
-        0.02,
-        inputs,
-        |(drawn, angle)| {
-            let turn = Attitude::about_space_axis(SpaceVector::new(0.0, 0.0, 1.0), angle).unwrap();
-            let top = or_refused!(drawn.top());
-            let turned = or_refused!(
-                Drawn {
-                    attitude: turn * drawn.attitude,
-                    ..drawn
-                }
-                .top()
-            );
-            let t = drawn.time();
-            let condition = or_refused!(top.condition(t));
-            let off = turned.attitude(t).angle_to(&(turn * top.attitude(t)));
-            within!(off, K * EPS * (1.0 + condition), "attitude");
-            Ok(Held::Yes)
-        },
-    );
+    holds("heavy top: the start turned", 2000, 0.02, inputs, |(drawn, angle)| {
+        let turn = Attitude::about_space_axis(SpaceVector::new(0.0, 0.0, 1.0), angle).unwrap();
+        let top = or_refused!(drawn.top());
+        let turned = or_refused!(Drawn { attitude: turn * drawn.attitude, ..drawn }.top());
+        let t = drawn.time();
+        let condition = or_refused!(top.condition(t));
+        let off = turned.attitude(t).angle_to(&(turn * top.attitude(t)));
+        within!(off, K * EPS * (1.0 + condition), "attitude");
+        Ok(Held::Yes)
+    });
 }
 
 #[test]
@@ -136,11 +113,7 @@ fn there_and_back() {
     holds("heavy top: there and back", 1500, 0.03, inputs(), |drawn| {
         let (top, t) = (or_refused!(drawn.top()), drawn.time());
         let there = or_refused!(top.try_kinematics(t));
-        let back = Drawn {
-            attitude: there.attitude,
-            rates: there.angular_velocity,
-            ..drawn
-        };
+        let back = Drawn { attitude: there.attitude, rates: there.angular_velocity, ..drawn };
         let back = or_refused!(back.top());
         let condition = or_refused!(top.condition(t)) + or_refused!(back.condition(-t));
         if condition < 1e9 {

@@ -25,10 +25,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, Test
 /// A number from the environment.
 fn asked(name: &str, or: u32) -> u32 {
     let text = std::env::var(name).ok();
-    text.map_or(or, |text| {
-        text.parse()
-            .unwrap_or_else(|_| panic!("{name}={text} is no number"))
-    })
+    text.map_or(or, |text| text.parse().unwrap_or_else(|_| panic!("{name}={text} is no number")))
 }
 
 /// Asserts that `property` holds of `share` inputs, times `PROPERTY_CASES`. It says how often
@@ -45,12 +42,8 @@ pub fn holds<S: Strategy>(
     let cases = share * asked("PROPERTY_CASES", 1);
     let mut seed = [0; 32];
     seed[..4].copy_from_slice(&asked("PROPERTY_SEED", 1).to_le_bytes());
-    let config = Config {
-        cases,
-        failure_persistence: None,
-        max_shrink_iters: 2000,
-        ..Config::default()
-    };
+    let config =
+        Config { cases, failure_persistence: None, max_shrink_iters: 2000, ..Config::default() };
     let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &seed);
     let (ran, vain) = (Cell::new(0_u32), Cell::new(0_u32));
     let outcome = TestRunner::new_with_rng(config, rng).run(&inputs, |input| {
@@ -113,10 +106,7 @@ macro_rules! or_refused {
 fn a_false_property_is_noticed() {
     holds("damaged", 100, 0.0, drawn::attitude(), |attitude| {
         let there = attitude.euler_angles();
-        let angles = rotation_dynamics::attitude::EulerAngles {
-            phi: there.zeta,
-            ..there
-        };
+        let angles = rotation_dynamics::attitude::EulerAngles { phi: there.zeta, ..there };
         let back = rotation_dynamics::attitude::Attitude::from_euler(angles).unwrap();
         within!(back.angle_to(&attitude), 1e-12, "zeta for phi");
         Ok(Held::Yes)
@@ -127,7 +117,5 @@ fn a_false_property_is_noticed() {
 #[test]
 #[should_panic(expected = "refused")]
 fn a_property_that_is_asked_in_vain_is_noticed() {
-    holds("damaged", 100, 0.5, drawn::attitude(), |_| {
-        Ok(Held::Refused)
-    });
+    holds("damaged", 100, 0.5, drawn::attitude(), |_| Ok(Held::Refused));
 }

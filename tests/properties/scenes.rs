@@ -13,19 +13,9 @@ use rotation_dynamics::scene::Scene;
 
 #[test]
 fn what_is_granted_is_finite_and_keeps_what_it_must() {
-    let effects = (
-        drawn::decades(-6.0..1.0),
-        drawn::decades(-6.0..0.0),
-        0..4_usize,
-    );
-    let inputs = (
-        drawn::moments(),
-        drawn::attitude(),
-        drawn::rates(),
-        effects,
-        0.1..20.0,
-        2.0..9.0_f64,
-    );
+    let effects = (drawn::decades(-6.0..1.0), drawn::decades(-6.0..0.0), 0..4_usize);
+    let inputs =
+        (drawn::moments(), drawn::attitude(), drawn::rates(), effects, 0.1..20.0, 2.0..9.0_f64);
     holds(
         "scenes",
         60,
@@ -38,10 +28,7 @@ fn what_is_granted_is_finite_and_keeps_what_it_must() {
             let [i1, i2, i3] = moments.to_array();
             let most = i1.max(i2).max(i3);
             let tolerance = rotation_dynamics::math::exp(-digits * core::f64::consts::LN_10);
-            let limits = Limits {
-                budget: 300_000,
-                ..Limits::default()
-            };
+            let limits = Limits { budget: 300_000, ..Limits::default() };
             let (t, scene) = (radians / rate, Scene::new(body));
             let weight = strong * most * rate * rate;
             let solved = match which {

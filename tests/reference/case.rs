@@ -125,11 +125,7 @@ impl Case {
         json.as_object_mut().into_iter().for_each(&change);
         let samples = json["samples"].as_array_mut().into_iter().flatten();
         samples.filter_map(Value::as_object_mut).for_each(&change);
-        Self {
-            id: self.id.clone(),
-            kind: self.kind.clone(),
-            json,
-        }
+        Self { id: self.id.clone(), kind: self.kind.clone(), json }
     }
 
     /// An input number: the exact double.
@@ -173,18 +169,14 @@ impl Case {
 
     /// True if every sample says what errors made on the way do to it.
     pub fn has_path_conditions(&self) -> bool {
-        self.samples()
-            .all(|sample| sample.0["sens_path"].is_object())
+        self.samples().all(|sample| sample.0["sens_path"].is_object())
     }
 
     /// Whether an eps of what is given moves some field by a tenth of itself, or an angle by a
     /// tenth of a radian: nothing is lost if such a case is refused.
     pub fn is_meaningless(&self) -> bool {
         let leaves_nothing = |sample: &Sample, field: &str| {
-            let largest = sample
-                .all(field)
-                .iter()
-                .fold(0.0_f64, |m, v| m.max(v.to_f64().abs()));
+            let largest = sample.all(field).iter().fold(0.0_f64, |m, v| m.max(v.to_f64().abs()));
             let size = match field {
                 "theta" | "phi" | "zeta" => largest.min(1.0),
                 _ => largest,
@@ -216,11 +208,7 @@ impl Case {
         let theta = theta.to_f64();
         // At rest in theta, unless the turning "point" is the pole, which is passed
         // with E~ = theta'^2 / 2.
-        let rate = if theta == 0.0 {
-            (2.0 * self.input("Etilde")?).sqrt()
-        } else {
-            0.0
-        };
+        let rate = if theta == 0.0 { (2.0 * self.input("Etilde")?).sqrt() } else { 0.0 };
         Ok((theta, rate))
     }
 
@@ -265,11 +253,7 @@ impl Sample<'_> {
     /// A field that is a number or a list of numbers; empty if it is absent.
     pub fn all(&self, field: &str) -> Vec<DoubleDouble> {
         let list = self.values(field);
-        if list.is_empty() {
-            self.value(field).into_iter().collect()
-        } else {
-            list
-        }
+        if list.is_empty() { self.value(field).into_iter().collect() } else { list }
     }
 
     /// The field's condition, `max(sens_norm, sens_path)`; where the path's has no
@@ -304,12 +288,7 @@ impl Outcome {
 
     /// Prints the line of the case: the factor reached, and what it is held to.
     pub fn print(&self, case: &Case, method: &str, allowed: f64) {
-        let Self {
-            factor,
-            worst,
-            compared,
-            ..
-        } = self;
+        let Self { factor, worst, compared, .. } = self;
         println!(
             "{:<28} {method:<16} K = {factor:>6.2} of {allowed} ({worst}, {compared} values{})",
             case.id,
@@ -320,10 +299,9 @@ impl Outcome {
     /// What was not compared, and why.
     fn left_out(&self) -> String {
         let mut text = String::new();
-        for (count, what) in [
-            (self.unjudged, "values without a condition"),
-            (self.too_far, "samples too far"),
-        ] {
+        for (count, what) in
+            [(self.unjudged, "values without a condition"), (self.too_far, "samples too far")]
+        {
             if count > 0 {
                 text += &format!(", {count} {what}");
             }
@@ -339,11 +317,7 @@ impl Outcome {
     /// Adds one comparison; `scale` is `|value| + condition`.
     pub fn compare(&mut self, what: &str, got: f64, want: DoubleDouble, scale: f64) {
         let error = (DoubleDouble::from(got) - want).abs().to_f64();
-        let factor = if error == 0.0 {
-            0.0
-        } else {
-            error / (EPS * scale)
-        };
+        let factor = if error == 0.0 { 0.0 } else { error / (EPS * scale) };
         self.compared += 1;
         if self.compared == 1 || factor.is_nan() || factor > self.factor {
             self.factor = factor;
@@ -401,20 +375,9 @@ pub fn decimal(text: &str) -> DoubleDouble {
     for _ in 0..scale.abs() {
         power = power * 10.0;
     }
-    let value = if scale < 0 {
-        value / power
-    } else {
-        value * power
-    };
-    let value = if mantissa.starts_with('-') {
-        -value
-    } else {
-        value
-    };
-    assert!(
-        (value - hi).abs().to_f64() <= 2.0 * EPS * hi.abs(),
-        "{text}"
-    );
+    let value = if scale < 0 { value / power } else { value * power };
+    let value = if mantissa.starts_with('-') { -value } else { value };
+    assert!((value - hi).abs().to_f64() <= 2.0 * EPS * hi.abs(), "{text}");
     value
 }
 

@@ -26,27 +26,16 @@ pub fn closed_form_with_rate(case: &Case, damage: f64) -> Result<Outcome> {
     let body = FreeBody::new(moments, start, BodyVector::from_array(omega))?;
 
     // No condition is given for the derived values: their own size is the scale.
-    let derived = [
-        ("E", body.kinetic_energy()),
-        ("L", body.angular_momentum().norm()),
-    ];
-    let asymmetric = [
-        ("T_omega", body.rate_period()),
-        ("dpsi", body.precession_per_period()),
-    ];
-    let asymmetric = asymmetric
-        .iter()
-        .filter(|_| body.kind() == Kind::Asymmetric);
+    let derived = [("E", body.kinetic_energy()), ("L", body.angular_momentum().norm())];
+    let asymmetric = [("T_omega", body.rate_period()), ("dpsi", body.precession_per_period())];
+    let asymmetric = asymmetric.iter().filter(|_| body.kind() == Kind::Asymmetric);
     for (name, got) in derived.iter().chain(asymmetric) {
         if let Some(want) = case.derived(name) {
             outcome.compare(name, *got, want, want.abs().to_f64());
         }
     }
     for sample in case.samples() {
-        let Kinematics {
-            attitude,
-            angular_velocity: omega,
-        } = body.kinematics(sample.t());
+        let Kinematics { attitude, angular_velocity: omega } = body.kinematics(sample.t());
         outcome.compare_field(&sample, "omega", &omega.to_array());
         outcome.compare_field(&sample, "R", &attitude.matrix().concat());
     }

@@ -55,10 +55,7 @@ const ROWS: &[Row] = &[
         want: |case| {
             let sample = case.samples().nth(1).expect("a second sample");
             let want = sample.value("theta").expect("theta").to_f64();
-            (
-                want,
-                want.abs() + sample.condition("theta").expect("a condition"),
-            )
+            (want, want.abs() + sample.condition("theta").expect("a condition"))
         },
         broken: "1.2e13",
     },
@@ -129,10 +126,7 @@ fn theta_by_steps(case: &Case, motion: &HeavyTop, t: f64) -> f64 {
 
 #[test]
 fn plain_formulas_break_where_the_closed_form_holds() {
-    let cases: Vec<Case> = case::own_files()
-        .iter()
-        .flat_map(|file| case::read(file))
-        .collect();
+    let cases: Vec<Case> = case::own_files().iter().flat_map(|file| case::read(file)).collect();
     let mut held = Errors::of("closed form");
     for row in ROWS {
         let case = cases

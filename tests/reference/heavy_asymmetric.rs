@@ -113,11 +113,7 @@ fn heavy_asymmetric_bodies_within_their_condition() {
         for (factors, method) in factors.iter_mut().zip(&METHODS) {
             match judge(&case, method, 1.0) {
                 Ok(outcome) if outcome.compared > 0 => {
-                    let allowed = if own {
-                        *method.bound.end()
-                    } else {
-                        method.promised
-                    };
+                    let allowed = if own { *method.bound.end() } else { method.promised };
                     outcome.print(&case, method.name, allowed);
                     factors.push_at(outcome.factor, &case.id);
                     if !outcome.within(allowed) {

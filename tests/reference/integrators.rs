@@ -164,11 +164,7 @@ fn fastest(scene: &HeavyTop, start: &State, sees_spin: bool) -> f64 {
     let moment = scene.effects().1.moment().abs();
     // Falling from the top to the bottom sets free 2 m g l.
     let gained = 2.0 * (moment / moments.i1()).sqrt();
-    let least = if sees_spin {
-        moments.i1().min(moments.i3())
-    } else {
-        moments.i1()
-    };
+    let least = if sees_spin { moments.i1().min(moments.i3()) } else { moments.i1() };
     start.angular_momentum.norm() / least + gained
 }
 
@@ -268,11 +264,7 @@ fn a_damaged_weight_is_seen() {
         for method in &METHODS {
             let outcome = judge(&case, method, 1.0 + 1e-12).expect("a case that runs");
             // Measured: from 23 (asleep for most of the time) to 3000.
-            assert!(
-                outcome.factor > *method.bound.end(),
-                "{}: {outcome:?}",
-                case.id
-            );
+            assert!(outcome.factor > *method.bound.end(), "{}: {outcome:?}", case.id);
             ran += 1;
         }
     }

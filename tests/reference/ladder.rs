@@ -16,11 +16,7 @@ pub fn closed_form(case: &Case) -> Result<Outcome> {
 /// The same with the length multiplied by `damage`, for the test of the test.
 pub fn closed_form_with_length(case: &Case, damage: f64) -> Result<Outcome> {
     let mut outcome = Outcome::new();
-    let ladder = Ladder::new(
-        case.input("l")? * damage,
-        case.input("g")?,
-        case.input("theta0")?,
-    )?;
+    let ladder = Ladder::new(case.input("l")? * damage, case.input("g")?, case.input("theta0")?)?;
 
     let (release, landing) = (ladder.release(), ladder.landing());
     let derived = [
@@ -42,12 +38,7 @@ pub fn closed_form_with_length(case: &Case, damage: f64) -> Result<Outcome> {
     if let Some(want) = case.derived("top_height_ratio_at_release") {
         let top = 2.0 * release.y_cm / ladder.length();
         let start = rotation_dynamics::math::cos(ladder.theta0());
-        outcome.compare(
-            "top_height_ratio_at_release",
-            top / start,
-            want,
-            want.to_f64(),
-        );
+        outcome.compare("top_height_ratio_at_release", top / start, want, want.to_f64());
     }
 
     for sample in case.samples() {

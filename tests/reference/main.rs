@@ -109,9 +109,7 @@ fn every_case_within_its_condition() {
     let (mut failures, mut refused) = (Vec::new(), 0);
     let cases = files.iter().flat_map(|file| case::read(file));
     // Those without a closed form have a test of their own.
-    let cases: Vec<Case> = cases
-        .filter(|case| case.kind != heavy_asymmetric::KIND)
-        .collect();
+    let cases: Vec<Case> = cases.filter(|case| case.kind != heavy_asymmetric::KIND).collect();
     for case in &cases {
         let Some(i) = METHODS.iter().position(|method| method.kind == case.kind) else {
             *not_run.entry(case.kind.clone()).or_default() += 1;
@@ -120,11 +118,7 @@ fn every_case_within_its_condition() {
         let method = &METHODS[i];
         match (method.run)(case) {
             Ok(outcome) if outcome.compared > 0 => {
-                let allowed = if own {
-                    *method.measured.end()
-                } else {
-                    method.promised
-                };
+                let allowed = if own { *method.measured.end() } else { method.promised };
                 outcome.print(case, method.name, allowed);
                 factors[i].push_at(outcome.factor, &case.id);
                 if !outcome.within(allowed) {
@@ -132,10 +126,7 @@ fn every_case_within_its_condition() {
                 }
             }
             Err(Trouble::Refused(error)) if case.is_meaningless() => {
-                println!(
-                    "{:<28} {:<16} refused, as it may: {error}",
-                    case.id, method.name
-                );
+                println!("{:<28} {:<16} refused, as it may: {error}", case.id, method.name);
                 refused += 1;
             }
             Err(Trouble::Refused(error)) => {
@@ -163,12 +154,7 @@ fn every_case_within_its_condition() {
     }
     if own {
         assert_eq!(refused, REFUSED);
-        assert!(
-            not_run
-                .iter()
-                .map(|(kind, n)| (kind.as_str(), *n))
-                .eq(NOT_COVERED)
-        );
+        assert!(not_run.iter().map(|(kind, n)| (kind.as_str(), *n)).eq(NOT_COVERED));
     }
 }
 
@@ -233,9 +219,7 @@ fn a_planar_top_is_a_pendulum() {
 fn a_damaged_pendulum_is_seen() {
     let factors = factors(&case::own_files()[..1], "pendulum", |case| {
         let off = || pendulum::closed_form_with_gravity(case, 1.0 + 1e-13);
-        case.derived("T")
-            .is_some()
-            .then(|| off().expect("runs").factor)
+        case.derived("T").is_some().then(|| off().expect("runs").factor)
     });
     factors.exceed(pendulum::BOUND, 2);
 }
@@ -267,11 +251,7 @@ fn partial_cases_are_measured_by_what_they_hold() {
     let cases = case::read(&case::own_files()[0]);
     let whole = cases.iter().find(|case| case.id == "si-gyroscope");
     let whole = whole.expect("the notes' gyroscope");
-    let run = METHODS
-        .iter()
-        .find(|m| m.kind == "top_si")
-        .expect("tops")
-        .run;
+    let run = METHODS.iter().find(|m| m.kind == "top_si").expect("tops").run;
     let compared = |case: &Case| run(case).expect("runs").compared;
     let samples = whole.samples().count();
     let mut fewer = Vec::new();
@@ -286,10 +266,7 @@ fn partial_cases_are_measured_by_what_they_hold() {
     let outcome = run(&blind).expect("runs");
     assert_eq!(outcome.unjudged, all * samples);
     // Without inputs nothing runs.
-    assert!(matches!(
-        run(&whole.without("inputs")),
-        Err(Trouble::Lacks(_))
-    ));
+    assert!(matches!(run(&whole.without("inputs")), Err(Trouble::Lacks(_))));
     // What stands there and is wrong counts, and is no panic.
     for wrong in ["asleep", "1e", ""] {
         let outcome = run(&whole.with_theta(wrong)).expect("runs");

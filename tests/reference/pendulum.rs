@@ -34,10 +34,7 @@ pub fn closed_form_with_gravity(case: &Case, damage: f64) -> Result<Outcome> {
     }
     let derived = [
         ("T", pendulum.period()),
-        (
-            "T_small",
-            2.0 * core::f64::consts::PI / pendulum.small_swing_frequency(),
-        ),
+        ("T_small", 2.0 * core::f64::consts::PI / pendulum.small_swing_frequency()),
         ("W", pendulum.small_swing_frequency()),
         ("k2", pendulum.energy_ratio()),
     ];

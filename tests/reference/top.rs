@@ -46,11 +46,7 @@ pub fn pendulum(case: &Case) -> Result<Outcome> {
     let side = if theta0 < 0.0 { -1.0 } else { 1.0 };
     let (moment, lever) = (input("I")?, -input("d")?);
     let body = SymmetricTop::from_mass(moment, moment, input("m")?, input("g")?, lever)?;
-    let attitude = EulerAngles {
-        phi: 0.0,
-        theta: theta0.abs(),
-        zeta: 0.0,
-    };
+    let attitude = EulerAngles { phi: 0.0, theta: theta0.abs(), zeta: 0.0 };
     let omega = BodyVector::new(side * omega0, 0.0, 0.0);
     let motion = HeavyTop::from_body(body, attitude, omega)?;
     for sample in case.samples() {
@@ -105,10 +101,7 @@ pub fn compare(case: &Case, motion: &HeavyTop) -> Outcome {
             }
             outcome.compare_field(&sample, field, &[got]);
         }
-        let Kinematics {
-            attitude,
-            angular_velocity: omega,
-        } = motion.kinematics(t);
+        let Kinematics { attitude, angular_velocity: omega } = motion.kinematics(t);
         let momentum = motion.angular_momentum(t).to_array();
         outcome.compare_field(&sample, "R", &attitude.matrix().concat());
         outcome.compare_field(&sample, "omega", &omega.to_array());

@@ -65,10 +65,7 @@ impl Errors {
     /// No errors yet; those that come are divided by `unit`, such as eps.
     #[track_caller]
     pub fn in_units_of(unit: f64, what: impl Into<String>) -> Self {
-        assert!(
-            unit > 0.0 && unit.is_finite(),
-            "{unit} is no unit of errors"
-        );
+        assert!(unit > 0.0 && unit.is_finite(), "{unit} is no unit of errors");
         Self {
             what: what.into(),
             unit,
@@ -128,10 +125,7 @@ impl Errors {
     fn measured(&self, cases: usize) -> String {
         self.count(cases);
         let (what, largest, at) = (&self.what, self.largest(), &self.at);
-        assert!(
-            largest.is_finite(),
-            "{what}: the largest of {cases} errors is {largest}, at {at}"
-        );
+        assert!(largest.is_finite(), "{what}: the largest of {cases} errors is {largest}, at {at}");
         three_digits(largest)
     }
 
@@ -171,10 +165,7 @@ impl Errors {
     fn count(&self, cases: usize) {
         self.judged.set(true);
         let (what, ran) = (&self.what, self.cases);
-        assert!(
-            ran == cases && ran > 0,
-            "{what}: {ran} cases ran, not {cases}"
-        );
+        assert!(ran == cases && ran > 0, "{what}: {ran} cases ran, not {cases}");
     }
 }
 

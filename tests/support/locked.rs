@@ -23,9 +23,7 @@ pub(crate) fn locked(measured: &str, locked: &str, what: &str) {
 pub fn three_digits(x: f64) -> String {
     let (shortest, rounded) = (format!("{x:e}"), format!("{x:.2e}"));
     let exact = shortest.len() < rounded.len();
-    let power = rounded
-        .split_once('e')
-        .and_then(|(_, power)| power.parse().ok());
+    let power = rounded.split_once('e').and_then(|(_, power)| power.parse().ok());
     match power {
         Some(-2..=2) if exact => format!("{x}"),
         Some(power @ -2..=2) => format!("{x:.0$}", (2_i32 - power) as usize),

@@ -49,86 +49,41 @@ fn a_damaged_collection_fails() {
     type Judge = Box<dyn FnOnce()>;
     let twins: Vec<(&str, Judge)> = vec![
         // A NaN, wherever it stands, also as the only case.
-        (
-            "NaN",
-            Box::new(move || of(&[nan, 2.34]).attain(2.3..=2.4, 2)),
-        ),
-        (
-            "NaN",
-            Box::new(move || of(&[2.34, nan]).attain(2.3..=2.4, 2)),
-        ),
+        ("NaN", Box::new(move || of(&[nan, 2.34]).attain(2.3..=2.4, 2))),
+        ("NaN", Box::new(move || of(&[2.34, nan]).attain(2.3..=2.4, 2))),
         ("NaN", Box::new(move || of(&[nan]).attain(0.0..=0.0, 1))),
-        (
-            "NaN",
-            Box::new(move || assert_largest!(of(&[2.34, nan]), 2, @"NaN")),
-        ),
+        ("NaN", Box::new(move || assert_largest!(of(&[2.34, nan]), 2, @"NaN"))),
         ("NaN", Box::new(move || of(&[9.0, nan]).exceed(5.0, 2))),
         ("NaN", Box::new(move || of(&[nan, 9.0]).exceed(5.0, 2))),
         // A loop that does not run, or not as often.
         ("0 cases ran", Box::new(|| of(&[]).attain(0.0..=0.0, 0))),
         ("0 cases ran", Box::new(|| of(&[]).attain(0.0..=0.0, 3))),
-        (
-            "0 cases ran",
-            Box::new(|| assert_largest!(of(&[]), 0, @"0")),
-        ),
+        ("0 cases ran", Box::new(|| assert_largest!(of(&[]), 0, @"0"))),
         ("0 cases ran", Box::new(|| assert_table!(&[of(&[])], @""))),
         ("NaN", Box::new(move || assert_table!(&[of(&[nan])], @""))),
         ("0 cases ran", Box::new(|| of(&[]).exceed(5.0, 0))),
         ("1 cases ran", Box::new(|| of(&[2.34]).attain(2.3..=2.4, 2))),
-        (
-            "3 cases ran",
-            Box::new(|| of(&[2.34; 3]).attain(2.3..=2.4, 2)),
-        ),
-        (
-            "2 cases ran",
-            Box::new(|| assert_largest!(of(&[2.34, 1.0]), 1, @"2.34")),
-        ),
+        ("3 cases ran", Box::new(|| of(&[2.34; 3]).attain(2.3..=2.4, 2))),
+        ("2 cases ran", Box::new(|| assert_largest!(of(&[2.34, 1.0]), 1, @"2.34"))),
         // Too large an error, and too small a one.
-        (
-            "2.410e0",
-            Box::new(|| of(&[2.41, 1.0]).attain(2.3..=2.4, 2)),
-        ),
-        (
-            "2.290e0",
-            Box::new(|| of(&[2.29, 1.0]).attain(2.3..=2.4, 2)),
-        ),
-        (
-            "4.941e-324",
-            Box::new(|| of(&[5e-324]).attain(0.0..=0.0, 1)),
-        ),
-        (
-            "inf",
-            Box::new(|| of(&[f64::INFINITY]).attain(2.3..=2.4, 1)),
-        ),
-        (
-            "inf",
-            Box::new(|| assert_largest!(of(&[f64::INFINITY]), 1, @"inf")),
-        ),
+        ("2.410e0", Box::new(|| of(&[2.41, 1.0]).attain(2.3..=2.4, 2))),
+        ("2.290e0", Box::new(|| of(&[2.29, 1.0]).attain(2.3..=2.4, 2))),
+        ("4.941e-324", Box::new(|| of(&[5e-324]).attain(0.0..=0.0, 1))),
+        ("inf", Box::new(|| of(&[f64::INFINITY]).attain(2.3..=2.4, 1))),
+        ("inf", Box::new(|| assert_largest!(of(&[f64::INFINITY]), 1, @"inf"))),
         // A range that any small error would do for, and no range at all.
         ("a guess", Box::new(|| of(&[2.34]).attain(0.0..=2.4, 1))),
         ("a guess", Box::new(|| of(&[2.34]).attain(1.5..=2.4, 1))),
         ("a guess", Box::new(|| of(&[2.34]).attain(2.4..=2.3, 1))),
-        (
-            "a guess",
-            Box::new(move || of(&[2.34]).attain(nan..=2.4, 1)),
-        ),
-        (
-            "a guess",
-            Box::new(move || of(&[2.34]).attain(2.3..=nan, 1)),
-        ),
+        ("a guess", Box::new(move || of(&[2.34]).attain(nan..=2.4, 1))),
+        ("a guess", Box::new(move || of(&[2.34]).attain(2.3..=nan, 1))),
         // A twin that is not noticed.
         ("not above", Box::new(|| of(&[9.0, 4.9]).exceed(5.0, 2))),
         ("not above", Box::new(|| of(&[5.0]).exceed(5.0, 1))),
         // Errors that nobody looks at, and units that are none.
         ("never judged", Box::new(|| drop(of(&[2.34])))),
-        (
-            "no unit",
-            Box::new(|| drop(Errors::in_units_of(0.0, "the twin"))),
-        ),
-        (
-            "no unit",
-            Box::new(move || drop(Errors::in_units_of(nan, "the twin"))),
-        ),
+        ("no unit", Box::new(|| drop(Errors::in_units_of(0.0, "the twin")))),
+        ("no unit", Box::new(move || drop(Errors::in_units_of(nan, "the twin")))),
     ];
     let mut failed = 0;
     for (i, (words, judge)) in twins.into_iter().enumerate() {
@@ -169,10 +124,7 @@ struct Stops;
 impl Comparator for Stops {
     fn matches(&self, locked: &Snapshot, measured: &Snapshot) -> bool {
         let (locked, measured) = (locked.contents(), measured.contents());
-        assert!(
-            locked == measured,
-            "{measured:?} is measured, {locked:?} locked"
-        );
+        assert!(locked == measured, "{measured:?} is measured, {locked:?} locked");
         true
     }
 
@@ -250,10 +202,7 @@ fn a_single_error_is_what_is_printed() {
         (2.4994e-17, "2.500e-17"),
     ] {
         let told = complaint(|| attained(error, printed, "the twin"));
-        assert!(
-            told.is_some_and(|t| t.contains("measured")),
-            "{error} {printed}"
-        );
+        assert!(told.is_some_and(|t| t.contains("measured")), "{error} {printed}");
         failed += 1;
     }
     assert_eq!(failed, 9);

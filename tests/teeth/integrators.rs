@@ -79,20 +79,14 @@ fn damaged_splittings_miss() {
     let exact = good();
     let method = Splitting::new(Scheme::SRKN14, 1000).expect("some steps");
     let off = |damage| {
-        let (end, _) = method
-            .advance(&DamagedTop(scene, damage), 0.0, &start, T)
-            .expect("smooth");
+        let (end, _) = method.advance(&DamagedTop(scene, damage), 0.0, &start, T).expect("smooth");
         distance(&end, &exact)
     };
     assert_error!(off(Damage::None), 7.3e-15);
     // Settling only keeps the length: the attitude does not need it.
     assert_error!(off(Damage::NeverSettled), 7.2e-15);
     let mut ran = 0;
-    for damage in [
-        Damage::SpinForgotten,
-        Damage::SpinOfTheWrongSign,
-        Damage::KickOfTheWrongSign,
-    ] {
+    for damage in [Damage::SpinForgotten, Damage::SpinOfTheWrongSign, Damage::KickOfTheWrongSign] {
         // Measured: 1.6, 3.1, 2.0 rad.
         assert!(off(damage) > 0.1);
         ran += 1;
@@ -107,11 +101,8 @@ fn damaged_splittings_miss() {
 
 #[test]
 fn a_lopsided_scheme_does_not_come_back() {
-    let lopsided = Scheme {
-        outer: Outer::Flow,
-        outer_parts: &[0.5 + 1e-9, 0.5 - 1e-9],
-        ..Scheme::STRANG
-    };
+    let lopsided =
+        Scheme { outer: Outer::Flow, outer_parts: &[0.5 + 1e-9, 0.5 - 1e-9], ..Scheme::STRANG };
     let (scene, start) = figure_3();
     let method = Splitting::new(lopsided, 400).expect("some steps");
     let (end, _) = method.advance(&scene, 0.0, &start, T).expect("there");
@@ -131,10 +122,7 @@ impl Ode<7> for OnBodyAxes {
     fn derivative(&self, t: f64, &[w, x, y, z, l1, l2, l3]: &[f64; 7]) -> [f64; 7] {
         let attitude = Attitude::from_quaternion([w, x, y, z]).expect("not zero");
         let momentum = BodyVector::new(l1, l2, l3);
-        let state = State {
-            attitude,
-            angular_momentum: attitude.to_space(momentum),
-        };
+        let state = State { attitude, angular_momentum: attitude.to_space(momentum) };
         let torque = attitude.to_body(self.scene.torque(t, &state));
         let omega = self.scene.body().angular_velocity(&state);
         let rate = torque - omega.cross(&momentum) * self.gyroscopic;
@@ -164,19 +152,11 @@ fn the_gyroscopic_term_counts() {
         let [l1, l2, l3] = scene.body().angular_momentum(&start).to_array();
         let ode = OnBodyAxes { scene, gyroscopic };
         let method = Dop853::new(1e-15).expect("valid");
-        let (end, _) = method
-            .advance(&ode, 0.0, &[w, x, y, z, l1, l2, l3], T)
-            .expect("smooth");
+        let (end, _) = method.advance(&ode, 0.0, &[w, x, y, z, l1, l2, l3], T).expect("smooth");
         let [w, x, y, z, l1, l2, l3] = end;
         let attitude = Attitude::from_quaternion([w, x, y, z]).expect("not zero");
         let angular_momentum: SpaceVector = attitude.to_space(BodyVector::new(l1, l2, l3));
-        distance(
-            &State {
-                attitude,
-                angular_momentum,
-            },
-            &exact,
-        )
+        distance(&State { attitude, angular_momentum }, &exact)
     };
     assert_error!(off(1.0), 7.5e-15);
     assert_error!(off(0.0), 0.83);

@@ -62,20 +62,10 @@ fn a_patch_has_no_seam() {
         errors.push_at(g - k, seam);
     }
     assert_largest!(errors, 4, @"2");
-    let ends = [
-        at(0.0)[1] - 3.0 * PI / 16.0,
-        at(1e9)[0] - 1.0,
-        at(1e6)[1] * 5e6 - 1.0,
-    ];
+    let ends = [at(0.0)[1] - 3.0 * PI / 16.0, at(1e9)[0] - 1.0, at(1e6)[1] * 5e6 - 1.0];
     assert!(ends.iter().all(|e| e.abs() < 1e-11), "{ends:?}");
     let resting = patch.sliding(SpaceVector::zero(), 0.0);
-    assert_eq!(
-        resting,
-        Grip {
-            force: SpaceVector::zero(),
-            torque: 0.0
-        }
-    );
+    assert_eq!(resting, Grip { force: SpaceVector::zero(), torque: 0.0 });
     let straight = patch.sliding(SpaceVector::new(3.0, 4.0, 0.0), 0.0);
     assert!((straight.force.x() + 0.6).abs() < 4.0 * EPS && straight.torque == 0.0);
     // A steel ball of 5 mm under 1 N on steel, 1.1e11 Pa: a few hundredths of a millimetre.
@@ -87,22 +77,16 @@ fn a_patch_has_no_seam() {
 #[test]
 fn a_ball_slides_then_rolls() {
     let (mut errors, mut damaged) = (Errors::of("ball"), Errors::of("a hollow ball"));
-    for (mass, radius, mu, speed) in [
-        (0.1, 0.02, 0.3, 1.0),
-        (3.0, 0.1, 0.05, 2.0),
-        (1e-3, 0.005, 0.5, 0.4),
-    ] {
+    for (mass, radius, mu, speed) in
+        [(0.1, 0.02, 0.3, 1.0), (3.0, 0.1, 0.05, 2.0), (1e-3, 0.005, 0.5, 0.4)]
+    {
         let run = |shape: f64| {
             let inertia = shape * mass * radius * radius;
             let ball = Shape::new(mass, inertia, inertia, 0.0, radius).unwrap();
             let top = Top::new(ball, G).unwrap().on(Dry::new(mu).unwrap());
-            let throw = Throw {
-                velocity: Some([0.6 * speed, 0.8 * speed]),
-                ..Throw::spinning(0.0, 0.0)
-            };
-            let rolled = top
-                .simulate(&throw, 10.0 * speed / (mu * G), 1e-13)
-                .unwrap();
+            let throw =
+                Throw { velocity: Some([0.6 * speed, 0.8 * speed]), ..Throw::spinning(0.0, 0.0) };
+            let rolled = top.simulate(&throw, 10.0 * speed / (mu * G), 1e-13).unwrap();
             let grips = rolled.event("grips").unwrap().t;
             let end = rolled.configuration(rolled.end_time()).unwrap();
             [
@@ -133,17 +117,8 @@ fn a_ball_rolls_to_rest() {
             hypot(at.angular_velocity.x(), at.angular_velocity.y()) - w
         });
         // Nothing but a nutation rate turns it: it rolls towards X.
-        let throw = Throw {
-            nutation: 60.0,
-            ..Throw::spinning(0.0, 0.0)
-        }
-        .rolling();
-        let met = top
-            .simulate(&throw, 1e3, 1e-13)
-            .unwrap()
-            .event("third")
-            .unwrap()
-            .t;
+        let throw = Throw { nutation: 60.0, ..Throw::spinning(0.0, 0.0) }.rolling();
+        let met = top.simulate(&throw, 1e3, 1e-13).unwrap().event("third").unwrap().t;
         let left = |w: f64| {
             let q = hypot(w, rate);
             q + rate * ((q - rate) / w).ln()

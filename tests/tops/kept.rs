@@ -11,12 +11,7 @@ fn drift<F: TipFriction, R: ResistingMoment, E: Effect>(run: &TopMotion<F, R, E>
     let values = |t: f64| {
         let at = run.configuration(t).unwrap();
         let along = at.angular_momentum.dot(&at.axis);
-        [
-            top.energy(&at),
-            top.jellett(&at),
-            at.angular_momentum.z(),
-            along,
-        ]
+        [top.energy(&at), top.jellett(&at), at.angular_momentum.z(), along]
     };
     let first = values(0.0);
     let mut most = [0.0_f64; 4];
@@ -37,27 +32,17 @@ fn each_law_keeps_what_it_must() {
     for shape in [toy(0.005), toy(0.001), others()[0], others()[1]] {
         let top = || Top::new(shape, G).unwrap();
         let [e, j, z, s] = drift(&top().simulate(&THROW, 2.0, 1e-13).unwrap());
-        [e, j, z, s]
-            .into_iter()
-            .for_each(|d| kept.push_at(d, "smooth"));
+        [e, j, z, s].into_iter().for_each(|d| kept.push_at(d, "smooth"));
         let [e, j, z, _] = drift(&top().on(NoSlip).simulate(&THROW, 2.0, 1e-13).unwrap());
         [e, j].into_iter().for_each(|d| kept.push_at(d, "no slip"));
         lost.push_at(z, "no slip");
-        let [e, j, ..] = drift(
-            &top()
-                .on(Dry::new(0.05).unwrap())
-                .simulate(&THROW, 1.0, 1e-13)
-                .unwrap(),
-        );
+        let [e, j, ..] =
+            drift(&top().on(Dry::new(0.05).unwrap()).simulate(&THROW, 1.0, 1e-13).unwrap());
         kept.push_at(j, "dry");
         lost.push_at(e, "dry");
-        let drilled = top()
-            .on(Dry::new(0.05).unwrap())
-            .resisted_by(Drilling::new(0.1, 1e-4).unwrap());
-        lost.push_at(
-            drift(&drilled.simulate(&THROW, 1.0, 1e-13).unwrap())[1],
-            "drilled",
-        );
+        let drilled =
+            top().on(Dry::new(0.05).unwrap()).resisted_by(Drilling::new(0.1, 1e-4).unwrap());
+        lost.push_at(drift(&drilled.simulate(&THROW, 1.0, 1e-13).unwrap())[1], "drilled");
     }
     assert_largest!(kept, 28, @"1.05e-14");
     lost.exceed(1e-4, 12);
@@ -66,15 +51,11 @@ fn each_law_keeps_what_it_must() {
 /// The energy that is gone is the work of friction, couples and air.
 #[test]
 fn the_energy_goes_where_the_powers_say() {
-    let (mut errors, mut damaged) = (
-        Errors::of("energy, relative"),
-        Errors::of("without friction"),
-    );
+    let (mut errors, mut damaged) =
+        (Errors::of("energy, relative"), Errors::of("without friction"));
     for shape in [toy(0.005), others()[0], others()[1]] {
         let air = DiscDrag::new(0.03, 1.2, 1.5e-5, 250.0).unwrap();
-        let top = Top::new(shape, G)
-            .unwrap()
-            .on(Patch::new(0.05, 1e-4).unwrap());
+        let top = Top::new(shape, G).unwrap().on(Patch::new(0.05, 1e-4).unwrap());
         let top = top.resisted_by(RollingResistance::new(1e-4, 10.0).unwrap());
         let top = top.in_effect(air).unwrap().sloping(0.05).unwrap();
         let run = top.simulate(&THROW, 1.0, 1e-12).unwrap();
@@ -106,12 +87,7 @@ fn a_tip_slips_off_and_grips_again() {
     let (fine, coarse) = (dry(1e-12), dry(1e-9));
     let slips = fine.event("slips").unwrap();
     let mut errors = Errors::of("events, relative");
-    for (a, b) in fine
-        .run()
-        .transitions()
-        .iter()
-        .zip(coarse.run().transitions())
-    {
+    for (a, b) in fine.run().transitions().iter().zip(coarse.run().transitions()) {
         assert_eq!(a.name, b.name);
         errors.push_at(a.t / b.t - 1.0, a.name);
     }
@@ -120,25 +96,12 @@ fn a_tip_slips_off_and_grips_again() {
     assert_largest!(errors, 2, @"1.81e-7");
     // The smaller the patch, the nearer; the twin is a floor that holds.
     let off = |radius: f64| {
-        let top = Top::new(shape, G)
-            .unwrap()
-            .on(Patch::new(0.2, radius).unwrap());
-        top.simulate(&throw, 2.0, 1e-11)
-            .unwrap()
-            .event("falls")
-            .unwrap()
-            .t
-            - falls
+        let top = Top::new(shape, G).unwrap().on(Patch::new(0.2, radius).unwrap());
+        top.simulate(&throw, 2.0, 1e-11).unwrap().event("falls").unwrap().t - falls
     };
     let [large, small] = [1e-6, 1e-7].map(off);
     let held = Top::new(shape, G).unwrap().on(NoSlip);
-    let held = held
-        .simulate(&throw, 2.0, 1e-11)
-        .unwrap()
-        .event("falls")
-        .unwrap()
-        .t
-        - falls;
+    let held = held.simulate(&throw, 2.0, 1e-11).unwrap().event("falls").unwrap().t - falls;
     assert!(
         (large / small - 11.86).abs() < 0.01 && small.abs() < 7e-6 && held.abs() > 1e-3,
         "{large} {small} {held}"

@@ -17,11 +17,7 @@ fn a_sharp_tip_that_holds_is_the_heavy_top() {
         let moment = 4e-5 + 0.1 * 0.04 * 0.04;
         let exact = SymmetricTop::from_mass(moment, 4e-5, 0.1, G, 0.04).unwrap();
         // Leaning towards X without a turn about the own axis.
-        let start = EulerAngles {
-            phi: FRAC_PI_2,
-            theta: tilt,
-            zeta: -FRAC_PI_2,
-        };
+        let start = EulerAngles { phi: FRAC_PI_2, theta: tilt, zeta: -FRAC_PI_2 };
         let start = Attitude::from_euler(start).unwrap();
         let omega = BodyVector::new(-precession * sin(tilt), 0.0, spin);
         let exact = HeavyTop::new(exact, start, omega).unwrap();
@@ -62,11 +58,7 @@ fn on_a_smooth_floor_the_nutation_is_an_integral() {
         let (mut low, mut high) = (tilt + 1e-4, 3.0);
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
-            if turning(middle) > 0.0 {
-                low = middle
-            } else {
-                high = middle
-            }
+            if turning(middle) > 0.0 { low = middle } else { high = middle }
         }
         let (middle, half) = (0.5 * (tilt + low), 0.5 * (low - tilt));
         let inertia = |theta: f64, held: f64| i1 + m * l * l * (sin(theta) * sin(theta)).max(held);
@@ -82,12 +74,8 @@ fn on_a_smooth_floor_the_nutation_is_an_integral() {
             terms.sum::<f64>() * part
         };
         let top = Top::new(shape, G).unwrap();
-        let top = top.passing("outer", 0.0, |at, _| {
-            -at.angular_velocity.cross(&at.axis).z()
-        });
-        let run = top
-            .simulate(&Throw::spinning(tilt, spin), 10.0, 1e-13)
-            .unwrap();
+        let top = top.passing("outer", 0.0, |at, _| -at.angular_velocity.cross(&at.axis).z());
+        let run = top.simulate(&Throw::spinning(tilt, spin), 10.0, 1e-13).unwrap();
         let met = run.event("outer").unwrap();
         errors.push(met.t / period(0.0) - 1.0);
         errors.push(run.configuration_at(met).tilt() - low);
@@ -107,10 +95,8 @@ fn steady(shape: &Shape, tilt: f64, precession: f64) -> f64 {
 
 #[test]
 fn a_rolling_top_goes_round_steadily() {
-    let (mut errors, mut damaged) = (
-        Errors::of("tilt, precession, force"),
-        Errors::of("other spin"),
-    );
+    let (mut errors, mut damaged) =
+        (Errors::of("tilt, precession, force"), Errors::of("other spin"));
     for shape in [toy(0.005), toy(0.0), others()[0], others()[1]] {
         for (tilt, precession) in [(0.3, 4.0), (1.0, 3.0), (0.6, 6.0)] {
             let spin = steady(&shape, tilt, precession);
@@ -123,15 +109,9 @@ fn a_rolling_top_goes_round_steadily() {
                 let slips = shape.tip() * (spin - precession * c) - shape.lever() * precession;
                 let inward = shape.mass() * precession * s * slips.abs();
                 let pull = hypot(forces.friction.x(), forces.friction.y());
-                [
-                    at.tilt() - tilt,
-                    at.precession() / precession - 1.0,
-                    pull - inward,
-                ]
+                [at.tilt() - tilt, at.precession() / precession - 1.0, pull - inward]
             };
-            run(spin)
-                .into_iter()
-                .for_each(|e| errors.push_at(e, (tilt, precession)));
+            run(spin).into_iter().for_each(|e| errors.push_at(e, (tilt, precession)));
             damaged.push(run(0.95 * spin)[0]);
         }
     }
@@ -175,13 +155,8 @@ fn a_rolling_tip_lets_a_top_sleep_at_a_lower_spin() {
         }
         // A little faster it does not grow.
         let top = Top::new(shape, G).unwrap().on(NoSlip);
-        let run = top
-            .simulate(
-                &Throw::spinning(1e-6, 1.01 * critical).rolling(),
-                20.0,
-                1e-12,
-            )
-            .unwrap();
+        let run =
+            top.simulate(&Throw::spinning(1e-6, 1.01 * critical).rolling(), 20.0, 1e-12).unwrap();
         assert!((0..200).all(|i| run.configuration(0.1 * f64::from(i)).unwrap().tilt() < 2e-5));
     }
     assert_largest!(errors, 8, @"2.12e-6");
@@ -196,18 +171,9 @@ fn a_creeping_tip_lets_it_fall_earlier() {
     for shape in [toy(0.005), toy(0.008), others()[0]] {
         let ([i1, i3], l, m, r) = (shape.moments(), shape.lever(), shape.mass(), shape.tip());
         let limit = (l + r) * (m * G * l / (r * (i3 * (l + r) - i1 * r))).sqrt();
-        let top = || {
-            Top::new(shape, G)
-                .unwrap()
-                .on(Patch::new(0.03, 1e-4).unwrap())
-        };
-        let grows = |part: f64| {
-            growth(
-                &top(),
-                &Throw::spinning(1e-6, part * limit).rolling(),
-                [6.0, 12.0],
-            )
-        };
+        let top = || Top::new(shape, G).unwrap().on(Patch::new(0.03, 1e-4).unwrap());
+        let grows =
+            |part: f64| growth(&top(), &Throw::spinning(1e-6, part * limit).rolling(), [6.0, 12.0]);
         // Drilling takes a little spin in the meantime.
         let [slower, faster] = [0.98, 1.03].map(grows);
         assert!(slower > 1e-3 && faster < -1e-3, "{slower} {faster}");

@@ -26,17 +26,9 @@ fn others() -> [Shape; 2] {
 fn simpson(from: f64, to: f64, n: u32, f: impl Fn(f64) -> f64) -> f64 {
     let h = (to - from) / f64::from(n);
     let weight = |i| {
-        if i == 0 || i == n {
-            1.0
-        } else {
-            2.0 + 2.0 * f64::from(i % 2)
-        }
+        if i == 0 || i == n { 1.0 } else { 2.0 + 2.0 * f64::from(i % 2) }
     };
-    (0..=n)
-        .map(|i| weight(i) * f(from + h * f64::from(i)))
-        .sum::<f64>()
-        * h
-        / 3.0
+    (0..=n).map(|i| weight(i) * f(from + h * f64::from(i))).sum::<f64>() * h / 3.0
 }
 
 fn apart(a: SpaceVector, b: SpaceVector) -> f64 {

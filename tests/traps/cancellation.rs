@@ -54,12 +54,7 @@ fn assert_rod(tensor: &InertiaTensor, moment: f64) {
     for error in [by_axes, by_body] {
         let said = error.to_string();
         assert!(said.contains("are those of a rod"), "{said}");
-        let Error::NotABody {
-            excess: 0.0,
-            slack: known_within,
-            ..
-        } = error
-        else {
+        let Error::NotABody { excess: 0.0, slack: known_within, .. } = error else {
             panic!("{error:?}")
         };
         assert_eq!(known_within, tensor.known_within());
@@ -77,10 +72,7 @@ fn reported_bodies_about_a_point_and_back() -> Result<()> {
         (askew, [3.0, 0.0, 0.0]),
         (askew, [0.0, -7.0, 0.1]),
     ] {
-        assert_rod(
-            &there_and_back(&rod, p.into())?.about_centre_of_mass(),
-            1.0 / 12.0,
-        );
+        assert_rod(&there_and_back(&rod, p.into())?.about_centre_of_mass(), 1.0 / 12.0);
         rods += 1;
     }
     assert_eq!(rods, 4);
@@ -103,19 +95,14 @@ fn reported_bodies_about_a_point_and_back() -> Result<()> {
     let tensor = there_and_back(&point, [-3.0, 5.0, 0.7].into())?.about_centre_of_mass();
     assert_eq!(tensor.principal_axes().moments(), [0.0; 3]);
     let said = DesignedBody::new(&tensor).unwrap_err().to_string();
-    assert!(
-        said.contains("are those of a point mass: it has no moment about any axis"),
-        "{said}"
-    );
+    assert!(said.contains("are those of a point mass: it has no moment about any axis"), "{said}");
     Ok(())
 }
 
 #[test]
 fn a_rod_is_named_wherever_it_is_refused() -> Result<()> {
     let rod = solids::rod(1.0, 1.0)?;
-    let turned = rod
-        .turned(&turn([1.0, 2.0, 3.0], 1.1))?
-        .about_centre_of_mass();
+    let turned = rod.turned(&turn([1.0, 2.0, 3.0], 1.1))?.about_centre_of_mass();
     let diagonal = InertiaTensor::diagonal([0.0, 2.0, 2.0])?;
     let refusals = [
         PrincipalMoments::new(0.0, 2.0, 2.0).err(),
@@ -136,17 +123,10 @@ fn a_rod_is_named_wherever_it_is_refused() -> Result<()> {
         );
         assert!(said.contains("needs each greater than 0"), "{n}: {said}");
     }
-    let said = PrincipalMoments::new(0.0, 0.0, 0.0)
-        .unwrap_err()
-        .to_string();
-    assert!(
-        said.contains("(0, 0, 0) are those of a point mass"),
-        "{said}"
-    );
+    let said = PrincipalMoments::new(0.0, 0.0, 0.0).unwrap_err().to_string();
+    assert!(said.contains("(0, 0, 0) are those of a point mass"), "{said}");
     // A zero alone makes no rod: no body has these.
-    let said = PrincipalMoments::new(0.0, 1.0, 1.5)
-        .unwrap_err()
-        .to_string();
+    let said = PrincipalMoments::new(0.0, 1.0, 1.5).unwrap_err().to_string();
     assert!(
         said.contains("belong to no body") && said.contains("the largest does by 0.5"),
         "{said}"
@@ -160,10 +140,7 @@ fn a_rod_is_named_wherever_it_is_refused() -> Result<()> {
     assert!(turned.moment_about(line)?.abs() <= turned.known_within());
     // A needle that a diagonal tensor states is no rod.
     let needle = InertiaTensor::diagonal([1.0, 1.0, 1e-17])?;
-    assert_eq!(
-        DesignedBody::new(&needle)?.rigid_body().moments().i3(),
-        1e-17
-    );
+    assert_eq!(DesignedBody::new(&needle)?.rigid_body().moments().i3(), 1e-17);
     assert_eq!(needle.principal_axes().principal_moments()?.i1(), 1e-17);
     Ok(())
 }
@@ -191,16 +168,8 @@ fn known_bodies(
     Ok(vec![
         ("rod", rod, [0.0, j, j]),
         ("rod", dumbbell, [0.0, j + 0.5 * unit, j + 0.5 * unit]),
-        (
-            "plate",
-            solids::plate(m, l, p * l)?,
-            sorted([j * p * p, j, j * (1.0 + p * p)]),
-        ),
-        (
-            "symmetric",
-            solids::disc(m, p * l)?,
-            [disc, disc, 2.0 * disc],
-        ),
+        ("plate", solids::plate(m, l, p * l)?, sorted([j * p * p, j, j * (1.0 + p * p)])),
+        ("symmetric", solids::disc(m, p * l)?, [disc, disc, 2.0 * disc]),
         ("symmetric", crossed, [j, j, 2.0 * j]),
         ("symmetric", wheel, sorted([j + disc, j + disc, 2.0 * disc])),
         ("symmetric", solids::sphere(m, l)?, [0.4 * unit; 3]),
@@ -322,14 +291,7 @@ fn what_rounding_does_not_explain_is_refused_with_the_excess() -> Result<()> {
         within.principal_axes().principal_moments()?;
         accepted += 1;
         let error = more(2.0 * slack).unwrap_err();
-        let Error::NotABody {
-            excess,
-            slack: said,
-            ..
-        } = error
-        else {
-            panic!("{error:?}")
-        };
+        let Error::NotABody { excess, slack: said, .. } = error else { panic!("{error:?}") };
         assert!((excess / slack - 2.0).abs() < 0.2 && (said / slack - 1.0).abs() < 1e-6);
         assert!(error.to_string().contains("and the largest does by"));
         // The mass of another body.
@@ -351,11 +313,7 @@ fn what_rounding_does_not_explain_is_refused_with_the_excess() -> Result<()> {
 fn the_nearest_body_is_taken() -> Result<()> {
     let mut random = Random(3);
     let dot = |a: &Matrix, b: &Matrix| -> f64 {
-        a.as_flattened()
-            .iter()
-            .zip(b.as_flattened())
-            .map(|(a, b)| a * b)
-            .sum()
+        a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a * b).sum()
     };
     let p = DesignVector::new(10.0, 0.0, 0.0);
     let mut kinds = [0; 4];
@@ -382,10 +340,7 @@ fn the_nearest_body_is_taken() -> Result<()> {
             assert!(trace - along <= 1e-14 * size);
         }
         // Untouched, plate, rod, point mass.
-        let largest = nearest
-            .as_flattened()
-            .iter()
-            .fold(0.0, |m: f64, e| m.max(e.abs()));
+        let largest = nearest.as_flattened().iter().fold(0.0, |m: f64, e| m.max(e.abs()));
         let [low, ..] = InertiaTensor::new(nearest)?.principal_axes().moments();
         kinds[match () {
             () if rest == [[0.0; 3]; 3] => 0,
@@ -427,9 +382,8 @@ fn a_line_of_many_points_is_a_rod() -> Result<()> {
     let mut lines = 0;
     for _ in 0..8 {
         let line = direction(&mut random);
-        let points: Vec<_> = (0..100_000)
-            .map(|_| (random.unit(), line * random.between(-1.0, 1.0)))
-            .collect();
+        let points: Vec<_> =
+            (0..100_000).map(|_| (random.unit(), line * random.between(-1.0, 1.0))).collect();
         let points = MassProperties::of_points(&points)?;
         let tensor = points.about_centre_of_mass();
         assert_rod(&tensor, tensor.principal_axes().moments()[2]);

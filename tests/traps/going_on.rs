@@ -64,10 +64,7 @@ impl Watched {
         let turn = |angle: f64| (self.onward * (angle - self.phase)).rem_euclid(TAU);
         let angle = cos_inverse(self.mark);
         // At +angle the cosine falls as the angle grows.
-        let falls = [
-            (turn(angle), self.onward > 0.0),
-            (turn(-angle), self.onward < 0.0),
-        ];
+        let falls = [(turn(angle), self.onward > 0.0), (turn(-angle), self.onward < 0.0)];
         let counts = |falls: bool| match self.direction {
             Direction::Either => true,
             Direction::Rising => !falls,
@@ -82,15 +79,7 @@ impl Watched {
     /// How long after the start the stops are, when a user goes on from each; `spoil` does
     /// something to the time and the state from which.
     fn stops(&self, count: usize, spoil: impl Fn(&mut f64, &mut [f64; 2])) -> Result<Vec<f64>> {
-        let Self {
-            rate,
-            phase,
-            mark,
-            onward,
-            direction,
-            round_off,
-            ..
-        } = *self;
+        let Self { rate, phase, mark, onward, direction, round_off, .. } = *self;
         let spring =
             ode(move |_, &[x, v]: &[f64; 2]| [v, -rate * rate * x]).scaled(move |_| [1.0, rate]);
         let method = Dop853::new(self.tolerance)?;
@@ -121,11 +110,7 @@ fn cos_inverse(x: f64) -> f64 {
     let (mut low, mut high) = (0.0, PI);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        if cos(middle) > x {
-            low = middle
-        } else {
-            high = middle
-        }
+        if cos(middle) > x { low = middle } else { high = middle }
     }
     0.5 * (low + high)
 }
@@ -156,11 +141,7 @@ fn a_stop_before_the_event_meets_it_again() -> Result<()> {
     let mut chance = Chance(2);
     let (mut again, mut cases) = (0, 0);
     while cases < 50 {
-        let watched = Watched {
-            mark: 0.0,
-            restarts: false,
-            ..Watched::draw(&mut chance)
-        };
+        let watched = Watched { mark: 0.0, restarts: false, ..Watched::draw(&mut chance) };
         if watched.direction == Direction::Either || watched.round_off > 0.0 {
             continue;
         }
@@ -196,11 +177,7 @@ fn a_thousand_stops() -> Result<()> {
                 };
                 let stops = watched.stops(1000, |_, _| ())?;
                 let want = watched.expected(1000)[999];
-                assert!(
-                    (stops[999] - want).abs() < 1e-2,
-                    "{watched:?}: {}",
-                    stops[999]
-                );
+                assert!((stops[999] - want).abs() < 1e-2, "{watched:?}: {}", stops[999]);
                 stopped += stops.len();
             }
         }
@@ -221,10 +198,7 @@ fn bounces(direction: Direction, onward: f64, kept: f64, count: usize) -> Result
             return Ok(n);
         };
         // Down, as the run meets it, and as fast as it was thrown up.
-        assert!(
-            !met.rising && (met.state[1] * onward + speed).abs() < 1e-8,
-            "{n}: {met:?}"
-        );
+        assert!(!met.rising && (met.state[1] * onward + speed).abs() < 1e-8, "{n}: {met:?}");
         (t, state) = (met.t, [met.state[0], -kept * met.state[1]]);
         speed *= kept;
     }
@@ -252,10 +226,7 @@ fn a_touch_is_left_behind() -> Result<()> {
     let mut chance = Chance(3);
     let mut cases = 0;
     for _ in 0..200 {
-        let (centre, depth) = (
-            chance.within(0.1, 2.9),
-            [0.0, 1e-18, 1e-16, 3e-15][cases % 4],
-        );
+        let (centre, depth) = (chance.within(0.1, 2.9), [0.0, 1e-18, 1e-16, 3e-15][cases % 4]);
         let direction = [Direction::Either, Direction::Rising, Direction::Falling][cases % 3];
         let clock = ode(|_, _: &[f64; 1]| [1.0]).scaled(size_or([1.0; 1]));
         let (mut t, mut state, mut stops) = (0.0, [0.0], 0);
@@ -290,11 +261,7 @@ fn events_at_one_time_are_both_told() -> Result<()> {
         let [x, _] = *run.end_state();
         for (name, left) in [("one", x - mark), ("two", scale * x - scale * mark)] {
             let told = run.events().iter().filter(|e| e.name == name).count();
-            assert_eq!(
-                told,
-                usize::from(left <= 0.0),
-                "{name} {mark} {scale}: {left:e}"
-            );
+            assert_eq!(told, usize::from(left <= 0.0), "{name} {mark} {scale}: {left:e}");
         }
         assert_eq!(run.stopped_by().map(|e| e.t), Some(run.end_time()));
         cases += usize::from(run.events().len() == 2);
@@ -333,26 +300,15 @@ fn plain_gaps_on_both_sides_of_a_switch() -> Result<()> {
     let mut chance = Chance(5);
     let mut switches = 0;
     for _ in 0..40 {
-        let relay = Relay {
-            lever: chance.within(0.1, 10.0),
-        };
+        let relay = Relay { lever: chance.within(0.1, 10.0) };
         let method = Dop853::new(1e-12)?;
         let run = simulate(&relay, &method, true, [1.0, 0.0], 60.0)?;
         // From 0.7 above: 2 sqrt(2 0.7) on one side, 2 sqrt(2 0.7)/1.7 on the other.
         let quarter = (2.0 * 0.7_f64).sqrt();
         let mut want = quarter;
         for (n, at) in run.transitions().iter().enumerate() {
-            assert!(
-                (at.t - want).abs() < 1e-9,
-                "{n} {}: {} {want}",
-                relay.lever,
-                at.t
-            );
-            want += if n % 2 == 0 {
-                2.0 * quarter / 1.7
-            } else {
-                2.0 * quarter
-            };
+            assert!((at.t - want).abs() < 1e-9, "{n} {}: {} {want}", relay.lever, at.t);
+            want += if n % 2 == 0 { 2.0 * quarter / 1.7 } else { 2.0 * quarter };
             switches += 1;
         }
         assert!(want > 60.0);
@@ -409,11 +365,7 @@ fn bounces_and_corners() -> Result<()> {
         // 90 widths in all, from a quarter of the first.
         let names = |name: &str| run.transitions().iter().filter(|t| t.name == name).count();
         let met = ["left", "right", "bottom", "top"].map(names);
-        let want = if corner {
-            [45, 45, 45, 45]
-        } else {
-            [45, 45, 31, 32]
-        };
+        let want = if corner { [45, 45, 45, 45] } else { [45, 45, 31, 32] };
         assert_eq!(met, want, "{walls:?}");
         let end = run.end_state().expect("a run");
         assert!(end[2].abs() == speed[0] && end[3].abs() == speed[1]);
@@ -430,17 +382,7 @@ fn what_is_beyond_is_refused() -> Result<()> {
     let (relay, method) = (Relay { lever: 1.0 }, Dop853::new(1e-12)?);
     for x in [0.29, 0.3 - 1e-12] {
         let error = simulate(&relay, &method, true, [x, 0.0], 1.0).expect_err("beyond");
-        assert!(
-            matches!(
-                error,
-                Error::CannotHold {
-                    name: "switch",
-                    rate: None,
-                    ..
-                }
-            ),
-            "{error}"
-        );
+        assert!(matches!(error, Error::CannotHold { name: "switch", rate: None, .. }), "{error}");
     }
     // On the switch, but for a rounding, it goes on as it is pushed.
     for x in [0.3, 0.3f64.next_down(), 0.3f64.next_up()] {
@@ -503,9 +445,7 @@ impl Mechanism<1, 1> for Belt {
     }
     fn contacts(&self, _: &MechanismState<1>) -> [Contact<1>; 1] {
         let belt = Contact::pressed("belt", 1.7).tangent([1.0], 0.0);
-        [belt
-            .frictions(self.slipping, self.holding)
-            .moving(self.speed)]
+        [belt.frictions(self.slipping, self.holding).moving(self.speed)]
     }
 }
 
@@ -514,18 +454,11 @@ impl Mechanism<1, 1> for Belt {
 fn sticking_and_slipping_from_stop_to_stop() -> Result<()> {
     let method = Dop853::new(1e-12)?;
     let mut errors = Errors::of("error of the stops");
-    for (slipping, holding, speed) in [
-        (0.2, 0.4, 0.3),
-        (0.2, 0.2, 0.3),
-        (0.1, 0.5, -0.7),
-        (0.3, 0.3, 0.0),
-    ] {
+    for (slipping, holding, speed) in
+        [(0.2, 0.4, 0.3), (0.2, 0.2, 0.3), (0.1, 0.5, -0.7), (0.3, 0.3, 0.0)]
+    {
         for x in [0.5, -0.9, 3.0] {
-            let belt = Belt {
-                slipping,
-                holding,
-                speed,
-            };
+            let belt = Belt { slipping, holding, speed };
             let whole = motion(&belt, &method, MechanismState::rest([x]), 60.0)?;
             let (mut t, mut state) = (0.0, MechanismState::rest([x]));
             for event in whole.events() {

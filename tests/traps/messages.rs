@@ -30,11 +30,7 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
     let mut all = vec![
         Error::NotFinite { name, value: x },
         Error::out_of_range(name, x, allowed),
-        Error::Lengths {
-            name,
-            found: limit,
-            expected: limit,
-        },
+        Error::Lengths { name, found: limit, expected: limit },
         Error::AtIndex {
             name,
             index: limit,
@@ -56,64 +52,27 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
             off: y,
             allowed: z,
         },
-        Error::Sliding {
-            effect: text(),
-            t: x,
-        },
-        Error::Unseen {
-            effect: text(),
-            requested: x,
-            every: y,
-            limit: None,
-        },
-        Error::Unseen {
-            effect: text(),
-            requested: x,
-            every: y,
-            limit: Some(n),
-        },
-        Error::Incompatible {
-            effects: text(),
-            reason: allowed.into(),
-        },
+        Error::Sliding { effect: text(), t: x },
+        Error::Unseen { effect: text(), requested: x, every: y, limit: None },
+        Error::Unseen { effect: text(), requested: x, every: y, limit: Some(n) },
+        Error::Incompatible { effects: text(), reason: allowed.into() },
         Error::Cancelled { torques: n },
-        Error::NoConvergence {
-            t: x,
-            h: y,
-            change: z,
-        },
+        Error::NoConvergence { t: x, h: y, change: z },
         Error::PhaseLost { t: x, latest: y },
-        Error::OutsideRun {
-            t: x,
-            start: y,
-            end: z,
-        },
-        Error::NotRotation {
-            deviation: x,
-            determinant: y,
-        },
-        Error::GimbalLock {
-            sequence: name,
-            angle: x,
-            locked: name,
-        },
-        Error::ImpactGainsEnergy {
-            t: x,
-            before: y,
-            after: z,
-        },
+        Error::OutsideRun { t: x, start: y, end: z },
+        Error::NotRotation { deviation: x, determinant: y },
+        Error::GimbalLock { sequence: name, angle: x, locked: name },
+        Error::ImpactGainsEnergy { t: x, before: y, after: z },
         Error::NotReached { name, until: x },
         Error::ConditionUnknown { name },
     ];
     // Those with more than one message.
-    all.extend(
-        ["torques", "steps", "changes of phase"].map(|what| Error::LimitReached {
-            what,
-            t: x,
-            t_end: y,
-            limit: n,
-        }),
-    );
+    all.extend(["torques", "steps", "changes of phase"].map(|what| Error::LimitReached {
+        what,
+        t: x,
+        t_end: y,
+        limit: n,
+    }));
     all.extend([z, f64::INFINITY].map(|until| Error::BouncesUnresolved {
         contact: name,
         height: y,
@@ -126,25 +85,14 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
         clock,
         state: list(),
     }));
-    all.extend([y, 0.0].map(|excess| Error::NotABody {
-        moments: [x, y, z],
-        excess,
-        slack: x,
-    }));
-    all.extend([None, Some(z)].map(|rate| Error::CannotHold {
-        name,
+    all.extend([y, 0.0].map(|excess| Error::NotABody { moments: [x, y, z], excess, slack: x }));
+    all.extend([None, Some(z)].map(|rate| Error::CannotHold { name, t: x, value: y, rate }));
+    all.extend([vec![], vec![text(), text()]].map(|motions| Error::ContactsUndetermined {
         t: x,
-        value: y,
-        rate,
+        state: list(),
+        tried: limit,
+        motions,
     }));
-    all.extend(
-        [vec![], vec![text(), text()]].map(|motions| Error::ContactsUndetermined {
-            t: x,
-            state: list(),
-            tried: limit,
-            motions,
-        }),
-    );
     all.extend([None, Some(z)].map(|condition| Error::NotDelivered {
         requested: x,
         best: y,
@@ -159,52 +107,22 @@ fn of_pages(x: f64, y: f64, z: f64) -> Vec<kit::Error> {
     let (name, allowed) = ("speed", "it must be greater than 0");
     let text = || String::from("floor");
     vec![
-        Error::Parameter {
-            name,
-            value: x,
-            allowed: from_to(-y.abs(), y.abs()),
-        },
-        Error::Parameter {
-            name,
-            value: x,
-            allowed: above(z),
-        },
-        Error::Contradicted {
-            key: text(),
-            value: x,
-            oracle: text(),
-            oracle_value: y,
-            bound: z,
-        },
-        Error::Text {
-            text: text(),
-            allowed,
-        },
-        Error::UnknownKey {
-            key: text(),
-            known: text(),
-        },
-        Error::File {
-            path: text(),
-            reason: text(),
-        },
+        Error::Parameter { name, value: x, allowed: from_to(-y.abs(), y.abs()) },
+        Error::Parameter { name, value: x, allowed: above(z) },
+        Error::Contradicted { key: text(), value: x, oracle: text(), oracle_value: y, bound: z },
+        Error::Text { text: text(), allowed },
+        Error::UnknownKey { key: text(), known: text() },
+        Error::File { path: text(), reason: text() },
     ]
 }
 
 /// The names of all refusals, as library and kit write them.
 fn names() -> Vec<&'static str> {
-    let sources = [
-        include_str!("../../src/error.rs"),
-        include_str!("../../book/kit/src/error.rs"),
-    ];
+    let sources = [include_str!("../../src/error.rs"), include_str!("../../book/kit/src/error.rs")];
     let lines = sources.iter().flat_map(|source| {
-        let (_, variants) = source
-            .split_once("pub enum Error {\n")
-            .expect("the refusals");
+        let (_, variants) = source.split_once("pub enum Error {\n").expect("the refusals");
         let (variants, _) = variants.split_once("\n}\n").expect("an end");
-        variants
-            .lines()
-            .filter_map(|line| line.strip_prefix("    "))
+        variants.lines().filter_map(|line| line.strip_prefix("    "))
     });
     lines
         .filter(|line| line.starts_with(|c: char| c.is_ascii_uppercase()))
@@ -247,11 +165,7 @@ fn messages_are_short() {
                 // Counts of the machine's own size have twenty.
                 let counts = message.replace(&u64::MAX.to_string(), "n");
                 assert!(digits(&counts) <= DIGITS, "{message}");
-                assert!(
-                    message.len() <= LENGTH + 2 * LIST,
-                    "{}: {message}",
-                    message.len()
-                );
+                assert!(message.len() <= LENGTH + 2 * LIST, "{}: {message}", message.len());
                 cases += 1;
             }
         }
@@ -264,9 +178,7 @@ fn messages_are_short() {
     // None is left out.
     let names = names();
     for name in &names {
-        let is_told = told
-            .iter()
-            .any(|t| t.split([' ', '{']).next() == Some(name));
+        let is_told = told.iter().any(|t| t.split([' ', '{']).next() == Some(name));
         assert!(is_told, "{name}");
     }
     // At most 25 of the library, and five of pages.
@@ -283,13 +195,7 @@ fn a_coarse_clock_is_named() -> Result<()> {
     let decay = |tau: f64| ode(move |_, [y]: &[f64; 1]| [-y / tau]).scaled(size_or([1.0; 1]));
     let method = Dop853::new(1e-12)?;
     let mut cases = 0;
-    for (t, tau) in [
-        (1e6, 1e-10),
-        (-1e6, 1e-10),
-        (3e9, 1e-7),
-        (1.0, 1e-16),
-        (1e-3, 1e-19),
-    ] {
+    for (t, tau) in [(1e6, 1e-10), (-1e6, 1e-10), (3e9, 1e-7), (1.0, 1e-16), (1e-3, 1e-19)] {
         for span in [10.0, 1e3, -1e3] {
             let error = method.advance(&decay(tau), t, &[1.0], t + span * tau);
             let Err(Error::StepUnderflow { clock: Some(_), .. }) = error else {
@@ -302,25 +208,15 @@ fn a_coarse_clock_is_named() -> Result<()> {
         }
     }
     assert_eq!(cases, 15);
-    let error = method
-        .advance(&decay(1e-10), 1e6, &[1.0], 1e6 + 1e-9)
-        .expect_err("coarse");
+    let error = method.advance(&decay(1e-10), 1e6, &[1.0], 1e6 + 1e-9).expect_err("coarse");
     let message = error.to_string();
-    assert!(
-        message.starts_with("at t = 1000000 the clock is too coarse: "),
-        "{message}"
-    );
-    assert!(
-        message.contains("1.2e-10") && message.contains("count the time from 0"),
-        "{message}"
-    );
+    assert!(message.starts_with("at t = 1000000 the clock is too coarse: "), "{message}");
+    assert!(message.contains("1.2e-10") && message.contains("count the time from 0"), "{message}");
     // The damaged twin: a pole is a pole, and no matter of the clock.
     let pole = ode(|_, [y]: &[f64; 1]| [y * y]).scaled(size_or([1.0; 1]));
     for t in [0.0, 1e3, -1e3] {
         let error = method.advance(&pole, t, &[1.0], t + 2.0);
-        let Err(Error::StepUnderflow { clock: None, .. }) = error else {
-            panic!("{t}: {error:?}")
-        };
+        let Err(Error::StepUnderflow { clock: None, .. }) = error else { panic!("{t}: {error:?}") };
     }
     Ok(())
 }
@@ -329,9 +225,7 @@ fn a_coarse_clock_is_named() -> Result<()> {
 #[test]
 fn any_time_will_do_from_zero() -> Result<()> {
     let mut errors = Errors::of("e^-1 after a time tau");
-    for tau in [
-        1e-300, 1e-200, 1e-100, 1e-20, 1.0, 1e20, 1e100, 1e200, 1e300,
-    ] {
+    for tau in [1e-300, 1e-200, 1e-100, 1e-20, 1.0, 1e20, 1e100, 1e200, 1e300] {
         let decay = ode(move |_, [y]: &[f64; 1]| [-y / tau]).scaled(size_or([1.0; 1]));
         let (end, _) = Dop853::new(1e-12)?.advance(&decay, 0.0, &[1.0], tau)?;
         errors.push_at(end[0] / exp(-1.0) - 1.0, tau);
@@ -349,13 +243,7 @@ fn any_time_will_do_from_zero() -> Result<()> {
 fn parameters_outside_say_how_to_map_them() -> Result<()> {
     for m in [-1.0, 4.0, 1.0 + 2e-16, -1e300] {
         let error = Modulus::from_m(m).expect_err("outside").to_string();
-        for said in [
-            "m < 0",
-            "n = m/(m - 1)",
-            "q K(n)",
-            "q sd(u/q, n)",
-            "sn(k u, 1/m)/k",
-        ] {
+        for said in ["m < 0", "n = m/(m - 1)", "q K(n)", "q sd(u/q, n)", "sn(k u, 1/m)/k"] {
             assert!(error.contains(said), "{error}");
         }
         for error in [Modulus::from_m1(1.0 - m).err(), Modulus::from_k(-2.0).err()] {
@@ -396,10 +284,7 @@ fn parameters_outside_say_how_to_map_them() -> Result<()> {
 struct Turned(f64);
 
 impl Effect for Turned {
-    const PROPERTIES: Properties = Properties {
-        on_rates: false,
-        ..Properties::ANYTHING
-    };
+    const PROPERTIES: Properties = Properties { on_rates: false, ..Properties::ANYTHING };
     fn name(&self) -> &'static str {
         "spring"
     }
@@ -415,20 +300,11 @@ fn refusals_say_where_and_hint_at_a_way_out() -> Result<()> {
     let start = body.state(Attitude::IDENTITY, BodyVector::new(0.3, 0.1, 2.0))?;
     let contradicted = |from| check(&Turned(from), &body, [0.0, 1.0], &start);
     let typed = |z: f64| [[0.866, -0.5, 0.0], [0.5, 0.866, 0.0], [0.0, 0.0, z]];
-    let slides = Error::Sliding {
-        effect: "relay".into(),
-        t: 1.0,
-    };
+    let slides = Error::Sliding { effect: "relay".into(), t: 1.0 };
     let said = |refused: Result<()>| refused.expect_err("refused").to_string();
     let cases = [
-        (
-            said(contradicted(0.0)),
-            "how the body turns, and at t = 0 its torque",
-        ),
-        (
-            said(contradicted(0.1)),
-            "at another attitude and momentum, its torque is off",
-        ),
+        (said(contradicted(0.0)), "how the body turns, and at t = 0 its torque"),
+        (said(contradicted(0.1)), "at another attitude and momentum, its torque is off"),
         (
             said(Attitude::from_matrix(typed(1.0)).map(|_| ())),
             "`Attitude::nearest` finds the rotation nearest to it",
@@ -437,10 +313,7 @@ fn refusals_say_where_and_hint_at_a_way_out() -> Result<()> {
             said(Attitude::from_matrix(typed(-1.0)).map(|_| ())),
             "it must be +1, of right-handed axes",
         ),
-        (
-            slides.to_string(),
-            "hysteresis, sample it at a rate (`Torque::sampled`)",
-        ),
+        (slides.to_string(), "hysteresis, sample it at a rate (`Torque::sampled`)"),
     ];
     let mut ran = 0;
     for (said, words) in cases {

@@ -38,19 +38,12 @@ struct Row<'a> {
 }
 
 fn row<'a>(place: &'static str, asked: impl Fn(f64) -> Result<Vec<f64>> + 'a) -> Row<'a> {
-    Row {
-        place,
-        asked: Box::new(asked),
-        known: None,
-    }
+    Row { place, asked: Box::new(asked), known: None }
 }
 
 impl Row<'_> {
     fn known(self, numbers: &[f64]) -> Self {
-        Self {
-            known: Some(numbers.to_vec()),
-            ..self
-        }
+        Self { known: Some(numbers.to_vec()), ..self }
     }
 
     /// Whether it gives no place at this time.
@@ -78,19 +71,11 @@ fn of_attitude(attitude: Attitude) -> Vec<f64> {
 }
 
 fn of_kinematics(now: Kinematics) -> Vec<f64> {
-    [
-        of_attitude(now.attitude),
-        now.angular_velocity.to_array().to_vec(),
-    ]
-    .concat()
+    [of_attitude(now.attitude), now.angular_velocity.to_array().to_vec()].concat()
 }
 
 fn of_state(now: State) -> Vec<f64> {
-    [
-        of_attitude(now.attitude),
-        now.angular_momentum.to_array().to_vec(),
-    ]
-    .concat()
+    [of_attitude(now.attitude), now.angular_momentum.to_array().to_vec()].concat()
 }
 
 fn free(moments: [f64; 3], rates: [f64; 3]) -> Result<FreeBody> {
@@ -121,24 +106,13 @@ fn tops() -> Result<Vec<HeavyTop>> {
     Ok(vec![
         HeavyTop::from_angles(ReducedTop::new(2.0, 1.2, 0.2)?, 0.5, 0.1, 0.3, 0.4)?,
         HeavyTop::from_angles(ReducedTop::new(2.0, 1.0001, 1.3)?, 0.02, 0.0, 0.3, 0.4)?,
-        HeavyTop::from_energy(
-            ReducedTop::new(2.0, 1.0, 1.25)?,
-            0.0,
-            Start::ThetaMax,
-            0.0,
-            0.0,
-        )?,
+        HeavyTop::from_energy(ReducedTop::new(2.0, 1.0, 1.25)?, 0.0, Start::ThetaMax, 0.0, 0.0)?,
         HeavyTop::new(body, Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 3.0))?,
     ])
 }
 
 fn pendulums() -> Result<Vec<Pendulum>> {
-    let rod = Suspension {
-        moment: 1.0 / 3.0,
-        mass: 1.0,
-        gravity: 9.80665,
-        lever: 0.5,
-    };
+    let rod = Suspension { moment: 1.0 / 3.0, mass: 1.0, gravity: 9.80665, lever: 0.5 };
     [(1.0, 0.3), (1e-19, 0.0), (0.5, 9.0), (0.0, 0.0)]
         .into_iter()
         .map(|(theta, omega)| Pendulum::new(rod, theta, omega))
@@ -179,10 +153,7 @@ impl Mechanism<1, 1> for Falling {
 struct Swaying;
 
 impl Effect for Swaying {
-    const PROPERTIES: Properties = Properties {
-        slips: true,
-        ..Properties::ANYTHING
-    };
+    const PROPERTIES: Properties = Properties { slips: true, ..Properties::ANYTHING };
     fn name(&self) -> &'static str {
         "swaying"
     }
@@ -219,39 +190,25 @@ fn closed_forms<'a>(
     let mut rows = Vec::new();
     for body in bodies {
         rows.extend([
-            row("exact/free_body/mod.rs attitude", |t| {
-                Ok(of_attitude(body.attitude(t)))
-            }),
-            row("exact/free_body/mod.rs try_attitude", |t| {
-                body.try_attitude(t).map(of_attitude)
-            }),
+            row("exact/free_body/mod.rs attitude", |t| Ok(of_attitude(body.attitude(t)))),
+            row("exact/free_body/mod.rs try_attitude", |t| body.try_attitude(t).map(of_attitude)),
             row("exact/free_body/mod.rs angular_velocity", |t| {
                 Ok(body.angular_velocity(t).to_array().to_vec())
             }),
-            row("exact/free_body/mod.rs kinematics", |t| {
-                Ok(of_kinematics(body.kinematics(t)))
-            }),
+            row("exact/free_body/mod.rs kinematics", |t| Ok(of_kinematics(body.kinematics(t)))),
             row("exact/free_body/mod.rs try_kinematics", |t| {
                 body.try_kinematics(t).map(of_kinematics)
             }),
-            row("exact/free_body/mod.rs state", |t| {
-                Ok(of_attitude(body.state(t).attitude))
-            }),
-            row("exact/free_body/mod.rs try_state", |t| {
-                body.try_state(t).map(of_state)
-            }),
+            row("exact/free_body/mod.rs state", |t| Ok(of_attitude(body.state(t).attitude))),
+            row("exact/free_body/mod.rs try_state", |t| body.try_state(t).map(of_state)),
             row("exact/free_body/mod.rs kinematics_at", |t| {
                 let mut states = [Kinematics::REST; 9];
                 let times = [0.0, 1.0, 2.0, t, 4.0, 5.0, 6.0, 7.0, t];
                 body.kinematics_at(&times, &mut states)?;
                 Ok(of_kinematics(states[3]))
             }),
-            row("motion.rs try_state", |t| {
-                Motion::try_state(body, t).map(of_state)
-            }),
-            row("motion.rs try_states", |t| {
-                Ok(of_state(body.try_states(&[0.0, t])?[1]))
-            }),
+            row("motion.rs try_state", |t| Motion::try_state(body, t).map(of_state)),
+            row("motion.rs try_states", |t| Ok(of_state(body.try_states(&[0.0, t])?[1]))),
             row("motion.rs condition", |t| Ok(vec![body.condition(t)?])),
         ]);
     }
@@ -265,42 +222,24 @@ fn closed_forms<'a>(
                 let angles = top.try_angles(t)?;
                 Ok(vec![angles.phi, angles.theta, angles.zeta])
             }),
-            row("exact/heavy_top/queries.rs attitude", |t| {
-                Ok(of_attitude(top.attitude(t)))
-            }),
+            row("exact/heavy_top/queries.rs attitude", |t| Ok(of_attitude(top.attitude(t)))),
             row("exact/heavy_top/queries.rs try_attitude", |t| {
                 top.try_attitude(t).map(of_attitude)
             }),
-            row("exact/heavy_top/queries.rs cos_theta", |t| {
-                Ok(vec![top.cos_theta(t)])
-            }),
-            row("exact/heavy_top/queries.rs axis", |t| {
-                Ok(top.axis(t).to_array().to_vec())
-            }),
-            row("exact/heavy_top/queries.rs theta_rate", |t| {
-                Ok(vec![top.theta_rate(t)])
-            }),
-            row("exact/heavy_top/queries.rs phi_rate", |t| {
-                Ok(vec![top.phi_rate(t)])
-            }),
-            row("exact/heavy_top/queries.rs zeta_rate", |t| {
-                Ok(vec![top.zeta_rate(t)])
-            }),
+            row("exact/heavy_top/queries.rs cos_theta", |t| Ok(vec![top.cos_theta(t)])),
+            row("exact/heavy_top/queries.rs axis", |t| Ok(top.axis(t).to_array().to_vec())),
+            row("exact/heavy_top/queries.rs theta_rate", |t| Ok(vec![top.theta_rate(t)])),
+            row("exact/heavy_top/queries.rs phi_rate", |t| Ok(vec![top.phi_rate(t)])),
+            row("exact/heavy_top/queries.rs zeta_rate", |t| Ok(vec![top.zeta_rate(t)])),
             row("exact/heavy_top/queries.rs angular_velocity", |t| {
                 Ok(top.angular_velocity(t).to_array().to_vec())
             }),
-            row("exact/heavy_top/queries.rs kinematics", |t| {
-                Ok(of_kinematics(top.kinematics(t)))
-            }),
+            row("exact/heavy_top/queries.rs kinematics", |t| Ok(of_kinematics(top.kinematics(t)))),
             row("exact/heavy_top/queries.rs try_kinematics", |t| {
                 top.try_kinematics(t).map(of_kinematics)
             }),
-            row("exact/heavy_top/queries.rs state", |t| {
-                Ok(of_state(top.state(t)))
-            }),
-            row("exact/heavy_top/queries.rs try_state", |t| {
-                top.try_state(t).map(of_state)
-            }),
+            row("exact/heavy_top/queries.rs state", |t| Ok(of_state(top.state(t)))),
+            row("exact/heavy_top/queries.rs try_state", |t| top.try_state(t).map(of_state)),
             row("exact/heavy_top/queries.rs angular_momentum", |t| {
                 Ok(top.angular_momentum(t).to_array().to_vec())
             }),
@@ -309,9 +248,7 @@ fn closed_forms<'a>(
                 top.kinematics_at(&[0.0, t, 1.0], &mut states)?;
                 Ok(of_kinematics(states[1]))
             }),
-            row("motion.rs try_states", |t| {
-                Ok(of_state(top.try_states(&[0.0, t])?[1]))
-            }),
+            row("motion.rs try_states", |t| Ok(of_state(top.try_states(&[0.0, t])?[1]))),
             row("motion.rs condition", |t| Ok(vec![top.condition(t)?])),
         ]);
     }
@@ -346,28 +283,15 @@ fn simple_forms() -> Result<Vec<Row<'static>>> {
         rows.push(row("exact/pendulum.rs at", move |t| {
             pendulum.at(t).map(|now| vec![now.theta, now.omega])
         }));
-        rows.push(row("motion.rs condition", move |t| {
-            Ok(vec![other.condition(t)?])
-        }));
+        rows.push(row("motion.rs condition", move |t| Ok(vec![other.condition(t)?])));
     }
-    let (ladder, plank) = (
-        Ladder::new(3.0, 9.8, 0.25)?,
-        Plank::new(1.0, 9.8, 0.01, 0.0)?,
-    );
+    let (ladder, plank) = (Ladder::new(3.0, 9.8, 0.25)?, Plank::new(1.0, 9.8, 0.01, 0.0)?);
     let other = plank.clone();
     rows.extend([
-        row("ladder.rs at", move |t| {
-            ladder.at(t).map(|now| vec![now.theta, now.omega])
-        }),
-        row("plank.rs at", move |t| {
-            plank.at(t).map(|now| vec![now.theta, now.omega])
-        }),
-        row("motion.rs condition", move |t| {
-            Ok(vec![ladder.condition(t)?])
-        }),
-        row("motion.rs condition", move |t| {
-            Ok(vec![other.condition(t)?])
-        }),
+        row("ladder.rs at", move |t| ladder.at(t).map(|now| vec![now.theta, now.omega])),
+        row("plank.rs at", move |t| plank.at(t).map(|now| vec![now.theta, now.omega])),
+        row("motion.rs condition", move |t| Ok(vec![ladder.condition(t)?])),
+        row("motion.rs condition", move |t| Ok(vec![other.condition(t)?])),
     ]);
     let flow = FreeFlow::new(PrincipalMoments::new(1.0, 2.0, 2.5)?);
     let still = move |t| Ok(of_attitude(flow.turn(BodyVector::zero(), t)));
@@ -412,9 +336,7 @@ fn of_effects<'a>(body: &'a RigidBody, state: &'a State) -> Result<Vec<Row<'a>>>
     for orbit in orbits {
         let body = OrbitingBody::new(1.0, orbit)?;
         rows.extend([
-            row("effects/kepler_orbit.rs place", move |t| {
-                Ok(orbit.place(t).to_array().to_vec())
-            }),
+            row("effects/kepler_orbit.rs place", move |t| Ok(orbit.place(t).to_array().to_vec())),
             row("effects/kepler_orbit.rs velocity", move |t| {
                 Ok(orbit.velocity(t).to_array().to_vec())
             }),
@@ -429,28 +351,17 @@ fn of_effects<'a>(body: &'a RigidBody, state: &'a State) -> Result<Vec<Row<'a>>>
     let level = orbits[1];
     let mean = OrbitingBody::new(1.0, turning)?.averaged()?;
     rows.extend([
-        row("effects/kepler_orbit.rs normal", move |t| {
-            Ok(turning.normal(t).to_array().to_vec())
-        }),
-        row("effects/orbiting_body.rs pull", move |t| {
-            Ok(mean.pull(t).0.to_array().to_vec())
-        }),
-        row("effects/kepler_orbit.rs normal", move |t| {
-            Ok(level.normal(t).to_array().to_vec())
-        })
-        .known(&[0.0, 0.0, 1.0]),
+        row("effects/kepler_orbit.rs normal", move |t| Ok(turning.normal(t).to_array().to_vec())),
+        row("effects/orbiting_body.rs pull", move |t| Ok(mean.pull(t).0.to_array().to_vec())),
+        row("effects/kepler_orbit.rs normal", move |t| Ok(level.normal(t).to_array().to_vec()))
+            .known(&[0.0, 0.0, 1.0]),
         row("effects/kepler_orbit.rs place", move |t| {
             let place = open.place(t);
-            Ok(vec![
-                place.x() / place.norm(),
-                (place.y() / place.norm()).abs(),
-            ])
+            Ok(vec![place.x() / place.norm(), (place.y() / place.norm()).abs()])
         })
         .known(&[-0.5, 0.75_f64.sqrt()]),
-        row("effects/kepler_orbit.rs velocity", move |t| {
-            Ok(vec![open.velocity(t).norm()])
-        })
-        .known(&[1.0]),
+        row("effects/kepler_orbit.rs velocity", move |t| Ok(vec![open.velocity(t).norm()]))
+            .known(&[1.0]),
     ]);
     for profile in [
         Profile::steps(&[(0.0, 2.0), (1.0, 0.0)])?,
@@ -462,21 +373,15 @@ fn of_effects<'a>(body: &'a RigidBody, state: &'a State) -> Result<Vec<Row<'a>>>
         let scene = Scene::new(*body).with(torque);
         rows.extend([
             row("effects/prescribed.rs at", move |t| Ok(vec![profile.at(t)])).known(&[0.0]),
-            row("scene.rs torque", move |t| {
-                Ok(scene.torque(t, state).to_array().to_vec())
-            })
-            .known(&[0.0; 3]),
+            row("scene.rs torque", move |t| Ok(scene.torque(t, state).to_array().to_vec()))
+                .known(&[0.0; 3]),
         ]);
     }
     let [scene, other, third] = [0; 3].map(|_| Scene::new(*body).with(gradient).with(Swaying));
     rows.extend([
-        row("scene.rs energy_at", move |t| {
-            Ok(vec![scene.energy_at(t, state)])
-        }),
+        row("scene.rs energy_at", move |t| Ok(vec![scene.energy_at(t, state)])),
         row("scene.rs power", move |t| Ok(vec![other.power(t, state)])),
-        row("scene.rs torque", move |t| {
-            Ok(third.torque(t, state).to_array().to_vec())
-        }),
+        row("scene.rs torque", move |t| Ok(third.torque(t, state).to_array().to_vec())),
     ]);
     Ok(rows)
 }
@@ -489,12 +394,8 @@ fn of_any_size<'a>(body: &'a RigidBody, state: &'a State) -> Result<Vec<Row<'a>>
     let scene = Scene::new(*body).with(Swaying);
     let braked = Scene::new(round).with(bearing);
     Ok(vec![
-        row("effects/coulomb.rs axial_momentum", move |t| {
-            Ok(vec![bearing.axial_momentum(t)])
-        }),
-        row("scene.rs torque", move |t| {
-            Ok(braked.torque(t, state).to_array().to_vec())
-        }),
+        row("effects/coulomb.rs axial_momentum", move |t| Ok(vec![bearing.axial_momentum(t)])),
+        row("scene.rs torque", move |t| Ok(braked.torque(t, state).to_array().to_vec())),
         row("scene.rs angular_velocity", move |t| {
             Ok(scene.angular_velocity(t, state).to_array().to_vec())
         }),
@@ -529,43 +430,21 @@ fn of_runs() -> Result<Vec<Row<'static>>> {
     let quarter = Attitude::about_space_axis(SpaceVector::new(0.0, 0.0, 1.0), 1.5)?;
     let arcs = Arcs::through(&[(0.0, Attitude::IDENTITY), (1.0, quarter)])?;
     Ok(vec![
-        row("integrators/dop853/solution.rs at", move |t| {
-            Ok(solution.at(t)?.to_vec())
-        }),
+        row("integrators/dop853/solution.rs at", move |t| Ok(solution.at(t)?.to_vec())),
         row("planar/run.rs at", move |t| Ok(run.at(t)?.1.to_vec())),
-        row("planar/contact/motion.rs at", move |t| {
-            Ok(a.at(t)?.q.to_vec())
-        }),
-        row("planar/contact/motion.rs modes", move |t| {
-            b.modes(t).map(|_| vec![0.0])
-        }),
-        row("planar/contact/motion.rs forces", move |t| {
-            Ok(vec![c.forces(t)?[0].normal])
-        }),
-        row("tops/top_motion.rs phase", move |t| {
-            Ok(vec![top.phase(t)?.passed as f64])
-        }),
-        row("tops/top_motion.rs coordinates", move |t| {
-            Ok(second.coordinates(t)?.to_vec())
-        }),
+        row("planar/contact/motion.rs at", move |t| Ok(a.at(t)?.q.to_vec())),
+        row("planar/contact/motion.rs modes", move |t| b.modes(t).map(|_| vec![0.0])),
+        row("planar/contact/motion.rs forces", move |t| Ok(vec![c.forces(t)?[0].normal])),
+        row("tops/top_motion.rs phase", move |t| Ok(vec![top.phase(t)?.passed as f64])),
+        row("tops/top_motion.rs coordinates", move |t| Ok(second.coordinates(t)?.to_vec())),
         row("tops/top_motion.rs configuration", move |t| {
             Ok(third.configuration(t)?.axis.to_array().to_vec())
         }),
-        row("tops/top_motion.rs forces", move |t| {
-            Ok(vec![fourth.forces(t)?.1.normal])
-        }),
-        row("gimbals/motion.rs at", move |t| {
-            Ok(course.at(t)?.to_array().to_vec())
-        }),
-        row("gimbals/motion.rs holds", move |t| {
-            more.holds(t).map(|_| vec![0.0])
-        }),
-        row("gimbals/motion.rs heat", move |t| {
-            Ok(most.heat(t)?.to_vec())
-        }),
-        row("accuracy/error_control/exact_motion.rs at", move |t| {
-            exact.at(t).map(of_state)
-        }),
+        row("tops/top_motion.rs forces", move |t| Ok(vec![fourth.forces(t)?.1.normal])),
+        row("gimbals/motion.rs at", move |t| Ok(course.at(t)?.to_array().to_vec())),
+        row("gimbals/motion.rs holds", move |t| more.holds(t).map(|_| vec![0.0])),
+        row("gimbals/motion.rs heat", move |t| Ok(most.heat(t)?.to_vec())),
+        row("accuracy/error_control/exact_motion.rs at", move |t| exact.at(t).map(of_state)),
         row("attitude/arcs.rs at", move |t| arcs.at(t).map(of_attitude)),
     ])
 }
@@ -575,9 +454,7 @@ fn of_runs() -> Result<Vec<Row<'static>>> {
 fn a_time_that_is_none_gives_no_place() {
     let body = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8).expect("a body"));
     let tilted = Attitude::from_rotation_vector(SpaceVector::new(0.3, 0.2, 0.1)).expect("finite");
-    let state = body
-        .state(tilted, BodyVector::new(0.3, 0.1, 2.0))
-        .expect("a state");
+    let state = body.state(tilted, BodyVector::new(0.3, 0.1, 2.0)).expect("a state");
     let (bodies, tops) = (free_bodies().expect("bodies"), tops().expect("tops"));
     let together = (FreeBodies::new(&bodies), HeavyTops::new(&tops));
     let mut rows = closed_forms(&bodies, &tops, &together);
@@ -589,21 +466,14 @@ fn a_time_that_is_none_gives_no_place() {
     assert_eq!(asked(&rows, &NONE), 5 * rows.len());
     assert_eq!(asked(&grown, &NONE[..3]), 12);
     // No function of a time is left out: the sources have these, and some inside.
-    let asked: BTreeSet<String> = rows
-        .iter()
-        .chain(&grown)
-        .map(|row| row.place.into())
-        .collect();
+    let asked: BTreeSet<String> = rows.iter().chain(&grown).map(|row| row.place.into()).collect();
     let mut found = BTreeSet::new();
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     for sources in ["../src", "../book/models/src"] {
         functions_of_a_time(&here.join(sources), "", &mut found);
     }
     let is_inside = |name: &String| INSIDE.iter().any(|inside| name.starts_with(inside));
-    let missing: Vec<_> = found
-        .difference(&asked)
-        .filter(|name| !is_inside(name))
-        .collect();
+    let missing: Vec<_> = found.difference(&asked).filter(|name| !is_inside(name)).collect();
     assert!(missing.is_empty(), "not asked: {missing:?}");
     assert!(found.len() > 55, "{}", found.len());
 }
@@ -630,10 +500,7 @@ const INSIDE: [&str; 14] = [
 fn functions_of_a_time(folder: &Path, name: &str, found: &mut BTreeSet<String>) {
     for entry in std::fs::read_dir(folder).expect("the sources") {
         let path = entry.expect("a file").path();
-        let inner = path
-            .file_name()
-            .and_then(|name| name.to_str())
-            .expect("a name");
+        let inner = path.file_name().and_then(|name| name.to_str()).expect("a name");
         let file = format!("{name}{inner}");
         if path.is_dir() {
             functions_of_a_time(&path, &format!("{file}/"), found);
@@ -661,9 +528,7 @@ fn a_run_to_no_time_is_refused() {
     let gravity = GravityAtLever::new(2.0, 0.4).expect("a weight");
     let scene = Scene::new(body).with(gravity);
     let tilted = Attitude::from_rotation_vector(SpaceVector::new(0.3, 0.2, 0.1)).expect("finite");
-    let start = body
-        .state(tilted, BodyVector::new(0.3, 0.1, 2.0))
-        .expect("a state");
+    let start = body.state(tilted, BodyVector::new(0.3, 0.1, 2.0)).expect("a state");
     let spring = second_order(|_, x, _| -x);
     let dop = Dop853::new(1e-9).expect("a method");
     let rk = Rk4::new(10).expect("steps");
@@ -671,67 +536,29 @@ fn a_run_to_no_time_is_refused() {
     let lie = MuntheKaas4::new(10).expect("steps");
     let split = Splitting::new(Scheme::STRANG, 10).expect("steps");
     let spun = SpinFree::new(&scene).expect("symmetric");
-    let top = Top::new(
-        Shape::new(0.1, 1e-4, 5e-5, 0.02, 0.005).expect("a shape"),
-        9.81,
-    );
+    let top = Top::new(Shape::new(0.1, 1e-4, 5e-5, 0.02, 0.005).expect("a shape"), 9.81);
     let top = top.expect("a top");
     let rotor = SymmetricTop::new(5.45e-3, 9.0e-4, 4.9, 0.1).expect("a rotor");
     let gimbals = Gimbals::new(rotor, [1.5e-4, 1.5e-4, 2e-5], 2e-4).expect("gimbals");
     let mut refused = 0;
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let limits = Limits {
-            t_start: bad,
-            ..Limits::default()
-        };
+        let limits = Limits { t_start: bad, ..Limits::default() };
         let ends: [(&str, bool); 16] = [
             ("solve", scene.solve(&start, bad, 1e-6).is_ok()),
-            (
-                "solve from",
-                scene.solve_with(&start, 1.0, 1e-6, &limits).is_ok(),
-            ),
-            (
-                "by stepping",
-                scene.solve_by_stepping(&start, bad, 1e-6).is_ok(),
-            ),
-            (
-                "along",
-                scene
-                    .solve_along(&start, bad, 1e-6, &Limits::default())
-                    .is_ok(),
-            ),
-            (
-                "at",
-                scene
-                    .solve_at(&start, &[1.0, bad], 1e-6, &Limits::default())
-                    .is_ok(),
-            ),
-            (
-                "dop",
-                dop.solve(&spring, 0.0, &[1.0, 0.0], bad, &[]).is_ok(),
-            ),
-            (
-                "dop from",
-                dop.solve(&spring, bad, &[1.0, 0.0], 1.0, &[]).is_ok(),
-            ),
-            (
-                "dop end",
-                dop.advance(&spring, bad, &[1.0, 0.0], 1.0).is_ok(),
-            ),
+            ("solve from", scene.solve_with(&start, 1.0, 1e-6, &limits).is_ok()),
+            ("by stepping", scene.solve_by_stepping(&start, bad, 1e-6).is_ok()),
+            ("along", scene.solve_along(&start, bad, 1e-6, &Limits::default()).is_ok()),
+            ("at", scene.solve_at(&start, &[1.0, bad], 1e-6, &Limits::default()).is_ok()),
+            ("dop", dop.solve(&spring, 0.0, &[1.0, 0.0], bad, &[]).is_ok()),
+            ("dop from", dop.solve(&spring, bad, &[1.0, 0.0], 1.0, &[]).is_ok()),
+            ("dop end", dop.advance(&spring, bad, &[1.0, 0.0], 1.0).is_ok()),
             ("rk", rk.advance(&scene, 0.0, &start, bad).is_ok()),
             ("gauss", gauss.advance(&scene, bad, &start, 1.0).is_ok()),
             ("lie", lie.advance(&scene, bad, &start, 1.0).is_ok()),
             ("split", split.advance(&scene, 0.0, &start, bad).is_ok()),
             ("spin-free", dop.advance(&spun, 0.0, &start, bad).is_ok()),
-            (
-                "planar",
-                simulate(&Falling, &dop, (), [1.0, 0.0], bad).is_ok(),
-            ),
-            (
-                "top",
-                top.simulate(&Throw::spinning(0.3, 150.0), bad, 1e-9)
-                    .is_ok(),
-            ),
+            ("planar", simulate(&Falling, &dop, (), [1.0, 0.0], bad).is_ok()),
+            ("top", top.simulate(&Throw::spinning(0.3, 150.0), bad, 1e-9).is_ok()),
             ("gimbals", {
                 let start = gimbals.released(1.0, 314.0);
                 GimbalMotion::new(gimbals, Bearings::SMOOTH, start, None, bad, 1e-9).is_ok()
@@ -743,18 +570,14 @@ fn a_run_to_no_time_is_refused() {
         }
     }
     assert_eq!(refused, 48);
-    let motion = scene
-        .solve_along(&start, 1.0, 1e-6, &Limits::default())
-        .expect("a motion");
+    let motion = scene.solve_along(&start, 1.0, 1e-6, &Limits::default()).expect("a motion");
     for bad in NONE {
         assert!(motion.try_state(bad).is_err() && motion.try_states(&[0.5, bad]).is_err());
     }
     // In closed form, later than the phase is known.
     let late = scene.solve(&start, 1e17, 1.0).expect_err("no phase");
     assert!(matches!(late, Error::PhaseLost { .. }), "{late}");
-    let alone = Scene::new(body)
-        .solve(&start, -1e100, 1.0)
-        .expect_err("no phase");
+    let alone = Scene::new(body).solve(&start, -1e100, 1.0).expect_err("no phase");
     assert!(matches!(alone, Error::PhaseLost { .. }), "{alone}");
     assert_eq!(
         free([1.0, 2.0, 2.5], [0.8, 0.4, 0.3])
@@ -771,10 +594,7 @@ struct Random(u64);
 
 impl Random {
     fn unit(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
@@ -796,12 +616,7 @@ fn turned(precession: DoubleDouble, theta: f64, spin: DoubleDouble) -> Attitude 
     let (sin_sum, cos_sum) = (precession + spin).scaled(0.5).sin_cos();
     let (sin_difference, cos_difference) = (precession - spin).scaled(0.5).sin_cos();
     let (sin, cos) = DoubleDouble::from(0.5 * theta).sin_cos();
-    let [w, x, y, z] = [
-        cos * cos_sum,
-        sin * cos_difference,
-        sin * sin_difference,
-        cos * sin_sum,
-    ];
+    let [w, x, y, z] = [cos * cos_sum, sin * cos_difference, sin * sin_difference, cos * sin_sum];
     Attitude::from_quaternion([w, x, y, z].map(|c| c.to_f64())).expect("a rotation")
 }
 
@@ -849,11 +664,7 @@ fn near_the_last_time_the_phase_is_right_and_beyond_it_is_refused() {
             errors.push(got.angle_to(&pairs(0.25 * t)));
             near += 1;
         }
-        for part in [
-            1.0 + 2.0 * EPS,
-            random.between(1.0, 4.0),
-            -random.between(1.1, 1e9),
-        ] {
+        for part in [1.0 + 2.0 * EPS, random.between(1.0, 4.0), -random.between(1.1, 1e9)] {
             let t = part * last * (1.0 + 2.0 * EPS);
             assert_eq!(latest(motion.try_attitude(t)), last);
             let plain = motion.kinematics(t);
@@ -894,12 +705,7 @@ fn a_pendulum_is_known_as_long() {
     let mut refused = 0;
     for _ in 0..400 {
         let rate = random.between(0.1, 10.0);
-        let suspension = Suspension {
-            moment: 1.0,
-            mass: 1.0,
-            gravity: rate,
-            lever: 1.0,
-        };
+        let suspension = Suspension { moment: 1.0, mass: 1.0, gravity: rate, lever: 1.0 };
         let pendulum = Pendulum::new(suspension, 1e-19, 0.0).expect("a pendulum");
         let last = latest(pendulum.at(1e300));
         let turns = last * pendulum.small_swing_frequency() / TAU;
@@ -938,10 +744,7 @@ fn an_orbit_is_known_as_long() {
             orbit.velocity(-random.between(1.1, 1e9) * last),
             eccentric.place(1.1 * last),
             orbit.passing_at(-1.1 * last).expect("a time").place(0.0),
-            orbit
-                .turning(0.0, 1e3 * rate.to_f64())
-                .expect("a rate")
-                .place(0.01 * last),
+            orbit.turning(0.0, 1e3 * rate.to_f64()).expect("a rate").place(0.01 * last),
         ] {
             assert!(late.to_array().iter().all(|x| x.is_nan()), "{late:?}");
             refused += 1;
@@ -1006,10 +809,7 @@ impl Effect for Widthless {
         SpaceVector::new(0.1, 0.2, 0.3)
     }
     fn narrowest(&self) -> Option<Feature> {
-        Some(Feature {
-            time: f64::NAN,
-            ..Feature::WIDE
-        })
+        Some(Feature { time: f64::NAN, ..Feature::WIDE })
     }
 }
 
@@ -1017,24 +817,14 @@ impl Effect for Widthless {
 #[test]
 fn a_width_that_is_none_is_refused() {
     let body = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8).expect("a body"));
-    let start = body
-        .state(Attitude::IDENTITY, BodyVector::new(0.3, 0.1, 2.0))
-        .expect("a state");
+    let start = body.state(Attitude::IDENTITY, BodyVector::new(0.3, 0.1, 2.0)).expect("a state");
     let wide = GravityAtLever::new(2.0, 0.4).expect("a weight");
     let gradient = GravityGradient::fixed(0.1, SpaceVector::new(1.0, 0.0, 0.0)).expect("a rate");
     let scene = Scene::new(body);
     for error in [
         scene.with(Widthless).solve(&start, 1.0, 1e-6),
-        scene
-            .with(Widthless)
-            .with(gradient)
-            .with(wide)
-            .solve(&start, 1.0, 1e-6),
-        scene
-            .with(wide)
-            .with(gradient)
-            .with(Widthless)
-            .solve(&start, 1.0, 1e-6),
+        scene.with(Widthless).with(gradient).with(wide).solve(&start, 1.0, 1e-6),
+        scene.with(wide).with(gradient).with(Widthless).solve(&start, 1.0, 1e-6),
     ] {
         let text = error.expect_err("no width").to_string();
         assert_eq!(text, "narrowest time = NaN is not a finite number");

@@ -91,10 +91,7 @@ fn states_are_within_the_budget_and_can_be_cancelled() -> Result<()> {
     let times: Vec<f64> = (1..=1000).map(f64::from).collect();
     let needed = scene.solve_along(&start, 1000.0, 1e-6, &Limits::default())?;
     let work = needed.solved().work.torques();
-    let limits = Limits {
-        budget: work + 5000,
-        ..Limits::default()
-    };
+    let limits = Limits { budget: work + 5000, ..Limits::default() };
     let over = scene.solve_at(&start, &times, 1e-6, &limits);
     assert!(
         matches!(over, Err(Error::LimitReached { what: "torques", limit, .. }) if limit == work + 5000)
@@ -103,18 +100,12 @@ fn states_are_within_the_budget_and_can_be_cancelled() -> Result<()> {
     let motion = scene.solve_along(&start, 1000.0, 1e-6, &limits)?;
     motion.try_state(1.0)?;
     let cancel = AtomicBool::new(false);
-    let limits = Limits {
-        cancel: Some(&cancel),
-        ..Limits::default()
-    };
+    let limits = Limits { cancel: Some(&cancel), ..Limits::default() };
     let motion = scene.solve_along(&start, 1000.0, 1e-6, &limits)?;
     motion.try_states(&times)?;
     cancel.store(true, std::sync::atomic::Ordering::Relaxed);
     let cancelled = motion.try_states(&times);
-    assert!(
-        matches!(cancelled, Err(Error::Cancelled { .. })),
-        "{cancelled:?}"
-    );
+    assert!(matches!(cancelled, Err(Error::Cancelled { .. })), "{cancelled:?}");
     Ok(())
 }
 
@@ -169,11 +160,8 @@ struct Table {
     asked: Cell<usize>,
 }
 impl Effect for Table {
-    const PROPERTIES: Properties = Properties {
-        smooth: true,
-        on_rates: false,
-        ..Properties::ANYTHING
-    };
+    const PROPERTIES: Properties =
+        Properties { smooth: true, on_rates: false, ..Properties::ANYTHING };
     fn name(&self) -> &'static str {
         "table"
     }
@@ -196,11 +184,7 @@ fn break_points_are_asked_for_a_few_times() -> Result<()> {
     let start = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 0.5))?;
     let mut asked = Vec::new();
     for knots in [10, 100, 1000, 20_000] {
-        let table = Table {
-            step: 0.01,
-            knots,
-            asked: Cell::new(0),
-        };
+        let table = Table { step: 0.01, knots, asked: Cell::new(0) };
         let scene = Scene::new(body).with(table);
         let t_end = 0.01 * knots as f64;
         let end = scene.solve(&start, t_end, 1e-6)?;
@@ -221,10 +205,7 @@ fn break_points_are_asked_for_a_few_times() -> Result<()> {
         assert!(off <= 1e-6, "{knots}: {off:e}");
         asked.push(scene.effects().1.asked.get());
     }
-    assert!(
-        asked.iter().all(|asked| *asked <= asked_at_most()),
-        "{asked:?}"
-    );
+    assert!(asked.iter().all(|asked| *asked <= asked_at_most()), "{asked:?}");
     assert_eq!(asked.len(), 4);
     Ok(())
 }
@@ -294,17 +275,15 @@ fn a_sampled_torque_is_answered_between_its_samples() -> Result<()> {
     for (dt, samples) in [(0.001, 1000), (0.1, 60), (0.01, 200), (1.0 / 3.0, 40)] {
         let held = |k: f64| BodyVector::new(0.3 * sin(3.7 * k), 0.2 * cos(1.9 * k), 0.1);
         let breaks: Vec<f64> = (1..samples).map(|k| f64::from(k) * dt).collect();
-        let sampled = Torque::on_body("sampled", |t: f64, _: &RigidBody, _: &State| {
-            held((t / dt).floor())
-        })
-        .smooth()
-        .with_break_points(&breaks)?;
+        let sampled =
+            Torque::on_body("sampled", |t: f64, _: &RigidBody, _: &State| held((t / dt).floor()))
+                .smooth()
+                .with_break_points(&breaks)?;
         let t_end = f64::from(samples) * dt;
         let mut exact = start;
         for k in 0..samples {
-            let constant = Torque::on_body("held", move |_: f64, _: &RigidBody, _: &State| {
-                held(f64::from(k))
-            });
+            let constant =
+                Torque::on_body("held", move |_: f64, _: &RigidBody, _: &State| held(f64::from(k)));
             let scene = Scene::new(body).with(constant);
             (exact, _) = Dop853::new(1e-14)?.advance(&scene, 0.0, &exact, dt)?;
         }
@@ -329,28 +308,23 @@ fn a_sampled_torque_may_pass_the_time_zero() -> Result<()> {
     let (mut answered, mut refused) = (0, 0);
     for (dt, first) in [(0.01, -100), (0.003, -70), (0.25, -13), (1.0 / 3.0, -31)] {
         let held = |k: f64| BodyVector::new(0.3 * sin(3.7 * k), 0.2 * cos(1.9 * k), 0.1);
-        let sampled = Torque::on_body("sampled", |t: f64, _: &RigidBody, _: &State| {
-            held((t / dt).floor())
-        })
-        .smooth();
+        let sampled =
+            Torque::on_body("sampled", |t: f64, _: &RigidBody, _: &State| held((t / dt).floor()))
+                .smooth();
         let breaks: Vec<f64> = (first + 1..90).map(|k| f64::from(k) * dt).collect();
         let mut sums = vec![f64::from(first) * dt];
         for n in 1..150 {
             sums.push(sums[n - 1] + dt);
         }
-        let limits = Limits {
-            t_start: f64::from(first) * dt,
-            ..Limits::default()
-        };
+        let limits = Limits { t_start: f64::from(first) * dt, ..Limits::default() };
         let solve = |breaks: &[f64]| -> Result<State> {
             let scene = Scene::new(body).with(sampled.clone().with_break_points(breaks)?);
             Ok(scene.solve_with(&start, 90.0 * dt, 1e-9, &limits)?.state)
         };
         let mut exact = start;
         for k in first..90 {
-            let constant = Torque::on_body("held", move |_, _: &RigidBody, _: &State| {
-                held(f64::from(k))
-            });
+            let constant =
+                Torque::on_body("held", move |_, _: &RigidBody, _: &State| held(f64::from(k)));
             let scene = Scene::new(body).with(constant);
             (exact, _) = Dop853::new(1e-14)?.advance(&scene, 0.0, &exact, dt)?;
         }
@@ -375,10 +349,7 @@ fn a_jump_of_an_attitude_is_told_with_its_time() -> Result<()> {
     let plate = Torque::on_body("plate", |_, _: &RigidBody, state: &State| {
         BodyVector::new(0.1 * state.attitude.axis().y().signum(), 0.0, 0.0)
     });
-    let limits = Limits {
-        t_start: 5.0,
-        ..Limits::default()
-    };
+    let limits = Limits { t_start: 5.0, ..Limits::default() };
     let scene = Scene::new(body).with(plate.smooth());
     let error = scene.solve_with(&turning(&body)?, 6.0, 1e-6, &limits);
     let Err(Error::Contradiction { effect, t, .. }) = &error else {
@@ -472,9 +443,7 @@ fn a_torque_that_remembers_is_refused() -> Result<()> {
             &with_hysteresis,
         ];
         for torque in all {
-            let error = solve(torque, tolerance)
-                .expect_err("it remembers")
-                .to_string();
+            let error = solve(torque, tolerance).expect_err("it remembers").to_string();
             let named = error.contains("\"controller\"") && error.contains("remembers nothing");
             assert!(named, "{n}: {error}");
             refused += 1;
@@ -502,13 +471,7 @@ fn switched(name: &'static str, kind: usize, size: f64) -> Torque<'static> {
             // A bearing that rubs, thrusters, the same with a deadband, a coarse converter.
             0 => [0.0, 0.0, -sign(c)],
             1 => errors.map(|error| -2.0 * sign(error)),
-            2 => errors.map(|error| {
-                if error.abs() > 0.05 {
-                    -2.0 * sign(error)
-                } else {
-                    0.0
-                }
-            }),
+            2 => errors.map(|error| if error.abs() > 0.05 { -2.0 * sign(error) } else { 0.0 }),
             _ => errors.map(|error| -(error / 0.02).round()),
         };
         BodyVector::new(u, v, w) * size
@@ -520,10 +483,7 @@ fn switched(name: &'static str, kind: usize, size: f64) -> Torque<'static> {
 #[test]
 fn sliding_motion_is_called_so() -> Result<()> {
     let body = body()?;
-    let limits = Limits {
-        budget: 1_000_000,
-        ..Limits::default()
-    };
+    let limits = Limits { budget: 1_000_000, ..Limits::default() };
     let mut ran = 0;
     for n in 0..12 {
         let (kind, size) = (n % 4, 0.03 + 0.03 * part(n));
@@ -535,29 +495,20 @@ fn sliding_motion_is_called_so() -> Result<()> {
         let Error::Sliding { effect, t } = &error else {
             panic!("{n}: {error}");
         };
-        assert!(
-            effect == "switching law" && *t > 0.1 && *t < 100.0,
-            "{n}: {error}"
-        );
+        assert!(effect == "switching law" && *t > 0.1 && *t < 100.0, "{n}: {error}");
         if kind == 0 {
             // The spin about e3 is used up, but for what the others give and take.
             let stop = body.moments().i3() * rates.z() / size;
             assert!((0.3..3.0).contains(&(*t / stop)), "{n}: {t} for {stop}");
         }
-        assert!(
-            error
-                .to_string()
-                .contains("sliding motion at a jump of \"switching law\"")
-        );
+        assert!(error.to_string().contains("sliding motion at a jump of \"switching law\""));
         ran += 1;
     }
     assert_eq!(ran, 12);
     // Late, after jumps that were crossed, and most steps are rejected.
-    for (rates, size, axis) in [
-        ([0.3, -0.2, 1.7], 0.2, 0),
-        ([0.3, -0.2, 1.7], 0.05, 1),
-        ([1.0, 0.5, -1.0], 0.05, 1),
-    ] {
+    for (rates, size, axis) in
+        [([0.3, -0.2, 1.7], 0.2, 0), ([0.3, -0.2, 1.7], 0.05, 1), ([1.0, 0.5, -1.0], 0.05, 1)]
+    {
         let body = RigidBody::new(PrincipalMoments::new(1.0, 1.4, 2.1)?);
         let start = body.state(Attitude::IDENTITY, rates.into())?;
         let rub = Torque::on_body("bearing", move |_, body: &RigidBody, state: &State| {
@@ -570,59 +521,23 @@ fn sliding_motion_is_called_so() -> Result<()> {
     }
     // The twin: a hundred jumps in a turn, all of them crossed.
     let wheel = Torque::on_body("toothed wheel", |_, _: &RigidBody, state: &State| {
-        BodyVector::new(
-            0.0,
-            0.0,
-            0.1 * sin(30.0 * state.attitude.axis().y()).signum(),
-        )
+        BodyVector::new(0.0, 0.0, 0.1 * sin(30.0 * state.attitude.axis().y()).signum())
     });
     let start = body.state(Attitude::IDENTITY, BodyVector::new(0.9, -0.2, 0.2))?;
     let crossed = (Scene::new(body).with(wheel)).solve_with(&start, 1e5, 1e-4, &limits);
-    let over = matches!(
-        crossed,
-        Err(Error::LimitReached {
-            what: "torques",
-            ..
-        })
-    );
+    let over = matches!(crossed, Err(Error::LimitReached { what: "torques", .. }));
     assert!(over, "{crossed:?}");
     // A jump that is crossed is no reason, nor is a budget too small for what is smooth.
     let start = turning(&body)?;
     let plate = Torque::on_space("plate", |_, _: &RigidBody, state: &State| {
-        let size = if state.attitude.axis().x() > 0.0 {
-            0.1
-        } else {
-            0.0
-        };
+        let size = if state.attitude.axis().x() > 0.0 { 0.1 } else { 0.0 };
         SpaceVector::new(size, 0.0, 0.0)
     });
-    let crossed = Scene::new(body)
-        .with(plate)
-        .solve_with(&start, 1e5, 1e-6, &limits);
-    assert!(
-        matches!(
-            crossed,
-            Err(Error::LimitReached {
-                what: "torques",
-                ..
-            })
-        ),
-        "{crossed:?}"
-    );
+    let crossed = Scene::new(body).with(plate).solve_with(&start, 1e5, 1e-6, &limits);
+    assert!(matches!(crossed, Err(Error::LimitReached { what: "torques", .. })), "{crossed:?}");
     let smooth = Torque::on_space("weight", weight(0.05));
-    let dear = Scene::new(body)
-        .with(smooth)
-        .solve_with(&start, 1e5, 1e-6, &limits);
-    assert!(
-        matches!(
-            dear,
-            Err(Error::LimitReached {
-                what: "torques",
-                ..
-            })
-        ),
-        "{dear:?}"
-    );
+    let dear = Scene::new(body).with(smooth).solve_with(&start, 1e5, 1e-6, &limits);
+    assert!(matches!(dear, Err(Error::LimitReached { what: "torques", .. })), "{dear:?}");
     Ok(())
 }
 
@@ -631,10 +546,7 @@ fn sliding_motion_is_called_so() -> Result<()> {
 #[test]
 fn what_looks_may_miss_is_said() -> Result<()> {
     let body = body()?;
-    let limits = Limits {
-        budget: 300_000,
-        ..Limits::default()
-    };
+    let limits = Limits { budget: 300_000, ..Limits::default() };
     let (mut said, mut unseen, mut over, mut refused) = (0, 0, 0, 0);
     let day = 86_400.0;
     let slow = body.state(Attitude::IDENTITY, BodyVector::new(3e-4, 2e-4, 1e-3))?;
@@ -660,43 +572,21 @@ fn what_looks_may_miss_is_said() -> Result<()> {
                     assert_eq!(solved.looked_every, Some(day / 4096.0));
                     said += 1;
                 }
-                Err(Error::Unseen {
-                    effect,
-                    every,
-                    limit,
-                    ..
-                }) => {
+                Err(Error::Unseen { effect, every, limit, .. }) => {
                     assert!(effect == name && every == day / 4096.0);
-                    let counted = if limit.is_none() {
-                        &mut unseen
-                    } else {
-                        &mut over
-                    };
+                    let counted = if limit.is_none() { &mut unseen } else { &mut over };
                     *counted += 1;
                 }
-                Err(Error::NotDelivered {
-                    condition: None, ..
-                }) => refused += 1,
+                Err(Error::NotDelivered { condition: None, .. }) => refused += 1,
                 Err(error) => panic!("{n} {name}: {error}"),
             }
         }
     }
     assert_eq!(said + unseen + over + refused, 48);
-    assert!(
-        said > 0 && unseen > 0 && over > 0,
-        "{said} {unseen} {over} {refused}"
-    );
+    assert!(said > 0 && unseen > 0 && over > 0, "{said} {unseen} {over} {refused}");
     // Named, it is met; and where nothing depends on the time, nothing was looked for.
     let named = Torque::on_body("thruster", |t: f64, _: &RigidBody, _: &State| {
-        BodyVector::new(
-            if (1e3..1005.0).contains(&t) {
-                1e-4
-            } else {
-                0.0
-            },
-            0.0,
-            0.0,
-        )
+        BodyVector::new(if (1e3..1005.0).contains(&t) { 1e-4 } else { 0.0 }, 0.0, 0.0)
     })
     .with_break_points(&[1e3, 1005.0])?;
     let solved = Scene::new(body).with(named).solve(&slow, day, 1e-6)?;
@@ -729,12 +619,7 @@ fn what_is_hopeless_is_refused_at_once() -> Result<()> {
         };
         let (refused, dear) = solve(1e-14);
         let error = refused.expect_err("hopeless");
-        let Error::NotDelivered {
-            best: attainable,
-            condition: Some(_),
-            ..
-        } = error
-        else {
+        let Error::NotDelivered { best: attainable, condition: Some(_), .. } = error else {
             panic!("{n}: {error}");
         };
         let (solved, cheap) = solve(20.0 * attainable);
@@ -761,13 +646,8 @@ fn a_motion_that_ends_is_told_with_its_time() -> Result<()> {
             let l = state.angular_momentum.z();
             SpaceVector::new(0.0, 0.0, l * l * rate)
         });
-        let limits = Limits {
-            budget: 2_000_000,
-            ..Limits::default()
-        };
-        let solved = Scene::new(body)
-            .with(driven)
-            .solve_with(&start, 1.5 * end, 1e-6, &limits);
+        let limits = Limits { budget: 2_000_000, ..Limits::default() };
+        let solved = Scene::new(body).with(driven).solve_with(&start, 1.5 * end, 1e-6, &limits);
         match solved.expect_err("it ends") {
             Error::StepUnderflow { t, .. } | Error::FunctionOutOfRange { t, .. } => {
                 assert!((t - end).abs() < 1e-3 * end, "{n}: {t} for {end}");

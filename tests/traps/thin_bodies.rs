@@ -57,11 +57,7 @@ struct Case<E> {
 impl<E: Effect> Case<((), E)> {
     fn new([i1, i2, i3]: [f64; 3], rates: [f64; 3], effect: E, t_end: f64) -> Self {
         let moments = PrincipalMoments::new(i1, i2, i3).expect("a body");
-        Self {
-            scene: Scene::new(RigidBody::new(moments)).with(effect),
-            rates,
-            t_end,
-        }
+        Self { scene: Scene::new(RigidBody::new(moments)).with(effect), rates, t_end }
     }
 }
 
@@ -76,10 +72,7 @@ impl<E: Effect> Case<E> {
     fn in_rates(&self, tolerance: f64) -> Result<(Attitude, u64)> {
         let [p, q, r] = self.rates;
         let rate = BodyVector::from_array(self.rates).norm();
-        let ode = InRates {
-            scene: &self.scene,
-            rate,
-        };
+        let ode = InRates { scene: &self.scene, rate };
         let start = [1.0, 0.0, 0.0, 0.0, p, q, r];
         let method = Dop853::new(tolerance)?;
         let ([w, x, y, z, ..], work) = method.advance(&ode, 0.0, &start, self.t_end)?;
@@ -108,9 +101,7 @@ impl<E: Effect> Case<E> {
         let rates = first(&|tolerance| self.in_rates(tolerance)).expect("a fine run");
         let dearest = rates[0] / 12 + 100;
         let momentum = first(&|tolerance| self.in_momentum(tolerance, dearest));
-        momentum.map_or(rates, |momentum| {
-            core::array::from_fn(|i| momentum[i].min(rates[i]))
-        })
+        momentum.map_or(rates, |momentum| core::array::from_fn(|i| momentum[i].min(rates[i])))
     }
 }
 
@@ -136,17 +127,10 @@ impl Table {
     }
 
     fn add<E: Effect>(&mut self, case: &Case<E>, tolerance: f64) {
-        let what = (
-            case.scene.body().moments().to_array(),
-            case.rates,
-            case.t_end,
-            tolerance,
-        );
+        let what = (case.scene.body().moments().to_array(), case.rates, case.t_end, tolerance);
         let solved = match case.scene.solve(&case.start(), case.t_end, tolerance) {
             Ok(solved) => solved,
-            Err(Error::NotDelivered {
-                condition: Some(_), ..
-            }) => {
+            Err(Error::NotDelivered { condition: Some(_), .. }) => {
                 self.refused += 1;
                 return;
             }
@@ -157,17 +141,13 @@ impl Table {
         // What the truth itself may be off by.
         let [cheapest, two] = (case.cheapest(&truth, error.max(1e-12))).map(|n| n as f64);
         self.error.push_at(error / tolerance, what);
-        self.run
-            .push_at(solved.run.torques() as f64 / cheapest, what);
+        self.run.push_at(solved.run.torques() as f64 / cheapest, what);
         self.all.push_at(solved.work.torques() as f64 / two, what);
     }
 }
 
 fn gradient() -> GravityGradient {
-    let (normal, towards) = (
-        SpaceVector::new(0.0, 0.0, 1.0),
-        SpaceVector::new(1.0, 0.0, 0.0),
-    );
+    let (normal, towards) = (SpaceVector::new(0.0, 0.0, 1.0), SpaceVector::new(1.0, 0.0, 0.0));
     GravityGradient::on_orbit(1.1e-3, normal, towards).expect("a low orbit")
 }
 
@@ -204,21 +184,11 @@ fn shapes_effects_and_tolerances() {
         let mut table = Table::of(shape);
         for tolerance in TOLERANCES {
             table.add(&Case::new(moments, rates, gradient(), 8640.0), tolerance);
-            table.add(
-                &Case::new(moments, rates, friction(moments), 8640.0),
-                tolerance,
-            );
-            table.add(
-                &Case::new(moments, rates, motor(moments), 8640.0),
-                tolerance,
-            );
+            table.add(&Case::new(moments, rates, friction(moments), 8640.0), tolerance);
+            table.add(&Case::new(moments, rates, motor(moments), 8640.0), tolerance);
         }
         assert_eq!(table.refused, refused, "{shape}");
-        assert!(
-            table.error.largest() <= 0.07,
-            "{shape}: {}",
-            table.error.largest()
-        );
+        assert!(table.error.largest() <= 0.07, "{shape}: {}", table.error.largest());
         table
     });
     assert_table!(tables.iter().flat_map(|table| [&table.run, &table.all]), @"
@@ -245,10 +215,7 @@ fn a_needle_under_gravity_gradient_for_a_day() {
     let needle = Case::new([0.01, 100.0, 100.0], rates, gradient(), 86_400.0);
     for tolerance in [1e-2, 1e-6] {
         table.add(&needle, tolerance);
-        table.add(
-            &Case::new([0.01, 100.0, 100.005], rates, gradient(), 8640.0),
-            tolerance,
-        );
+        table.add(&Case::new([0.01, 100.0, 100.005], rates, gradient(), 8640.0), tolerance);
     }
     assert!(table.refused == 0 && table.error.largest() <= 1.0);
     assert_largest!(table.run, 4, @"1.03");
@@ -306,10 +273,7 @@ fn random_slender_bodies() {
         let t_end = random.between(-8640.0, 8640.0);
         match (3.0 * random.unit()) as u8 {
             0 => table.add(&Case::new(moments, rates, gradient(), t_end), tolerance),
-            1 => table.add(
-                &Case::new(moments, rates, friction(moments), t_end.abs()),
-                tolerance,
-            ),
+            1 => table.add(&Case::new(moments, rates, friction(moments), t_end.abs()), tolerance),
             _ => table.add(&Case::new(moments, rates, motor(moments), t_end), tolerance),
         }
     }

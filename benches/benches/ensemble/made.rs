@@ -33,11 +33,7 @@ pub const GYROSCOPE: [f64; 5] = [5.45e-3, 9.0e-4, 4.9, 0.1, 300.0];
 const TILT: f64 = 1.0;
 
 pub fn gyroscope([i1, i3, weight, lever, spin]: [f64; 5]) -> rotation_dynamics::Result<HeavyTop> {
-    let start = EulerAngles {
-        phi: 0.0,
-        theta: TILT,
-        zeta: 0.0,
-    };
+    let start = EulerAngles { phi: 0.0, theta: TILT, zeta: 0.0 };
     let body = SymmetricTop::new(i1, i3, weight, lever)?;
     HeavyTop::from_body(body, start, BodyVector::new(0.0, 0.0, spin))
 }
@@ -47,11 +43,7 @@ pub const TUMBLING: [f64; 6] = [1.0, 2.0, 8.0 / 3.0, 0.8, 0.8, 0.9];
 
 pub fn tumbling([i1, i2, i3, l1, l2, l3]: [f64; 6]) -> rotation_dynamics::Result<FreeBody> {
     let rates = BodyVector::new(l1 / i1, l2 / i2, l3 / i3);
-    FreeBody::new(
-        PrincipalMoments::new(i1, i2, i3)?,
-        Attitude::IDENTITY,
-        rates,
-    )
+    FreeBody::new(PrincipalMoments::new(i1, i2, i3)?, Attitude::IDENTITY, rates)
 }
 
 /// The quantities of one body of an ensemble.
@@ -83,11 +75,7 @@ fn stepped_gyroscope(
 ) -> Outcome<Attitude> {
     let body = RigidBody::new(PrincipalMoments::symmetric(i1, i3)?);
     let scene = Scene::new(body).with(GravityAtLever::new(weight, lever)?);
-    let tilted = Attitude::from_euler(EulerAngles {
-        phi: 0.0,
-        theta: TILT,
-        zeta: 0.0,
-    })?;
+    let tilted = Attitude::from_euler(EulerAngles { phi: 0.0, theta: TILT, zeta: 0.0 })?;
     let start = body.state(tilted, BodyVector::new(0.0, 0.0, spin))?;
     let (end, _) = GaussLegendre::new(steps)?.advance(&SpinFree::new(&scene)?, 0.0, &start, t)?;
     Ok(end.attitude)
@@ -120,9 +108,7 @@ fn compare(
         let (error, condition) = case(body)?;
         let bound = LARGEST_K * EPS * (1.0 + condition);
         if error.is_nan() || error > bound {
-            Err(format!(
-                "{kind} {body}: off by {error:e} rad, and {bound:e} is allowed"
-            ))?;
+            Err(format!("{kind} {body}: off by {error:e} rad, and {bound:e} is allowed"))?;
         }
         largest = largest.max(error);
         conditions = conditions.max(condition);
@@ -144,37 +130,21 @@ fn compare(
 /// # Errors
 /// A difference larger than allowed.
 pub fn accuracy() -> Outcome<Table> {
-    let columns = [
-        "bodies",
-        "compared",
-        "largest error / rad",
-        "largest condition",
-        "largest K",
-    ];
+    let columns = ["bodies", "compared", "largest error / rad", "largest condition", "largest K"];
     let mut table = Table::new("accuracy", columns)?;
     compare("gyroscopes", &mut table, |body| {
         let made = quantities(GYROSCOPE, body);
         let motion = gyroscope(made)?;
         let t = 1000.0 * motion.nutation_period();
-        let error = motion
-            .attitude(t)
-            .angle_to(&stepped_gyroscope(made, t, 16_000)?);
-        Ok((
-            error,
-            condition(made, |made| Ok(gyroscope(made)?.attitude(t)))?,
-        ))
+        let error = motion.attitude(t).angle_to(&stepped_gyroscope(made, t, 16_000)?);
+        Ok((error, condition(made, |made| Ok(gyroscope(made)?.attitude(t)))?))
     })?;
     compare("tumbling bodies", &mut table, |body| {
         let made = quantities(TUMBLING, body);
         let motion = tumbling(made)?;
         let t = 1000.0 * motion.rate_period();
-        let error = motion
-            .attitude(t)
-            .angle_to(&stepped_tumbling(made, t, 16_000)?);
-        Ok((
-            error,
-            condition(made, |made| Ok(tumbling(made)?.attitude(t)))?,
-        ))
+        let error = motion.attitude(t).angle_to(&stepped_tumbling(made, t, 16_000)?);
+        Ok((error, condition(made, |made| Ok(tumbling(made)?.attitude(t)))?))
     })?;
     Ok(table)
 }

@@ -91,10 +91,8 @@ fn memory<B: Send + Sync>(
 
 /// How the mean axis of the gyroscopes decays; the last column needs no sample.
 fn mixing(tops: &[HeavyTop]) -> Outcome<Table> {
-    let rates: Vec<f64> = tops
-        .iter()
-        .map(|top| top.precession_per_period() / top.nutation_period())
-        .collect();
+    let rates: Vec<f64> =
+        tops.iter().map(|top| top.precession_per_period() / top.nutation_period()).collect();
     let count = rates.len() as f64;
     let mean = rates.iter().sum::<f64>() / count;
     let variance = rates.iter().map(|r| (r - mean) * (r - mean)).sum::<f64>() / count;
@@ -109,11 +107,7 @@ fn mixing(tops: &[HeavyTop]) -> Outcome<Table> {
     let mut table = Table::new("mixing", columns)?;
     let turns = [0.0, 1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 1e3, 1e5];
     let times = turns.map(|turns| turns * core::f64::consts::TAU / mean);
-    for ((turns, t), at_t) in turns
-        .iter()
-        .zip(times)
-        .zip(axes(tops, &times, HeavyTop::axis))
-    {
+    for ((turns, t), at_t) in turns.iter().zip(times).zip(axes(tops, &times, HeavyTop::axis)) {
         let tilt = at_t.mean().z();
         let normal = (1.0 - tilt * tilt).sqrt() * exp(-0.5 * variance * t * t);
         table.push([
@@ -170,9 +164,7 @@ impl Works<'_> {
         });
         let times: Vec<f64> = (0..128).map(|n| LATE + f64::from(n)).collect();
         let often = format!("{kind}: axis at 128 times");
-        self.time(often, TIMED * times.len(), || {
-            axes(&bodies[..TIMED], &times, axis)
-        });
+        self.time(often, TIMED * times.len(), || axes(&bodies[..TIMED], &times, axis));
         Ok(())
     }
 
@@ -235,20 +227,11 @@ fn main() -> Outcome<()> {
 
     // The threads of a pool have the work, so the clock is the one on the wall.
     let mut criterion = record::criterion().with_measurement(WallTime);
-    let mut works = Works {
-        criterion: &mut criterion,
-        pools: &pools,
-        done: Vec::new(),
-    };
+    let mut works = Works { criterion: &mut criterion, pools: &pools, done: Vec::new() };
     let numbers = || set_up(TIMED, |body| Ok(control(body)));
     works.time("control".into(), TIMED, numbers);
     works.all("gyroscope", made_top, HeavyTop::kinematics, HeavyTop::axis)?;
-    works.all(
-        "tumbling body",
-        made_body,
-        FreeBody::kinematics,
-        axis_of_body,
-    )?;
+    works.all("tumbling body", made_body, FreeBody::kinematics, axis_of_body)?;
     works.criterion.final_summary();
     let description = format!(
         "{BODIES} gyroscopes and {BODIES} tumbling bodies in closed form, each quantity within 1 % \

@@ -40,16 +40,9 @@ fn run(data: &Path, out: &Path) -> Result<usize, String> {
         };
         let path = out.join(format!("rotation__{family}.out"));
         let mut file = BufWriter::new(fs::File::create(&path).map_err(|e| at(&path, e))?);
-        for row in fs::read_to_string(&input)
-            .map_err(|e| at(&input, e))?
-            .lines()
-        {
+        for row in fs::read_to_string(&input).map_err(|e| at(&input, e))?.lines() {
             let line = match answer(&row.split_whitespace().collect::<Vec<_>>()) {
-                Ok(values) => values
-                    .iter()
-                    .map(|v| format!("{v:e}"))
-                    .collect::<Vec<_>>()
-                    .join(" "),
+                Ok(values) => values.iter().map(|v| format!("{v:e}")).collect::<Vec<_>>().join(" "),
                 Err(error) => format!("E:{error}"),
             };
             writeln!(file, "{line}").map_err(|e| at(&path, e))?;

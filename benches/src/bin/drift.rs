@@ -7,7 +7,6 @@
 //! Nothing here is timed: the same bits, and so the same record, on every machine. It
 //! takes some minutes; `tests/accuracy/drift.rs` computes the shorter times again.
 
-#[rustfmt::skip] // it is formatted with the examples
 #[path = "../../../examples/accuracy_races/drift.rs"]
 #[allow(dead_code, reason = "the example draws what is tabulated here")]
 mod drift;
@@ -38,22 +37,15 @@ fn record() -> Outcome<()> {
         ),
     )?;
     for (name, kind) in [("top", Kind::Top), ("free", Kind::Free)] {
-        let methods: Vec<Method> = Method::ALL
-            .into_iter()
-            .filter(|method| method.applies_to(kind))
-            .collect();
+        let methods: Vec<Method> =
+            Method::ALL.into_iter().filter(|method| method.applies_to(kind)).collect();
         let curves: Vec<Curve> = methods
             .par_iter()
             .map(|method| curve(*method, kind, STARTS, PERIODS))
             .collect::<Result<_>>()?;
         let columns = ["method", "periods", "phase / rad", "invariants"];
         let mut grown = Table::new(name, columns)?;
-        let columns = [
-            "method",
-            "of the phase",
-            "of the invariants",
-            "phase / rad per period",
-        ];
+        let columns = ["method", "of the phase", "of the invariants", "phase / rad per period"];
         let mut powers = Table::new(&format!("{name}_powers"), columns)?;
         for curve in &curves {
             let name = curve.method.names().1;

@@ -98,13 +98,8 @@ fn counted(method: &str, scene: &str) -> Outcome<Option<f64>> {
             .args(["--run", method, scene, &seconds.to_string()])
             .output()
             .map_err(|error| format!("valgrind, which counts, does not run: {error}"))?;
-        let (told, counts) = (
-            String::from_utf8(run.stdout)?,
-            String::from_utf8(run.stderr)?,
-        );
-        let collected = counts
-            .lines()
-            .find_map(|line| line.split_once("Collected : "));
+        let (told, counts) = (String::from_utf8(run.stdout)?, String::from_utf8(run.stderr)?);
+        let collected = counts.lines().find_map(|line| line.split_once("Collected : "));
         let (_, instructions) = collected.ok_or("valgrind tells no count")?;
         Ok([instructions.trim().parse()?, told.trim().parse()?])
     };
@@ -128,38 +123,23 @@ fn start(body: &RigidBody) -> Result<State> {
 
 /// Evaluations that a run of this many seconds took.
 fn evaluations(method: &str, scene: &str, seconds: u64) -> Result<u64> {
-    let free = Scene::new(if method == "ABA(10,4)" {
-        round()?
-    } else {
-        brick()?
-    });
+    let free = Scene::new(if method == "ABA(10,4)" { round()? } else { brick()? });
     let gravity = |strength: f64| GravityAtLever::new(0.37, 0.9 * strength);
-    let (x, z) = (
-        SpaceVector::new(1.0, 0.0, 0.0),
-        SpaceVector::new(0.0, 0.0, 1.0),
-    );
+    let (x, z) = (SpaceVector::new(1.0, 0.0, 0.0), SpaceVector::new(0.0, 0.0, 1.0));
     match scene {
         "free body" => carried(&free, method, seconds),
         "with gravity" => carried(&free.with(gravity(1.0)?), method, seconds),
         "with gravity of strength 0" => carried(&free.with(gravity(0.0)?), method, seconds),
-        "with viscous friction" => carried(
-            &free.with(ViscousFriction::new(1e-3, 2e-3)?),
-            method,
-            seconds,
-        ),
+        "with viscous friction" => {
+            carried(&free.with(ViscousFriction::new(1e-3, 2e-3)?), method, seconds)
+        }
         "with drag of the air" => {
             let (rho, nu) = (DiscDrag::AIR_DENSITY, DiscDrag::AIR_VISCOSITY);
-            carried(
-                &free.with(DiscDrag::new(0.3, rho, nu, 1.3)?),
-                method,
-                seconds,
-            )
+            carried(&free.with(DiscDrag::new(0.3, rho, nu, 1.3)?), method, seconds)
         }
-        "with the gravity gradient" => carried(
-            &free.with(GravityGradient::on_orbit(0.01, z, x)?),
-            method,
-            seconds,
-        ),
+        "with the gravity gradient" => {
+            carried(&free.with(GravityGradient::on_orbit(0.01, z, x)?), method, seconds)
+        }
         "free body, by hand" => by_hand(false, method, seconds),
         _ => by_hand(true, method, seconds),
     }
@@ -183,13 +163,9 @@ fn carried<E: Effect>(scene: &Scene<E>, method: &str, seconds: u64) -> Result<u6
         _ => {
             let split = Splitting::new(Scheme::ABA104, steps)?;
             if const { E::PROPERTIES.axis_only } {
-                split
-                    .advance(scene, 0.0, &start, end)
-                    .map(|(_, work)| ((), work))?
+                split.advance(scene, 0.0, &start, end).map(|(_, work)| ((), work))?
             } else if let Ok(resisted) = Resisted::new(scene, 0.0) {
-                split
-                    .advance(&resisted, 0.0, &start, end)
-                    .map(|(_, work)| ((), work))?
+                split.advance(&resisted, 0.0, &start, end).map(|(_, work)| ((), work))?
             } else {
                 return Ok(0);
             }
@@ -211,11 +187,7 @@ fn by_hand(heavy: bool, method: &str, seconds: u64) -> Result<u64> {
         };
         return Ok(work.torques());
     }
-    let (y, end, moments) = (
-        components(&start(&brick()?)?),
-        seconds as f64,
-        [1.0, 1.7, 2.2],
-    );
+    let (y, end, moments) = (components(&start(&brick()?)?), seconds as f64, [1.0, 1.7, 2.2]);
     let (free, weighed) = (ByHand::free(moments), ByHand::heavy(moments, moment));
     let (_, work) = match (method, heavy) {
         ("RK4", false) => Rk4::new(STEPS_A_SECOND * seconds)?.advance(&free, 0.0, &y, end)?,

@@ -19,8 +19,5 @@ pub fn answerer(family: &str) -> Option<fn(&[&str]) -> Answer> {
 
 /// The columns of a row as numbers.
 pub fn numbers(columns: &[&str]) -> Result<Vec<f64>, String> {
-    columns
-        .iter()
-        .map(|c| c.parse().map_err(|e| format!("{c}: {e}")))
-        .collect()
+    columns.iter().map(|c| c.parse().map_err(|e| format!("{c}: {e}"))).collect()
 }

@@ -50,10 +50,6 @@ pub fn build(project: &Project, out: &Path) -> Result<(), Box<dyn Error>> {
 pub fn once(project: &Project, out: &Path) -> Result<(), Box<dyn Error>> {
     let start = Instant::now();
     build(project, out)?;
-    eprintln!(
-        "The book is in {} ({:.1} s).",
-        out.display(),
-        start.elapsed().as_secs_f64()
-    );
+    eprintln!("The book is in {} ({:.1} s).", out.display(), start.elapsed().as_secs_f64());
     Ok(())
 }

@@ -111,11 +111,7 @@ fn questions(project: &Project, stem: &str) -> Result<Vec<Question>, String> {
             "-" => String::new(),
             unit => format!(" ({})", notation::symbols(unit)),
         };
-        questions.push(Question {
-            label: notation::symbols(&row[meaning]) + &unit,
-            group,
-            data,
-        });
+        questions.push(Question { label: notation::symbols(&row[meaning]) + &unit, group, data });
     }
     Ok(questions)
 }
@@ -130,8 +126,7 @@ fn data(
 ) -> Result<(String, Value), String> {
     let claim = project.claim(stem, key)?;
     let number = |name: &str, text: &str| -> Result<f64, String> {
-        text.parse()
-            .map_err(|_| format!("{stem}: the {name} of {key} is no number: {text}"))
+        text.parse().map_err(|_| format!("{stem}: the {name} of {key} is no number: {text}"))
     };
     let known: Result<Vec<_>, String> = slips
         .iter()
@@ -156,10 +151,7 @@ fn data(
 fn options(questions: &[Question]) -> String {
     let option = |question: &Question| {
         let key = question.data["key"].as_str().unwrap_or("");
-        format!(
-            "<option value=\"{key}\">{}</option>",
-            escape(&question.label)
-        )
+        format!("<option value=\"{key}\">{}</option>", escape(&question.label))
     };
     let mut groups: Vec<Option<&str>> = Vec::new();
     for question in questions {

@@ -78,8 +78,7 @@ fn console(text: &str) -> String {
 fn literal(kind: TokenKind, text: &str) -> &'static str {
     match kind {
         TokenKind::Literal {
-            kind: LiteralKind::Int { .. } | LiteralKind::Float { .. },
-            ..
+            kind: LiteralKind::Int { .. } | LiteralKind::Float { .. }, ..
         } => "number",
         TokenKind::Literal { .. } => "string",
         TokenKind::Ident if matches!(text, "true" | "false") => "number",
@@ -124,9 +123,7 @@ mod tests {
             path if path.is_dir() => sources(&path),
             path => vec![path],
         });
-        paths
-            .filter(|path| path.extension().is_some_and(|end| end == "rs"))
-            .collect()
+        paths.filter(|path| path.extension().is_some_and(|end| end == "rs")).collect()
     }
 
     /// Whether the HTML of a source says what it says, each line of it by itself.

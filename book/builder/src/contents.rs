@@ -34,10 +34,7 @@ pub fn html(project: &Project, pages: &[(String, String)]) -> Result<String, Str
         let title = page.lines().next().and_then(|line| line.strip_prefix("# "));
         let title = title.ok_or(format!("{file} has no title"))?;
         project.figure(stem, figure)?;
-        let figure = Splice::Figure {
-            stem: stem.clone(),
-            name: figure.clone(),
-        };
+        let figure = Splice::Figure { stem: stem.clone(), name: figure.clone() };
         html += &format!(
             "<a href=\"{stem}.html\"><span class=\"thumb\" aria-hidden=\"true\">{}</span>\
              <b>{}</b> <span class=\"minutes\">{} min</span></a>",

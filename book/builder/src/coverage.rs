@@ -17,9 +17,7 @@ pub struct Missing {
 }
 
 /// The elements that decide on the font of what is in them.
-const DECIDE: [&str; 9] = [
-    "math", "mtext", "mi", "code", "pre", "kbd", "script", "style", "title",
-];
+const DECIDE: [&str; 9] = ["math", "mtext", "mi", "code", "pre", "kbd", "script", "style", "title"];
 
 /// The characters of a page that the book's fonts lack, each once.
 ///

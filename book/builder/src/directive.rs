@@ -41,19 +41,9 @@ use kit::for_reading;
 #[derive(Debug, Clone, PartialEq)]
 pub enum Directive {
     /// A claim's value; with its unit if the word `unit` or the unit itself follows.
-    Num {
-        stem: String,
-        key: String,
-        digits: Option<usize>,
-        unit: Option<String>,
-    },
+    Num { stem: String, key: String, digits: Option<usize>, unit: Option<String> },
     /// The value of a parameter; digits and unit as for `Num`.
-    Param {
-        stem: String,
-        name: String,
-        digits: Option<usize>,
-        unit: Option<String>,
-    },
+    Param { stem: String, name: String, digits: Option<usize>, unit: Option<String> },
     /// A number that is given.
     Given(String),
     /// Figures, side by side.
@@ -63,18 +53,11 @@ pub enum Directive {
     /// The frames of a moving figure.
     Stills { stem: String },
     /// One frame of a figure that moves by itself, the values it is moved with, the sliders.
-    Moving {
-        stem: String,
-        still: String,
-        settings: Vec<Setting>,
-    },
+    Moving { stem: String, still: String, settings: Vec<Setting> },
     /// Lines of an example: in its file, or in one of its directory (`STEM/FILE`).
     Listing { file: String, anchor: String },
     /// The locked output, or one section of it.
-    Output {
-        stem: String,
-        section: Option<String>,
-    },
+    Output { stem: String, section: Option<String> },
     /// A section as a table.
     Table { stem: String, section: String },
     /// A table of a record of measurements.
@@ -90,10 +73,7 @@ pub enum Directive {
 }
 
 fn is_name(word: &str) -> bool {
-    !word.is_empty()
-        && word
-            .bytes()
-            .all(|b| b.is_ascii_alphanumeric() || b == b'_' || b == b'-')
+    !word.is_empty() && word.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_' || b == b'-')
 }
 
 impl Directive {
@@ -126,25 +106,13 @@ impl Directive {
                 let (stem, name) = pair(word).ok_or_else(|| wrong(form))?;
                 let unit = (!unit.is_empty()).then(|| unit.join(" "));
                 Ok(match kind {
-                    "num" => Self::Num {
-                        stem,
-                        key: name,
-                        digits,
-                        unit,
-                    },
-                    _ => Self::Param {
-                        stem,
-                        name,
-                        digits,
-                        unit,
-                    },
+                    "num" => Self::Num { stem, key: name, digits, unit },
+                    _ => Self::Param { stem, name, digits, unit },
                 })
             }
             ("num", _) => Err(wrong("num STEM:KEY}} or {{num STEM:KEY unit")),
             ("param", _) => Err(wrong("param STEM:NAME}} or {{param STEM:NAME unit")),
-            ("stills", [stem]) if is_name(stem) => Ok(Self::Stills {
-                stem: (*stem).to_owned(),
-            }),
+            ("stills", [stem]) if is_name(stem) => Ok(Self::Stills { stem: (*stem).to_owned() }),
             ("stills", _) => Err(wrong("stills STEM")),
             ("moving", [word, settings @ ..]) => {
                 let form = "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …";
@@ -152,11 +120,7 @@ impl Directive {
                 let settings: Option<Vec<Setting>> =
                     settings.iter().map(|word| Setting::read(word)).collect();
                 let settings = settings.ok_or_else(|| wrong(form))?;
-                Ok(Self::Moving {
-                    stem,
-                    still,
-                    settings,
-                })
+                Ok(Self::Moving { stem, still, settings })
             }
             ("moving", _) => Err(wrong("moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …")),
             ("given", [number]) if number_html(number).is_some() => {
@@ -192,16 +156,12 @@ impl Directive {
                 Ok(Self::Listing { file, anchor })
             }
             ("listing", _) => Err(wrong("listing STEM:ANCHOR")),
-            ("output", [word]) if is_name(word) => Ok(Self::Output {
-                stem: (*word).to_owned(),
-                section: None,
-            }),
+            ("output", [word]) if is_name(word) => {
+                Ok(Self::Output { stem: (*word).to_owned(), section: None })
+            }
             ("output", [word]) => {
                 let (stem, section) = pair(word).ok_or_else(|| wrong("output STEM:SECTION"))?;
-                Ok(Self::Output {
-                    stem,
-                    section: Some(section),
-                })
+                Ok(Self::Output { stem, section: Some(section) })
             }
             ("output", _) => Err(wrong("output STEM")),
             ("table", [word]) => {
@@ -214,31 +174,24 @@ impl Directive {
                 Ok(Self::Measured { record, table })
             }
             ("measured", _) => Err(wrong("measured RECORD:TABLE")),
-            ("check", [stem]) if is_name(stem) => Ok(Self::Check {
-                stem: (*stem).to_owned(),
-            }),
+            ("check", [stem]) if is_name(stem) => Ok(Self::Check { stem: (*stem).to_owned() }),
             ("check", _) => Err(wrong("check STEM")),
             ("exercise", _) => {
                 let said = inner.trim_start().trim_start_matches("exercise");
                 Exercise::read(said).map(Self::Exercise)
             }
-            ("exercises", [group]) if is_name(group) => Ok(Self::Exercises {
-                group: (*group).to_owned(),
-            }),
+            ("exercises", [group]) if is_name(group) => {
+                Ok(Self::Exercises { group: (*group).to_owned() })
+            }
             ("exercises", _) => Err(wrong("exercises GROUP")),
             ("test", [word]) => {
-                let (file, name) = word
-                    .split_once("::")
-                    .ok_or_else(|| wrong("test FILE::NAME"))?;
+                let (file, name) = word.split_once("::").ok_or_else(|| wrong("test FILE::NAME"))?;
                 // `src/a.rs::tests::name` names the same function.
                 let name = name.rsplit("::").next().unwrap_or(name);
                 if file.contains("..") || file.is_empty() || !is_name(name) {
                     return Err(wrong("test FILE::NAME"));
                 }
-                Ok(Self::Test {
-                    file: file.to_owned(),
-                    name: name.to_owned(),
-                })
+                Ok(Self::Test { file: file.to_owned(), name: name.to_owned() })
             }
             ("test", _) => Err(wrong("test FILE::NAME")),
             _ => Err(format!(
@@ -250,18 +203,12 @@ impl Directive {
 
     /// Whether it has its line for itself.
     pub fn is_block(&self) -> bool {
-        !matches!(
-            self,
-            Self::Num { .. } | Self::Param { .. } | Self::Given(_) | Self::Test { .. }
-        )
+        !matches!(self, Self::Num { .. } | Self::Param { .. } | Self::Given(_) | Self::Test { .. })
     }
 
     /// Whether the next paragraph is its caption.
     pub fn has_caption(&self) -> bool {
-        matches!(
-            self,
-            Self::Figure(_) | Self::Stills { .. } | Self::Moving { .. }
-        )
+        matches!(self, Self::Figure(_) | Self::Stills { .. } | Self::Moving { .. })
     }
 }
 
@@ -280,18 +227,8 @@ struct Shown {
 /// Reads a `num` or a `param`; `None` for other directives.
 fn shown(page: &mut Page, directive: &Directive) -> Result<Option<Shown>, String> {
     let (stem, name, digits, asked) = match directive {
-        Directive::Num {
-            stem,
-            key,
-            digits,
-            unit,
-        } => (stem, key, digits, unit),
-        Directive::Param {
-            stem,
-            name,
-            digits,
-            unit,
-        } => (stem, name, digits, unit),
+        Directive::Num { stem, key, digits, unit } => (stem, key, digits, unit),
+        Directive::Param { stem, name, digits, unit } => (stem, name, digits, unit),
         _ => return Ok(None),
     };
     page.stems.push(stem.to_owned());
@@ -316,11 +253,7 @@ fn shown(page: &mut Page, directive: &Directive) -> Result<Option<Shown>, String
         }
         Some(_) => Some(claim.unit.clone()),
     };
-    Ok(Some(Shown {
-        value,
-        unit,
-        claim: is_claim.then_some(claim),
-    }))
+    Ok(Some(Shown { value, unit, claim: is_claim.then_some(claim) }))
 }
 
 /// A number or a word with its unit, as HTML.
@@ -396,11 +329,7 @@ pub fn tex(page: &mut Page, directive: &Directive) -> Result<String, String> {
 /// What is missing.
 pub fn plain(page: &mut Page, directive: &Directive) -> Result<String, String> {
     match shown(page, directive)? {
-        Some(Shown {
-            value,
-            unit: Some(unit),
-            ..
-        }) => Ok(format!("{value} {unit}")),
+        Some(Shown { value, unit: Some(unit), .. }) => Ok(format!("{value} {unit}")),
         Some(shown) => Ok(shown.value),
         None => Err("only {{num …}} and {{param …}} may stand in code".into()),
     }
@@ -434,36 +363,14 @@ pub fn block(
             let frames: Vec<(String, String)> =
                 names.into_iter().map(|name| (stem.clone(), name)).collect();
             let marks = panels(page, &frames)?;
-            let player = Splice::Player {
-                stem: stem.clone(),
-                settings: Vec::new(),
-            };
-            Ok(page.row(
-                &marks,
-                Some((stem, &player.mark(""))),
-                caption,
-                indent,
-                "fig-frames",
-            ))
+            let player = Splice::Player { stem: stem.clone(), settings: Vec::new() };
+            Ok(page.row(&marks, Some((stem, &player.mark(""))), caption, indent, "fig-frames"))
         }
-        Directive::Moving {
-            stem,
-            still,
-            settings,
-        } => {
+        Directive::Moving { stem, still, settings } => {
             let marks = panels(page, &[(stem.clone(), still.clone())])?;
             live::known(project, stem, settings)?;
-            let player = Splice::Player {
-                stem: stem.clone(),
-                settings: settings.clone(),
-            };
-            Ok(page.row(
-                &marks,
-                Some((stem, &player.mark(""))),
-                caption,
-                indent,
-                "fig-moving",
-            ))
+            let player = Splice::Player { stem: stem.clone(), settings: settings.clone() };
+            Ok(page.row(&marks, Some((stem, &player.mark(""))), caption, indent, "fig-moving"))
         }
         Directive::Listing { file, anchor } => {
             let stem = file.split_once('/').map_or(file.as_str(), |(stem, _)| stem);
@@ -502,20 +409,13 @@ pub fn block(
                 found = times::of(project, stem, &found)?.table;
             }
             let text = table::plain(&found);
-            let mark = Splice::Table {
-                stem: stem.clone(),
-                section: section.clone(),
-            }
-            .mark(&text);
+            let mark = Splice::Table { stem: stem.clone(), section: section.clone() }.mark(&text);
             Ok(format!("{indent}<div class=\"box\">{mark}</div>\n\n"))
         }
         Directive::Measured { record, table } => {
             let (found, _) = measured::of(project, record, table)?;
-            let mark = Splice::Measured {
-                record: record.clone(),
-                table: table.clone(),
-            }
-            .mark(&table::plain(&found));
+            let mark = Splice::Measured { record: record.clone(), table: table.clone() }
+                .mark(&table::plain(&found));
             Ok(format!("{indent}<div class=\"box\">{mark}</div>\n\n"))
         }
         Directive::Check { stem } => {
@@ -527,10 +427,7 @@ pub fn block(
         Directive::Exercise(exercise) => Ok(format!("{indent}{}\n\n", exercise.html())),
         Directive::Exercises { group } => {
             exercises::html(project, group)?;
-            let mark = Splice::Exercises {
-                group: group.clone(),
-            }
-            .mark("");
+            let mark = Splice::Exercises { group: group.clone() }.mark("");
             Ok(format!("{indent}<div class=\"exercises\">{mark}</div>\n\n"))
         }
         Directive::Num { .. }
@@ -548,10 +445,7 @@ fn panels(page: &mut Page, figures: &[(String, String)]) -> Result<Vec<(String, 
         let svg = page.project.figure(stem, name)?;
         let alt = figure::alternative(&svg)
             .map_err(|e| format!("{}: {e}", Project::figure_file(stem, name)))?;
-        let splice = Splice::Figure {
-            stem: stem.clone(),
-            name: name.clone(),
-        };
+        let splice = Splice::Figure { stem: stem.clone(), name: name.clone() };
         let mark = splice.mark(&crate::text::unescape(alt));
         marks.push((format!("{stem}:{name}"), mark));
     }
@@ -560,20 +454,13 @@ fn panels(page: &mut Page, figures: &[(String, String)]) -> Result<Vec<(String, 
 
 fn fence(language: &str, code: &str) -> String {
     // One tick more than the longest run inside.
-    let longest = code
-        .split(|c| c != '`')
-        .map(str::len)
-        .max()
-        .unwrap_or_default();
+    let longest = code.split(|c| c != '`').map(str::len).max().unwrap_or_default();
     let ticks = "`".repeat(longest.max(2) + 1);
     format!("{ticks}{language}\n{code}\n{ticks}\n")
 }
 
 fn indented(markdown: &str, indent: &str) -> String {
-    markdown
-        .split_inclusive('\n')
-        .map(|line| format!("{indent}{line}"))
-        .collect()
+    markdown.split_inclusive('\n').map(|line| format!("{indent}{line}")).collect()
 }
 
 #[cfg(test)]
@@ -614,11 +501,7 @@ mod tests {
                 stem: "a".into(),
                 still: "frame_1".into(),
                 settings: vec![
-                    Setting {
-                        name: "b".into(),
-                        value: "0.6".into(),
-                        range: None
-                    },
+                    Setting { name: "b".into(), value: "0.6".into(), range: None },
                     Setting {
                         name: "spin-rate".into(),
                         value: "-2".into(),
@@ -629,24 +512,15 @@ mod tests {
         );
         assert_eq!(
             Directive::read("measured peers:ratios"),
-            Ok(Directive::Measured {
-                record: "peers".into(),
-                table: "ratios".into()
-            })
+            Ok(Directive::Measured { record: "peers".into(), table: "ratios".into() })
         );
         assert_eq!(
             Directive::read("test src/exact/ladder.rs::tests::at_release"),
-            Ok(Directive::Test {
-                file: "src/exact/ladder.rs".into(),
-                name: "at_release".into()
-            })
+            Ok(Directive::Test { file: "src/exact/ladder.rs".into(), name: "at_release".into() })
         );
         assert_eq!(
             Directive::read("test t::it"),
-            Ok(Directive::Test {
-                file: "t".into(),
-                name: "it".into()
-            })
+            Ok(Directive::Test { file: "t".into(), name: "it".into() })
         );
         // Each that is written wrongly, with how it must be written.
         let damaged = [
@@ -656,43 +530,19 @@ mod tests {
             ("num a:b@16", "num STEM:KEY@DIGITS, from 1 to 15"),
             ("num a:b@x", "num STEM:KEY@DIGITS, from 1 to 15"),
             ("num", "num STEM:KEY}} or {{num STEM:KEY unit"),
-            (
-                "param a",
-                "param STEM:NAME}} or {{param STEM:NAME@DIGITS unit",
-            ),
+            ("param a", "param STEM:NAME}} or {{param STEM:NAME@DIGITS unit"),
             ("param a:b@0", "num STEM:KEY@DIGITS, from 1 to 15"),
             ("param", "param STEM:NAME}} or {{param STEM:NAME unit"),
             ("stills", "stills STEM"),
             ("stills a:b", "stills STEM"),
             ("pages a:b c", "pages STEM:NAME STEM:NAME …"),
-            (
-                "moving",
-                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
-            ),
-            (
-                "moving a",
-                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
-            ),
-            (
-                "moving a:b c",
-                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
-            ),
-            (
-                "moving a:b c=",
-                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
-            ),
-            (
-                "moving a:b c=1:2",
-                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
-            ),
-            (
-                "moving a:b c=1:3..2",
-                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
-            ),
-            (
-                "moving a:b =1",
-                "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …",
-            ),
+            ("moving", "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …"),
+            ("moving a", "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …"),
+            ("moving a:b c", "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …"),
+            ("moving a:b c=", "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …"),
+            ("moving a:b c=1:2", "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …"),
+            ("moving a:b c=1:3..2", "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …"),
+            ("moving a:b =1", "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …"),
             ("given", "given NUMBER"),
             ("given pi", "given NUMBER"),
             ("given 1 2", "given NUMBER"),
@@ -727,10 +577,7 @@ mod tests {
             let message = Directive::read(inner).expect_err(inner);
             assert!(message.starts_with("unknown directive {{"), "{message}");
         }
-        assert_eq!(
-            Directive::read("num a:b@15").map(|d| d.is_block()),
-            Ok(false)
-        );
+        assert_eq!(Directive::read("num a:b@15").map(|d| d.is_block()), Ok(false));
         assert_eq!(Directive::read("check a").map(|d| d.is_block()), Ok(true));
     }
 

@@ -38,9 +38,7 @@ impl Exercise {
         let level = match level.parse() {
             Ok(level @ 1..=3) => level,
             _ => {
-                return Err(format!(
-                    "an exercise has the level 1, 2 or 3, not '{level}'"
-                ));
+                return Err(format!("an exercise has the level 1, 2 or 3, not '{level}'"));
             }
         };
         if !SOLVED.contains(solved) {
@@ -63,11 +61,7 @@ impl Exercise {
     /// Three dots, so many of them full.
     fn dots(&self) -> String {
         let dot = |n| {
-            if n < self.level {
-                "<i></i>"
-            } else {
-                "<i class=\"off\"></i>"
-            }
+            if n < self.level { "<i></i>" } else { "<i class=\"off\"></i>" }
         };
         let dots: String = (0..3).map(dot).collect();
         let level = self.level;
@@ -99,18 +93,13 @@ fn capital(text: &str) -> String {
 /// `16.6` and `The ladder` of the page's title; `F1` and the title where the notes have no number.
 fn title(stem: &str, page: &str) -> Option<(String, String)> {
     let title = page.lines().next()?.strip_prefix("# ")?.trim();
-    Some(
-        match title
-            .strip_prefix("Exercise ")
-            .and_then(|rest| rest.split_once(": "))
-        {
-            Some((number, name)) => (number.into(), name.into()),
-            None => {
-                let number = stem.trim_start_matches("further_").split('_').next()?;
-                (format!("F{number}"), title.into())
-            }
-        },
-    )
+    Some(match title.strip_prefix("Exercise ").and_then(|rest| rest.split_once(": ")) {
+        Some((number, name)) => (number.into(), name.into()),
+        None => {
+            let number = stem.trim_start_matches("further_").split('_').next()?;
+            (format!("F{number}"), title.into())
+        }
+    })
 }
 
 /// The effects in and left out, by their names in the locked output.
@@ -141,9 +130,7 @@ pub fn html(project: &Project, group: &str) -> Result<String, String> {
         let page = project.read(&file)?;
         let (number, name) = title(stem, &page).ok_or(format!("{file} has no title"))?;
         let said = page.lines().find_map(|line| {
-            line.strip_prefix("{{")?
-                .strip_suffix("}}")
-                .filter(|line| line.starts_with("exercise "))
+            line.strip_prefix("{{")?.strip_suffix("}}").filter(|line| line.starts_with("exercise "))
         });
         // A page that is just being written may not say it yet; a test asks it of all.
         let exercise = match said.map(Directive::read).transpose()? {
@@ -190,18 +177,12 @@ mod tests {
         );
         for (line, words) in [
             ("4 | closed form | none | a", "1, 2 or 3"),
-            (
-                "1 | guessed | none | a",
-                "closed form, closed form in part, simulation",
-            ),
+            ("1 | guessed | none | a", "closed form, closed form in part, simulation"),
             ("1 | simulation | | a", "or 'none'"),
             ("1 | simulation | none |", "teaches"),
             ("1 | simulation | none", "LEVEL | SOLVED"),
         ] {
-            assert!(
-                read(line).is_err_and(|error| error.contains(words)),
-                "{line}"
-            );
+            assert!(read(line).is_err_and(|error| error.contains(words)), "{line}");
         }
     }
 

@@ -108,14 +108,7 @@ impl<'a> Page<'a> {
         id: &str,
     ) -> String {
         self.figures += 1;
-        figure::row(&Row {
-            number: self.figures,
-            panels,
-            player,
-            caption,
-            indent,
-            id,
-        })
+        figure::row(&Row { number: self.figures, panels, player, caption, indent, id })
     }
 
     /// The Markdown for mdBook; `first` is the number of its first line.
@@ -153,10 +146,7 @@ impl<'a> Page<'a> {
         } else if rest.starts_with('`') {
             self.code_span(walk);
         } else if rest.starts_with("\\$") {
-            self.problem(
-                walk.line_number(),
-                "a dollar sign is a formula's; write the word",
-            );
+            self.problem(walk.line_number(), "a dollar sign is a formula's; write the word");
             walk.skip(2);
         } else if rest.starts_with("\\eqref{") {
             self.reference(walk);
@@ -227,10 +217,7 @@ impl<'a> Page<'a> {
         if let Some((caption_line, text)) = &caption {
             let text = text.trim_start_matches([' ', '>']);
             if text.is_empty() || text.starts_with(['#', '|']) || text.starts_with("{{") {
-                self.problem(
-                    *caption_line,
-                    "a figure is followed by a paragraph, its caption",
-                );
+                self.problem(*caption_line, "a figure is followed by a paragraph, its caption");
             } else if !text.starts_with("**") {
                 self.problem(
                     *caption_line,
@@ -271,12 +258,8 @@ impl<'a> Page<'a> {
     fn numbers_in_code(&mut self, code: &str, line: usize) -> String {
         let mut done = String::new();
         let mut rest = code;
-        let next = |text: &str| {
-            [text.find("{{num "), text.find("{{param ")]
-                .into_iter()
-                .flatten()
-                .min()
-        };
+        let next =
+            |text: &str| [text.find("{{num "), text.find("{{param ")].into_iter().flatten().min();
         while let Some(at) = next(rest) {
             // What is not closed is the code's own.
             let Some(end) = rest[at..].find("}}") else {
@@ -312,18 +295,11 @@ impl<'a> Page<'a> {
             let known: Vec<&str> = self.labels.keys().map(String::as_str).collect();
             self.problem(
                 line,
-                format!(
-                    "no equation is labelled '{label}'; labelled are: {}",
-                    known.join(", ")
-                ),
+                format!("no equation is labelled '{label}'; labelled are: {}", known.join(", ")),
             );
             return String::new();
         };
-        let page = if target.page == self.address {
-            ""
-        } else {
-            &target.page
-        };
+        let page = if target.page == self.address { "" } else { &target.page };
         format!(
             "<a class=\"eqref\" href=\"{page}#{}\">{}</a>",
             equation_id(label),
@@ -374,10 +350,7 @@ impl<'a> Page<'a> {
         let before = tex.get(..refused.at).unwrap_or(tex);
         let line = line + before.matches('\n').count();
         let near: String = tex[before.len()..].trim_start().chars().take(24).collect();
-        self.problem(
-            line,
-            format!("TeX: {} Near: {near}", refused.reason.trim_end()),
-        );
+        self.problem(line, format!("TeX: {} Near: {near}", refused.reason.trim_end()));
     }
 
     fn display(&mut self, walk: &mut Walk) {
@@ -442,10 +415,7 @@ impl<'a> Page<'a> {
         let rest = walk.rest();
         let paragraph = rest.find("\n\n").unwrap_or(rest.len());
         let Some(end) = rest[1..paragraph].find('$') else {
-            self.problem(
-                line,
-                "a formula that $ opens is not closed in its paragraph",
-            );
+            self.problem(line, "a formula that $ opens is not closed in its paragraph");
             walk.skip(1);
             return;
         };
@@ -485,9 +455,7 @@ impl<'a> Page<'a> {
 
 /// Whether a directive gives a number that may stand in a formula.
 fn is_number(inner: &str) -> bool {
-    ["num ", "param ", "given "]
-        .iter()
-        .any(|kind| inner.starts_with(kind))
+    ["num ", "param ", "given "].iter().any(|kind| inner.starts_with(kind))
 }
 
 fn without_directives(tex: &str) -> String {
@@ -540,18 +508,13 @@ impl<'s> Walk<'s> {
     fn indent(&self) -> &'s str {
         let start = self.source[..self.at].rfind('\n').map_or(0, |n| n + 1);
         let before = &self.source[start..self.at];
-        if before.trim_start_matches([' ', '>']).is_empty() {
-            before
-        } else {
-            ""
-        }
+        if before.trim_start_matches([' ', '>']).is_empty() { before } else { "" }
     }
 
     /// Goes on without writing, but keeps the count of lines.
     fn skip(&mut self, length: usize) {
         let skipped = &self.rest()[..length];
-        self.prose
-            .push_str(&"\n".repeat(skipped.matches('\n').count()));
+        self.prose.push_str(&"\n".repeat(skipped.matches('\n').count()));
         self.at += length;
     }
 
@@ -566,12 +529,7 @@ impl<'s> Walk<'s> {
     /// break a line before and after a formula.
     fn glued(&mut self, mark: &str) {
         let mut before = String::new();
-        while let Some(c) = self
-            .out
-            .chars()
-            .last()
-            .filter(|&c| "([\u{201c}".contains(c))
-        {
+        while let Some(c) = self.out.chars().last().filter(|&c| "([\u{201c}".contains(c)) {
             // `[` may open a link.
             if c == '[' {
                 break;
@@ -580,17 +538,12 @@ impl<'s> Walk<'s> {
             before.insert(0, c);
         }
         let rest = self.rest();
-        let after = rest.len()
-            - rest
-                .trim_start_matches([',', '.', ';', ':', '!', '?', ')'])
-                .len();
+        let after = rest.len() - rest.trim_start_matches([',', '.', ';', ':', '!', '?', ')']).len();
         let after = &rest[..after];
         if before.is_empty() && after.is_empty() {
             self.out.push_str(mark);
         } else {
-            self.out.push_str(&format!(
-                "<span class=\"glued\">{before}{mark}{after}</span>"
-            ));
+            self.out.push_str(&format!("<span class=\"glued\">{before}{mark}{after}</span>"));
         }
         self.at += after.len();
         self.prose.push_str(after);

@@ -45,15 +45,9 @@ pub fn page(html: &str, address: &str, place: &Place) -> Result<String, String> 
         "<button type=\"button\" id=\"mdbook-sidebar-toggle\"",
     )?;
     page.replace(" for=\"mdbook-sidebar-toggle-anchor\"", "")?;
-    page.replace(
-        "<body>",
-        "<body><a class=\"skip\" href=\"#main\">Skip to the text</a>",
-    )?;
+    page.replace("<body>", "<body><a class=\"skip\" href=\"#main\">Skip to the text</a>")?;
     page.replace("<main>", "<main id=\"main\" tabindex=\"-1\">")?;
-    page.replace(
-        "<div id=\"mdbook-menu-bar\"",
-        "<div role=\"banner\" id=\"mdbook-menu-bar\"",
-    )?;
+    page.replace("<div id=\"mdbook-menu-bar\"", "<div role=\"banner\" id=\"mdbook-menu-bar\"")?;
     page.whole("<nav class=\"nav-wrapper\"", "</nav>", &place.turn)?;
     page.colouring()?;
     page.themes();
@@ -92,8 +86,7 @@ impl Page {
         let close = format!("</{from}>");
         let end = self.0[at..].find(&close).map(|end| at + end);
         let end = end.ok_or_else(|| format!("mdBook's frame holds no {close}"))?;
-        self.0
-            .replace_range(end..end + close.len(), &format!("</{to}>"));
+        self.0.replace_range(end..end + close.len(), &format!("</{to}>"));
         self.0.replace_range(at + 1..at + 1 + from.len(), to);
         Ok(())
     }
@@ -153,10 +146,7 @@ impl Page {
         let text = unescape(&without_tags(paragraph));
         let words: Vec<&str> = text.split_whitespace().collect();
         let text = words.join(" ");
-        let end = text
-            .find(". ")
-            .or(text.find("? "))
-            .map_or(text.len(), |end| end + 1);
+        let end = text.find(". ").or(text.find("? ")).map_or(text.len(), |end| end + 1);
         let sentence: String = text[..end].chars().take(DESCRIPTION).collect();
         let place = "<meta name=\"description\" content=\"";
         if let Some((at, old)) = between(&self.0, 0, place, "\"") {
@@ -235,10 +225,7 @@ impl Page {
             items += &format!("<li><a href=\"#{id}\">{title}</a></li>");
             from = at;
         }
-        let Some(end) = self.0[main..]
-            .find("</h1>")
-            .map(|end| main + end + "</h1>".len())
-        else {
+        let Some(end) = self.0[main..].find("</h1>").map(|end| main + end + "</h1>".len()) else {
             return;
         };
         let fold = match items.is_empty() {
@@ -275,10 +262,7 @@ mod tests {
 
     #[test]
     fn the_frame_is_mended() {
-        let place = Place {
-            line: "<nav>after A</nav>".into(),
-            turn: "<nav>C</nav>".into(),
-        };
+        let place = Place { line: "<nav>after A</nav>".into(), turn: "<nav>C</nav>".into() };
         let done = page(FRAME, "b.html", &place).expect("a frame");
         for part in [
             "<title>B</title>",
@@ -300,9 +284,6 @@ mod tests {
         assert!(done.contains(UNCOLOURED) && !done.contains("-1."));
         // The damaged twin: another frame is refused, a page without one left alone.
         assert!(page(&FRAME.replace("<main>", "<div>"), "b.html", &place).is_err());
-        assert_eq!(
-            page("<p>moved</p>", "b.html", &place).as_deref(),
-            Ok("<p>moved</p>")
-        );
+        assert_eq!(page("<p>moved</p>", "b.html", &place).as_deref(), Ok("<p>moved</p>"));
     }
 }

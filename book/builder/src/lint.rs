@@ -33,9 +33,8 @@ pub fn bare_numbers(prose: &str) -> Vec<(usize, String)> {
 /// The first slanted differential in a formula: a letter d on its own in front of a letter, a
 /// command or a power, where a fraction, a stroke or a space that keeps terms apart begins it.
 pub fn slanted_differential(tex: &str) -> Option<&str> {
-    const BEGIN: [&str; 11] = [
-        "\\frac{", "\\tfrac{", "\\dfrac{", "}{", "/", "\\,", "\\;", "(", "-", "+", "=",
-    ];
+    const BEGIN: [&str; 11] =
+        ["\\frac{", "\\tfrac{", "\\dfrac{", "}{", "/", "\\,", "\\;", "(", "-", "+", "="];
     tex.match_indices('d').find_map(|(at, _)| {
         let (before, after) = (&tex[..at], &tex[at + 1..]);
         let begins = at == 0 || BEGIN.iter().any(|begin| before.trim_end().ends_with(begin));
@@ -43,10 +42,7 @@ pub fn slanted_differential(tex: &str) -> Option<&str> {
         let of_word =
             after.len() > 1 && letter && after[1..].starts_with(|c: char| c.is_ascii_alphabetic());
         let of = letter && !of_word || after.starts_with('\\') || after.starts_with("^2\\");
-        let end = tex[at..]
-            .char_indices()
-            .nth(8)
-            .map_or(tex.len(), |(n, _)| at + n);
+        let end = tex[at..].char_indices().nth(8).map_or(tex.len(), |(n, _)| at + n);
         (begins && of).then(|| &tex[at..end])
     })
 }
@@ -100,9 +96,6 @@ mod tests {
     #[test]
     fn results_are_told_from_section_numbers() {
         let prose = "Section 16.2, ex. 16.6\nU = 0.404 and -3.14159, a = 1.2, eq. 15.5.11\nv1.251.";
-        assert_eq!(
-            bare_numbers(prose),
-            [(1, "0.404".into()), (1, "3.14159".into())]
-        );
+        assert_eq!(bare_numbers(prose), [(1, "0.404".into()), (1, "3.14159".into())]);
     }
 }

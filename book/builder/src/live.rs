@@ -120,9 +120,7 @@ impl Modules {
             return String::new();
         }
         let shown = |flag: &Value| {
-            let setting = settings
-                .iter()
-                .find(|setting| flag["name"] == *setting.name);
+            let setting = settings.iter().find(|setting| flag["name"] == *setting.name);
             match setting {
                 None => settings.is_empty().then(|| flag.clone()),
                 Some(Setting { value, range, .. }) => range.map(|[from, to]| {
@@ -135,9 +133,7 @@ impl Modules {
         };
         let flags: Vec<Value> = self.flags(stem).iter().filter_map(shown).collect();
         let knobs: String = flags.iter().map(|flag| knob(flag, prefix)).collect();
-        let names = flags
-            .iter()
-            .map(|flag| format!("<span>{}</span>", text(flag, "name")));
+        let names = flags.iter().map(|flag| format!("<span>{}</span>", text(flag, "name")));
         let names: Vec<String> = names.collect();
         let knobs = match (knobs.is_empty(), settings.is_empty()) {
             (true, _) => String::new(),
@@ -150,10 +146,8 @@ impl Modules {
                 names.join(" ")
             ),
         };
-        let fixed: Vec<String> = settings
-            .iter()
-            .map(|Setting { name, value, .. }| format!("{name}={value}"))
-            .collect();
+        let fixed: Vec<String> =
+            settings.iter().map(|Setting { name, value, .. }| format!("{name}={value}")).collect();
         let plays = match fixed.is_empty() {
             true => String::new(),
             false => format!(" data-plays=\"{}\"", fixed.join(" ")),
@@ -192,19 +186,10 @@ impl Modules {
     /// The page with a button behind every command that runs an example, but where its output
     /// stands already. Where one is to predict first, the button asks for it.
     pub fn runs(&self, html: &str) -> String {
-        const MARKS: [&str; 7] = [
-            "<h2",
-            "<h3",
-            "<summary",
-            "</summary",
-            "Predict first",
-            "<pre><code",
-            "<code>",
-        ];
+        const MARKS: [&str; 7] =
+            ["<h2", "<h3", "<summary", "</summary", "Predict first", "<pre><code", "<code>"];
         let next = |rest: &str| {
-            let found = MARKS
-                .iter()
-                .filter_map(|mark| Some((rest.find(mark)?, *mark)));
+            let found = MARKS.iter().filter_map(|mark| Some((rest.find(mark)?, *mark)));
             found.min_by_key(|(at, mark)| (*at, MARKS.iter().position(|m| m == mark)))
         };
         let mut done = String::with_capacity(html.len());
@@ -217,11 +202,7 @@ impl Modules {
                 "Predict first" => predict = true,
                 "<h2" | "<h3" => predict = false,
                 _ => {
-                    let close = if mark == "<code>" {
-                        "</code>"
-                    } else {
-                        "</pre>"
-                    };
+                    let close = if mark == "<code>" { "</code>" } else { "</pre>" };
                     let Some(length) = rest[after..].find(close) else {
                         break;
                     };
@@ -234,10 +215,8 @@ impl Modules {
                         .filter(|_| mark != "<code>")
                         .map_or(code, |(_, code)| code);
                     if !summary {
-                        let buttons: String = code
-                            .lines()
-                            .filter_map(|line| self.button(line, predict))
-                            .collect();
+                        let buttons: String =
+                            code.lines().filter_map(|line| self.button(line, predict)).collect();
                         done += &match (mark, buttons.is_empty()) {
                             (_, true) | ("<code>", _) => buttons,
                             _ => format!("<div class=\"runs\">{buttons}</div>"),
@@ -285,20 +264,15 @@ impl Modules {
             .filter_map(|stem| {
                 let page = self.page(stem)?;
                 let needed = page.iter().filter(|(key, _)| *key != "declared");
-                let needed: Map<String, Value> = needed
-                    .map(|(key, value)| (key.clone(), value.clone()))
-                    .collect();
+                let needed: Map<String, Value> =
+                    needed.map(|(key, value)| (key.clone(), value.clone())).collect();
                 Some((stem.to_owned(), needed.into()))
             })
             .collect();
         let palette = self.index["palette"].as_array().into_iter().flatten();
         let inks: Vec<&Value> = palette.map(|colour| &colour["name"]).collect();
-        let data = json!({"pages": pages, "inks": inks})
-            .to_string()
-            .replace("</", "<\\/");
-        Some(format!(
-            "{ABLE}<script type=\"application/json\" id=\"live\">{data}</script>"
-        ))
+        let data = json!({"pages": pages, "inks": inks}).to_string().replace("</", "<\\/");
+        Some(format!("{ABLE}<script type=\"application/json\" id=\"live\">{data}</script>"))
     }
 
     /// The files that the pages load later, with their places in the book: two scripts, and each
@@ -309,28 +283,20 @@ impl Modules {
     pub fn files(&self, project: &Project) -> Result<Vec<(String, Vec<u8>)>, String> {
         let pages = self.index["pages"].as_object().into_iter().flatten();
         let lists = pages.flat_map(|(_, page)| LISTS.map(|list| &page[list]));
-        let names: BTreeSet<&str> = lists
-            .filter_map(Value::as_array)
-            .flatten()
-            .filter_map(Value::as_str)
-            .collect();
+        let names: BTreeSet<&str> =
+            lists.filter_map(Value::as_array).flatten().filter_map(Value::as_str).collect();
         let source = json!(project.read(SOURCE)?);
         let source = format!("Live.packed(\"module\",{source})\n");
         let mut files = vec![
             ("modules/module.js".to_owned(), source.into_bytes()),
-            (
-                "modules/run.js".to_owned(),
-                project.read(RUNS)?.into_bytes(),
-            ),
+            ("modules/run.js".to_owned(), project.read(RUNS)?.into_bytes()),
         ];
         for name in names {
             let file = format!("{}/{name}", self.directory);
             let bytes = std::fs::read(project.path(&file))
                 .map_err(|e| format!("cannot read {file}: {e}"))?;
-            let script = format!(
-                "Live.packed(\"{name}\",\"{}\")\n",
-                BASE64_STANDARD.encode(&bytes)
-            );
+            let script =
+                format!("Live.packed(\"{name}\",\"{}\")\n", BASE64_STANDARD.encode(&bytes));
             files.push((format!("modules/{name}.js"), script.into_bytes()));
             files.push((format!("modules/{name}"), bytes));
         }
@@ -380,17 +346,10 @@ fn text(flag: &Value, key: &str) -> String {
 fn knob(flag: &Value, prefix: &str) -> String {
     let [name, kind, allowed] = ["name", "kind", "allowed"].map(|key| text(flag, key));
     let meaning = flag["meaning"].as_str().unwrap_or_default();
-    let unit = flag["unit"]
-        .as_str()
-        .filter(|unit| *unit != "-")
-        .unwrap_or_default();
+    let unit = flag["unit"].as_str().filter(|unit| *unit != "-").unwrap_or_default();
     let spoken = match unit {
         "" => escape(&notation::symbols(meaning)),
-        unit => format!(
-            "{}, in {}",
-            escape(&notation::symbols(meaning)),
-            escape(unit)
-        ),
+        unit => format!("{}, in {}", escape(&notation::symbols(meaning)), escape(unit)),
     };
     let shown = notation::words(meaning);
     let (id, told) = (format!("{prefix}{name}"), format!("{prefix}{name}-told"));
@@ -424,11 +383,7 @@ fn knob(flag: &Value, prefix: &str) -> String {
                 "effect" => format!(" aria-label=\"strength: {spoken}\""),
                 _ => String::new(),
             };
-            let open = if kind == "optional" {
-                " placeholder=\"not set\""
-            } else {
-                ""
-            };
+            let open = if kind == "optional" { " placeholder=\"not set\"" } else { "" };
             format!(
                 "<input id=\"{id}\" class=\"value\" inputmode=\"decimal\" value=\"{typed}\"{open}{named} size=\"9\" \
                  autocomplete=\"off\" spellcheck=\"false\" aria-describedby=\"{told}\">"
@@ -479,11 +434,7 @@ fn slider(flag: &Value, typed: &str, spoken: &str) -> String {
         (digit, power @ ..=-1) => format!("0.{digit:0>0$}", power.unsigned_abs() as usize),
         (digit, power) => format!("{digit}{}", "0".repeat(power as usize)),
     };
-    let value = if typed.is_empty() {
-        format!("{}", 0.5 * (from + to))
-    } else {
-        typed.to_owned()
-    };
+    let value = if typed.is_empty() { format!("{}", 0.5 * (from + to)) } else { typed.to_owned() };
     format!("{head} min=\"{from}\" max=\"{to}\" step=\"{step}\" value=\"{value}\">{ends}</span>")
 }
 
@@ -511,16 +462,8 @@ mod tests {
             flag
         };
         let flags = json!([
-            flag(
-                "angle",
-                "number",
-                json!({"default": "0.25", "from": 0.01, "to": 1.5})
-            ),
-            flag(
-                "mass",
-                "optional",
-                json!({"unit": "-", "from": 0.1, "to": 100.0})
-            ),
+            flag("angle", "number", json!({"default": "0.25", "from": 0.01, "to": 1.5})),
+            flag("mass", "optional", json!({"unit": "-", "from": 0.1, "to": 100.0})),
             flag(
                 "start",
                 "choice",
@@ -569,10 +512,9 @@ mod tests {
             "p1-",
         );
         assert_eq!(opening.matches("class=\"knob ").count(), 1);
-        for part in [
-            " data-plays=\"angle=0.5 mass=2\">",
-            "min=\"1\" max=\"3\" step=\"0.01\" value=\"2\"",
-        ] {
+        for part in
+            [" data-plays=\"angle=0.5 mass=2\">", "min=\"1\" max=\"3\" step=\"0.01\" value=\"2\""]
+        {
             assert!(opening.contains(part), "{part}\n{opening}");
         }
         assert!(!opening.contains("<details"));
@@ -655,21 +597,13 @@ mod tests {
         let head =
             modules().head("<div class=\"player\" data-stem=\"rod\"><p data-stem=\"other\">");
         let head = head.expect("a player");
-        let data = head
-            .split("id=\"live\">")
-            .nth(1)
-            .and_then(|rest| rest.strip_suffix("</script>"));
+        let data =
+            head.split("id=\"live\">").nth(1).and_then(|rest| rest.strip_suffix("</script>"));
         let data: Value = serde_json::from_str(data.expect("data")).expect("JSON");
         let page = json!({"page": 3, "motion": ["a.gz"], "told": ["a.gz", "b.gz"], "full": ["a.gz", "b.gz"], "rest": ["c.gz"]});
-        assert_eq!(
-            data,
-            json!({"pages": {"rod": page}, "inks": ["fig-ink", "fig-axis"]})
-        );
+        assert_eq!(data, json!({"pages": {"rod": page}, "inks": ["fig-ink", "fig-axis"]}));
         // The damaged twins: no module, or nothing that uses it.
-        assert_eq!(
-            modules().head("<div class=\"player\" data-stem=\"other\">"),
-            None
-        );
+        assert_eq!(modules().head("<div class=\"player\" data-stem=\"other\">"), None);
         assert_eq!(modules().head("<form data-stem=\"rod\">"), None);
     }
 }

@@ -89,10 +89,5 @@ pub fn conditions(record: &Parsed) -> Option<String> {
         Some(row.get(1)?.as_str())
     };
     let date = value("date").map(|date| format!(", {date}"));
-    Some(format!(
-        "on {}, {}{}",
-        value("processor")?,
-        value("compiler")?,
-        date.unwrap_or_default()
-    ))
+    Some(format!("on {}, {}{}", value("processor")?, value("compiler")?, date.unwrap_or_default()))
 }

@@ -31,12 +31,8 @@ fn target_is_there() -> bool {
         return true;
     }
     let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
-    let told = Command::new(rustc)
-        .args(["--print", "target-libdir", "--target", TARGET])
-        .output();
-    let told = told
-        .ok()
-        .and_then(|told| String::from_utf8(told.stdout).ok());
+    let told = Command::new(rustc).args(["--print", "target-libdir", "--target", TARGET]).output();
+    let told = told.ok().and_then(|told| String::from_utf8(told.stdout).ok());
     told.is_some_and(|libraries| PathBuf::from(libraries.trim()).is_dir())
 }
 

@@ -54,11 +54,7 @@ fn read(html: &str) -> (Vec<Tag<'_>>, String) {
                 quiet.pop();
             }
         } else if name.starts_with(|c: char| c.is_ascii_alphabetic()) {
-            tags.push(Tag {
-                name,
-                attributes: attributes(&inner[name_end..]),
-                line,
-            });
+            tags.push(Tag { name, attributes: attributes(&inner[name_end..]), line });
             if matches!(name, "script" | "style" | "code" | "pre" | "textarea") {
                 quiet.push(name);
             }
@@ -99,9 +95,8 @@ fn attributes(text: &str) -> Vec<(&str, String)> {
     let mut found = Vec::new();
     let mut rest = text.trim_start_matches([' ', '\n', '\t', '/']);
     while !rest.is_empty() {
-        let end = rest
-            .find(|c: char| c.is_whitespace() || c == '=' || c == '/')
-            .unwrap_or(rest.len());
+        let end =
+            rest.find(|c: char| c.is_whitespace() || c == '=' || c == '/').unwrap_or(rest.len());
         let name = &rest[..end];
         rest = rest[end..].trim_start();
         let mut value = String::new();
@@ -178,15 +173,7 @@ pub fn check(
             problems.push(Problem::new(file, line, message));
         };
         for (n, line) in text.lines().enumerate() {
-            for left_over in [
-                "{{",
-                "}}",
-                "$",
-                "data-splice",
-                "\\tag",
-                "\\label",
-                "\\eqref",
-            ] {
+            for left_over in ["{{", "}}", "$", "data-splice", "\\tag", "\\label", "\\eqref"] {
                 if line.contains(left_over) {
                     problem(
                         n + 1,
@@ -210,19 +197,11 @@ pub fn check(
             if tag.name == "svg" && tag.get("role") == Some("img") {
                 let alt = tag.get("aria-label").unwrap_or("");
                 if alt.trim().len() < 10 {
-                    problem(
-                        tag.line,
-                        "{{figure",
-                        "a figure without alternative text".into(),
-                    );
+                    problem(tag.line, "{{figure", "a figure without alternative text".into());
                 }
             }
             if tag.name == "img" && tag.get("alt").is_none_or(|alt| alt.trim().is_empty()) {
-                problem(
-                    tag.line,
-                    "![](",
-                    "a picture without alternative text".into(),
-                );
+                problem(tag.line, "![](", "a picture without alternative text".into());
             }
             let loads = match tag.name {
                 "script" | "img" | "iframe" | "source" | "audio" | "video" | "embed" => {
@@ -270,10 +249,7 @@ fn resolves(
     if path.is_empty() {
         parts = page.split('/').collect();
     }
-    for part in path
-        .split('/')
-        .filter(|part| !part.is_empty() && *part != ".")
-    {
+    for part in path.split('/').filter(|part| !part.is_empty() && *part != ".") {
         if part == ".." {
             parts.pop();
         } else {

@@ -40,11 +40,7 @@ fn walk<'b>(
             BookItem::Chapter(chapter) if chapter.path.is_some() => {
                 let owner = parent.map(|parent| ("belongs to", parent));
                 let after = owner.or(before.map(|before| ("comes after", before)));
-                entries.push(Entry {
-                    chapter,
-                    part,
-                    after,
-                });
+                entries.push(Entry { chapter, part, after });
                 before = Some(chapter);
                 walk(&chapter.sub_items, before, part, entries);
             }
@@ -79,9 +75,7 @@ pub fn places(book: &Book) -> BTreeMap<String, Place> {
             }
         };
         let turned = |entry: Option<&Entry>, rel: &str| {
-            entry.map_or(String::new(), |entry| {
-                link(entry.chapter, &format!(" rel=\"{rel}\""))
-            })
+            entry.map_or(String::new(), |entry| link(entry.chapter, &format!(" rel=\"{rel}\"")))
         };
         let before = n.checked_sub(1).and_then(|n| entries.get(n));
         let turn = format!(

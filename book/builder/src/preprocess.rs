@@ -53,11 +53,7 @@ impl Preprocessor for Directives {
 
     fn run(&self, ctx: &PreprocessorContext, mut book: Book) -> Result<Book> {
         same_protocol(&ctx.mdbook_version)?;
-        let root = ctx
-            .root
-            .canonicalize()
-            .ok()
-            .and_then(|root| root.parent().map(Project::new));
+        let root = ctx.root.canonicalize().ok().and_then(|root| root.parent().map(Project::new));
         let project = root.ok_or(Error::msg("the book's directory has no parent"))?;
 
         // Labels first: an equation may be named on an earlier page.
@@ -142,10 +138,7 @@ fn orphans(
         if !stems.contains(stem) {
             orphan(file.clone(), "no page uses this example".into());
         }
-        if !project
-            .path(&format!("tests/snapshots/{stem}.snap"))
-            .is_file()
-        {
+        if !project.path(&format!("tests/snapshots/{stem}.snap")).is_file() {
             orphan(
                 file,
                 format!("its output is not locked: there is no tests/snapshots/{stem}.snap"),

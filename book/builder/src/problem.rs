@@ -16,11 +16,7 @@ pub struct Problem {
 impl Problem {
     /// A problem in `file` at `line`.
     pub fn new(file: impl Into<String>, line: usize, message: impl Into<String>) -> Self {
-        Self {
-            file: file.into(),
-            line,
-            message: message.into(),
-        }
+        Self { file: file.into(), line, message: message.into() }
     }
 }
 

@@ -29,10 +29,7 @@ impl Project {
 
     /// The nearest directory at or above `start` that holds `book/book.toml`.
     pub fn above(start: &Path) -> Option<Self> {
-        start
-            .ancestors()
-            .find(|dir| dir.join("book/book.toml").is_file())
-            .map(Self::new)
+        start.ancestors().find(|dir| dir.join("book/book.toml").is_file()).map(Self::new)
     }
 
     /// A path in the project.
@@ -118,17 +115,10 @@ impl Project {
     /// A claim of an example: the cells of its row, by the names of the columns.
     pub fn claim(&self, stem: &str, key: &str) -> Result<Claim, String> {
         let table = self.table(stem, "claims")?;
-        let row = table
-            .rows()
-            .iter()
-            .find(|row| row[0] == key)
-            .ok_or_else(|| {
-                let known: Vec<&str> = table.rows().iter().map(|row| row[0].as_str()).collect();
-                format!(
-                    "{stem} claims no '{key}'; its keys are: {}",
-                    known.join(", ")
-                )
-            })?;
+        let row = table.rows().iter().find(|row| row[0] == key).ok_or_else(|| {
+            let known: Vec<&str> = table.rows().iter().map(|row| row[0].as_str()).collect();
+            format!("{stem} claims no '{key}'; its keys are: {}", known.join(", "))
+        })?;
         let cell = |name: &str| -> Result<String, String> {
             let at = table.columns().iter().position(|column| column == name);
             at.map(|n| row[n].clone())
@@ -150,10 +140,7 @@ impl Project {
         let row = row.ok_or_else(|| {
             let known = table.rows().iter().map(|row| name_of_flag(&row[0]));
             let known: Vec<&str> = known.collect();
-            format!(
-                "{stem} has no parameter '{name}'; it has: {}",
-                known.join(", ")
-            )
+            format!("{stem} has no parameter '{name}'; it has: {}", known.join(", "))
         })?;
         let [_, value, unit, ..] = row.as_slice() else {
             return Err(format!("the parameters of {stem} have no value and unit"));
@@ -195,9 +182,7 @@ impl Project {
         let text = self.read(file)?;
         let mark = |line: &str, kind: &str| -> Option<String> {
             let comment = line.trim().strip_prefix("//")?.trim_start();
-            comment
-                .strip_prefix(kind)
-                .map(|name| name.trim().to_owned())
+            comment.strip_prefix(kind).map(|name| name.trim().to_owned())
         };
         let find = |kind: &str| -> Vec<usize> {
             text.lines()
@@ -229,10 +214,8 @@ impl Project {
             .map(|line| line.len() - line.trim_start().len())
             .min()
             .ok_or(format!("the listing {file}:{anchor} is empty"))?;
-        let dedented: Vec<&str> = lines
-            .iter()
-            .map(|line| line.get(indent..).unwrap_or(""))
-            .collect();
+        let dedented: Vec<&str> =
+            lines.iter().map(|line| line.get(indent..).unwrap_or("")).collect();
         Ok((dedented.join("\n").trim_matches('\n').to_owned(), start + 2))
     }
 
@@ -254,11 +237,8 @@ impl Project {
                 .and_then(|rest| rest.strip_prefix(name))
                 .is_some_and(|rest| rest.starts_with(['(', '<']))
         });
-        line.map(|line| TestSource {
-            file: file.clone(),
-            line: line + 1,
-        })
-        .ok_or(format!("{file} has no test '{name}'"))
+        line.map(|line| TestSource { file: file.clone(), line: line + 1 })
+            .ok_or(format!("{file} has no test '{name}'"))
     }
 }
 

@@ -20,9 +20,8 @@ type Line = (String, Vec<(f64, f64)>);
 /// A name without a table, a record or a table that is not there, or a table that has
 /// neither the columns of a strip nor errors for columns.
 pub fn svg(project: &Project, name: &str) -> Result<String, String> {
-    let (record, table) = name
-        .split_once('-')
-        .ok_or(format!("{STEM}:{name} must be written {STEM}:RECORD-TABLE"))?;
+    let (record, table) =
+        name.split_once('-').ok_or(format!("{STEM}:{name} must be written {STEM}:RECORD-TABLE"))?;
     let (found, _) = measured::of(project, record, table)?;
     drawn(&name.replace('-', "_"), &found)
 }
@@ -54,11 +53,7 @@ fn drawn(name: &str, table: &Table) -> Result<String, String> {
             true => Method::Other,
             false => Method::named(&method),
         };
-        let label = if look == Method::Other {
-            method.as_str()
-        } else {
-            look.label()
-        };
+        let label = if look == Method::Other { method.as_str() } else { look.label() };
         panel = panel.curve(look.curve(points).with_dots().label(label));
     }
     panel.figure().map(|f| f.svg()).map_err(|e| e.to_string())
@@ -92,9 +87,7 @@ fn of_races(table: &Table) -> Vec<Line> {
     let errors: Vec<Option<f64>> = table.columns().iter().map(|c| c.parse().ok()).collect();
     let points = |row: &Vec<String>| -> Vec<(f64, f64)> {
         let cells = row.iter().zip(&errors);
-        cells
-            .filter_map(|(cell, error)| Some((cell.parse().ok()?, (*error)?)))
-            .collect()
+        cells.filter_map(|(cell, error)| Some((cell.parse().ok()?, (*error)?))).collect()
     };
     let rows = table.rows().iter();
     rows.map(|row| (row[0].clone(), points(row))).collect()

@@ -54,12 +54,7 @@ pub fn html_of(project: &Project, splice: &Splice, number: &mut usize) -> Result
                 _ => format!("<span class=\"pieces\">{}</span>", set?.join("<wbr>")),
             })
         }
-        Splice::Display {
-            tex,
-            tag,
-            id,
-            boxed,
-        } => {
+        Splice::Display { tex, tag, id, boxed } => {
             let parts: Result<String, String> = maths::parts(tex)
                 .iter()
                 .map(|part| maths::mathml(part, true).map_err(|e| e.reason))
@@ -70,23 +65,16 @@ pub fn html_of(project: &Project, splice: &Splice, number: &mut usize) -> Result
             let tag = match (tag, id) {
                 (None, _) => String::new(),
                 (Some(tag), None) => format!("<span class=\"tag\">{}</span>", tag_html(tag)),
-                (Some(tag), Some(id)) => format!(
-                    "<a class=\"tag\" href=\"#{}\">{}</a>",
-                    escape(id),
-                    tag_html(tag)
-                ),
+                (Some(tag), Some(id)) => {
+                    format!("<a class=\"tag\" href=\"#{}\">{}</a>", escape(id), tag_html(tag))
+                }
             };
             Ok(format!(
                 "<span class=\"equation\"{}><span class=\"{class}\">{mathml}</span>{tag}</span>",
                 identifier.unwrap_or_default()
             ))
         }
-        Splice::Proof {
-            kind,
-            id,
-            html,
-            proof,
-        } => {
+        Splice::Proof { kind, id, html, proof } => {
             let label = match kind.as_str() {
                 "tick" => " aria-label=\"checked by a test\"",
                 _ => "",
@@ -199,9 +187,8 @@ fn build(project: &Project, ctx: &RenderContext) -> Result<()> {
         fs::write(&path, &html)?;
         written.insert(address, html);
     }
-    for (address, bytes) in modules
-        .map_or(Ok(Vec::new()), |m| m.files(project))
-        .map_err(Error::msg)?
+    for (address, bytes) in
+        modules.map_or(Ok(Vec::new()), |m| m.files(project)).map_err(Error::msg)?
     {
         let path = fresh.join(&address);
         fs::create_dir_all(path.parent().unwrap_or(fresh))?;
@@ -264,9 +251,7 @@ fn finish(
             _ => plain,
         })
     })?;
-    let live = modules
-        .and_then(|modules| modules.head(&html))
-        .unwrap_or_default();
+    let live = modules.and_then(|modules| modules.head(&html)).unwrap_or_default();
     let up = "../".repeat(address.matches('/').count());
     let preload: String = fonts
         .iter()

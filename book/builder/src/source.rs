@@ -33,11 +33,7 @@ pub fn pages(
             if let (Some(line), Some(from)) = (line, from)
                 && page != "print.html"
             {
-                backs.push(Back {
-                    line,
-                    link: format!("{page}#{from}"),
-                    title: title(html),
-                });
+                backs.push(Back { line, link: format!("{page}#{from}"), title: title(html) });
             }
         }
     }
@@ -46,10 +42,7 @@ pub fn pages(
         .map(|(file, mut backs)| {
             // The first page may stand twice, the second time as the index.
             backs.sort_by_key(|back| back.link.starts_with("index.html#"));
-            Ok((
-                format!("source/{file}.html"),
-                page(&file, &project.read(&file)?, &backs),
-            ))
+            Ok((format!("source/{file}.html"), page(&file, &project.read(&file)?, &backs)))
         })
         .collect()
 }
@@ -91,10 +84,7 @@ fn page(file: &str, text: &str, backs: &[Back]) -> String {
                 back.link, back.title
             );
         }
-        let _ = writeln!(
-            lines,
-            "<span id=\"L{n}\"><a href=\"#L{n}\">{n:>4}</a>  {line}</span>"
-        );
+        let _ = writeln!(lines, "<span id=\"L{n}\"><a href=\"#L{n}\">{n:>4}</a>  {line}</span>");
     }
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"UTF-8\"><title>{file}</title>\

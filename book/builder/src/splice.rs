@@ -14,26 +14,13 @@ pub enum Splice {
     /// A formula in a line.
     Inline { tex: String },
     /// A formula of its own.
-    Display {
-        tex: String,
-        tag: Option<String>,
-        id: Option<String>,
-        boxed: bool,
-    },
+    Display { tex: String, tag: Option<String>, id: Option<String>, boxed: bool },
     /// What opens a proof: a number (`num`) or a tick (`tick`), and the proof.
-    Proof {
-        kind: String,
-        id: String,
-        html: String,
-        proof: String,
-    },
+    Proof { kind: String, id: String, html: String, proof: String },
     /// A locked figure.
     Figure { stem: String, name: String },
     /// What plays a moving figure; if there are settings, by itself and with these.
-    Player {
-        stem: String,
-        settings: Vec<Setting>,
-    },
+    Player { stem: String, settings: Vec<Setting> },
     /// A section of the locked output.
     Table { stem: String, section: String },
     /// A table of a record of measurements.
@@ -53,30 +40,16 @@ impl Splice {
         let some = |field: &Option<String>| field.clone().unwrap_or_default();
         match self {
             Self::Inline { tex } => vec!["inline".into(), tex.clone()],
-            Self::Display {
-                tex,
-                tag,
-                id,
-                boxed,
-            } => vec![
+            Self::Display { tex, tag, id, boxed } => vec![
                 "display".into(),
                 tex.clone(),
                 some(tag),
                 some(id),
                 if *boxed { "boxed" } else { "" }.into(),
             ],
-            Self::Proof {
-                kind,
-                id,
-                html,
-                proof,
-            } => vec![
-                "proof".into(),
-                kind.clone(),
-                id.clone(),
-                html.clone(),
-                proof.clone(),
-            ],
+            Self::Proof { kind, id, html, proof } => {
+                vec!["proof".into(), kind.clone(), id.clone(), html.clone(), proof.clone()]
+            }
             Self::Figure { stem, name } => vec!["figure".into(), stem.clone(), name.clone()],
             Self::Player { stem, settings } => {
                 let words: Vec<String> = settings.iter().map(Setting::to_string).collect();
@@ -108,29 +81,17 @@ impl Splice {
                 html: html.into(),
                 proof: proof.into(),
             },
-            ["figure", stem, name] => Self::Figure {
-                stem: stem.into(),
-                name: name.into(),
-            },
+            ["figure", stem, name] => Self::Figure { stem: stem.into(), name: name.into() },
             ["player", stem, settings] => Self::Player {
                 stem: stem.into(),
-                settings: settings
-                    .split_whitespace()
-                    .map(Setting::read)
-                    .collect::<Option<_>>()?,
+                settings: settings.split_whitespace().map(Setting::read).collect::<Option<_>>()?,
             },
-            ["table", stem, section] => Self::Table {
-                stem: stem.into(),
-                section: section.into(),
-            },
-            ["measured", record, table] => Self::Measured {
-                record: record.into(),
-                table: table.into(),
-            },
+            ["table", stem, section] => Self::Table { stem: stem.into(), section: section.into() },
+            ["measured", record, table] => {
+                Self::Measured { record: record.into(), table: table.into() }
+            }
             ["check", stem] => Self::Check { stem: stem.into() },
-            ["exercises", group] => Self::Exercises {
-                group: group.into(),
-            },
+            ["exercises", group] => Self::Exercises { group: group.into() },
             _ => return None,
         })
     }
@@ -189,9 +150,7 @@ pub fn fill(
         let (fields, after) = mark[OPEN.len()..].split_once(MIDDLE).ok_or_else(damaged)?;
         let (_, after) = after.split_once(CLOSE).ok_or_else(damaged)?;
         let fields: Option<Vec<String>> = fields.split('.').map(decode).collect();
-        let splice = fields
-            .and_then(|fields| Splice::from_fields(&fields))
-            .ok_or_else(damaged)?;
+        let splice = fields.and_then(|fields| Splice::from_fields(&fields)).ok_or_else(damaged)?;
         filled.push_str(&fill(&splice)?);
         rest = after;
     }
@@ -206,19 +165,14 @@ mod tests {
     #[test]
     fn marks_come_back() {
         let splices = [
-            Splice::Inline {
-                tex: r"\dot\phi_1 * |x|".into(),
-            },
+            Splice::Inline { tex: r"\dot\phi_1 * |x|".into() },
             Splice::Display {
                 tex: "E=\n+ 1".into(),
                 tag: Some("16.2 (4)".into()),
                 id: None,
                 boxed: true,
             },
-            Splice::Figure {
-                stem: "a".into(),
-                name: "b".into(),
-            },
+            Splice::Figure { stem: "a".into(), name: "b".into() },
             Splice::Player {
                 stem: "a".into(),
                 settings: ["b=0.6", "c-d=1:-0.5..2"]
@@ -226,14 +180,8 @@ mod tests {
                     .filter_map(Setting::read)
                     .collect(),
             },
-            Splice::Table {
-                stem: "a".into(),
-                section: "limits".into(),
-            },
-            Splice::Measured {
-                record: "peers".into(),
-                table: "ratios".into(),
-            },
+            Splice::Table { stem: "a".into(), section: "limits".into() },
+            Splice::Measured { record: "peers".into(), table: "ratios".into() },
             Splice::Check { stem: "a".into() },
             Splice::Exercises { group: "a".into() },
             Splice::Proof {

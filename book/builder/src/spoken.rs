@@ -56,14 +56,7 @@ pub fn text(tex: &str) -> String {
     let spoken = reader.until(None);
     let words: Vec<&str> = spoken.split_whitespace().collect();
     let mut spoken = words.join(" ");
-    let tight = [
-        (" )", ")"),
-        ("( ", "("),
-        (" ;", ";"),
-        (" ,", ","),
-        (" _", "_"),
-        (" ^", "^"),
-    ];
+    let tight = [(" )", ")"), ("( ", "("), (" ;", ";"), (" ,", ","), (" _", "_"), (" ^", "^")];
     for (from, to) in tight {
         spoken = spoken.replace(from, to);
     }
@@ -176,10 +169,7 @@ mod tests {
     fn formulas_can_be_read_and_found() {
         let cases = [
             (r"\ddot\theta = W^2 \sin\theta", "theta'' = W^2 sin theta"),
-            (
-                r"\cos\theta_r = \tfrac{2}{3}\cos\theta_0",
-                "cos theta_r = 2/3 cos theta_0",
-            ),
+            (r"\cos\theta_r = \tfrac{2}{3}\cos\theta_0", "cos theta_r = 2/3 cos theta_0"),
             (
                 r"\dot\theta^2 = \frac{3g}{l}\,(\cos\theta_0 - \cos\theta)",
                 "theta'^2 = 3g/l (cos theta_0 - cos theta)",

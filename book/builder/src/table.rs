@@ -88,10 +88,7 @@ pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String
     for n in (0..numeric.len()).filter(shown) {
         let head = words(&table.columns()[n]);
         // Not every reader of screens takes a formula for text.
-        let label = format!(
-            "<math aria-label=\"{}\">",
-            escape(&symbols(&table.columns()[n]))
-        );
+        let label = format!("<math aria-label=\"{}\">", escape(&symbols(&table.columns()[n])));
         let alone = head.starts_with("<math>") && head.find("</math>") == head.rfind("</math>");
         let head = match alone && head.ends_with("</math>") {
             true => head.replacen("<math>", &label, 1),
@@ -119,9 +116,9 @@ pub fn html_with(table: &Table, strong: impl Fn(usize, usize) -> bool) -> String
                 (cell, _) if powers[n] => {
                     number_html(&with_power(cell)).unwrap_or_else(|| words(cell))
                 }
-                (cell, _) => number_html(cell)
-                    .or_else(|| quantity(cell))
-                    .unwrap_or_else(|| words(cell)),
+                (cell, _) => {
+                    number_html(cell).or_else(|| quantity(cell)).unwrap_or_else(|| words(cell))
+                }
             };
             let content = match strong(line, n) {
                 true => format!("<strong>{content}</strong>"),
@@ -144,9 +141,8 @@ fn label(column: &str) -> String {
     let Some(exponent) = column.strip_prefix("at 1e-") else {
         return symbols(column);
     };
-    let digits = exponent
-        .chars()
-        .filter_map(|digit| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit.to_digit(10)? as usize));
+    let digits =
+        exponent.chars().filter_map(|digit| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit.to_digit(10)? as usize));
     format!("at 10⁻{}", digits.collect::<String>())
 }
 
@@ -219,10 +215,7 @@ mod tests {
         let locked = "Sample\n\ntable mass\nmass  omega_floor  t_release in s\n1  2  3\n";
         let tables = kit::parse(locked).expect("it is a table").tables;
         let html = html(&tables[0]);
-        assert!(
-            html.contains("><math aria-label=\"ω_floor\"><msub>"),
-            "{html}"
-        );
+        assert!(html.contains("><math aria-label=\"ω_floor\"><msub>"), "{html}");
         assert_eq!(html.matches("aria-label").count(), 1, "{html}");
     }
 
@@ -262,10 +255,7 @@ mod tests {
     #[test]
     fn a_number_keeps_its_unit() {
         let cases = [
-            (
-                "1.2e-5 rad",
-                "1.2\u{202f}×\u{202f}10<sup>\u{2212}5</sup>\u{202f}rad",
-            ),
+            ("1.2e-5 rad", "1.2\u{202f}×\u{202f}10<sup>\u{2212}5</sup>\u{202f}rad"),
             ("3 m/s^2, upwards", "3\u{202f}m/s<sup>2</sup>, upwards"),
             ("0.5 of it", "0.5\u{202f}of it"),
             ("0.2 N m of it", "0.2\u{202f}N\u{202f}m of it"),

@@ -125,15 +125,11 @@ fn cells_number(table: &Table, row: &[String], name: &str) -> Option<f64> {
 fn summary(lines: &[Line], more: &str) -> String {
     let delivering: Vec<&Line> = lines.iter().filter(|line| line.delivers()).collect();
     let rivals = |error: f64| {
-        let same = delivering
-            .iter()
-            .filter(move |line| line.requested == error);
+        let same = delivering.iter().filter(move |line| line.requested == error);
         same.copied().filter(|line| !line.is_controlled())
     };
     // The greatest number of rivals; of equals, the last, which is the smallest error.
-    let contested = delivering
-        .iter()
-        .max_by_key(|line| rivals(line.requested).count());
+    let contested = delivering.iter().max_by_key(|line| rivals(line.requested).count());
     let Some(error) = contested.map(|line| line.requested) else {
         return String::new();
     };
@@ -146,18 +142,12 @@ fn summary(lines: &[Line], more: &str) -> String {
     let timed = rivals(error).filter(|line| line.time.is_some());
     let all = rivals(error).all(|line| line.time.is_some());
     let cheapest = timed.min_by(|a, b| by_time(a, b)).or(rivals(error).next());
-    let requests = delivering
-        .iter()
-        .copied()
-        .filter(|line| line.is_controlled());
+    let requests = delivering.iter().copied().filter(|line| line.is_controlled());
     if let Some(cheapest) = cheapest {
         let solved = requests.clone().find(|line| line.requested == error);
         let sure = match solved {
             Some(solved) => {
-                let ratio = solved
-                    .time
-                    .zip(cheapest.time)
-                    .map(|(all, least)| all / least);
+                let ratio = solved.time.zip(cheapest.time).map(|(all, least)| all / least);
                 let ratio = match ratio {
                     Some(ratio) => format!("{} times as long", short(ratio, 2)),
                     None => "a time that has not been measured".into(),
@@ -188,31 +178,23 @@ fn summary(lines: &[Line], more: &str) -> String {
             cheapest.words() + ".",
         ) + &paragraph("The price of being sure:", sure);
     }
-    let first = requests
-        .clone()
-        .max_by(|a, b| a.requested.total_cmp(&b.requested));
-    let last = requests
-        .clone()
-        .min_by(|a, b| a.requested.total_cmp(&b.requested));
+    let first = requests.clone().max_by(|a, b| a.requested.total_cmp(&b.requested));
+    let last = requests.clone().min_by(|a, b| a.requested.total_cmp(&b.requested));
     let (Some(first), Some(last)) = (first, last) else {
         return String::new();
     };
     let ratio = last.time.zip(first.time).map(|(last, first)| last / first);
     let price = match ratio {
-        Some(ratio) => format!(
-            "takes {} times as long as {}",
-            short(ratio, 2),
-            power(first.requested)
-        ),
+        Some(ratio) => {
+            format!("takes {} times as long as {}", short(ratio, 2), power(first.requested))
+        }
         None => "has not been timed".into(),
     };
-    paragraph(
-        &format!("For an error of {}:", power(first.requested)),
-        first.words() + ".",
-    ) + &paragraph(
-        "The price of digits:",
-        format!("an error of {} {price}.{more}", power(last.requested)),
-    )
+    paragraph(&format!("For an error of {}:", power(first.requested)), first.words() + ".")
+        + &paragraph(
+            "The price of digits:",
+            format!("an error of {} {price}.{more}", power(last.requested)),
+        )
 }
 
 /// The lesser time first; what was not timed last.
@@ -252,17 +234,11 @@ pub fn of(project: &Project, stem: &str, strip: &Table) -> Result<Timed, String>
     let times: Vec<Option<String>> = strip.rows().iter().map(|row| time(row)).collect();
 
     // The last column of a strip is the place for its times.
-    let (_, kept) = strip
-        .columns()
-        .split_last()
-        .ok_or("a strip without columns")?;
+    let (_, kept) = strip.columns().split_last().ok_or("a strip without columns")?;
     let columns = kept.iter().map(String::as_str).chain(["time"]);
     let mut timed = Table::new(SECTION, columns).map_err(|e| e.to_string())?;
-    let mut sorted: Vec<(&Vec<String>, &str)> = strip
-        .rows()
-        .iter()
-        .zip(times.iter().map(|time| time.as_deref().unwrap_or("-")))
-        .collect();
+    let mut sorted: Vec<(&Vec<String>, &str)> =
+        strip.rows().iter().zip(times.iter().map(|time| time.as_deref().unwrap_or("-"))).collect();
     let key = |(row, time): &(&Vec<String>, &str)| {
         let requested = cells_number(strip, row, "requested").unwrap_or(0.0);
         (-requested, time.parse().unwrap_or(f64::INFINITY))
@@ -279,11 +255,7 @@ pub fn of(project: &Project, stem: &str, strip: &Table) -> Result<Timed, String>
     let note = record
         .filter(|_| times.iter().any(Option::is_some))
         .map(|record| note(&record, !least.is_empty()));
-    Ok(Timed {
-        table: timed,
-        least,
-        note,
-    })
+    Ok(Timed { table: timed, least, note })
 }
 
 /// The lines with the least time among several that deliver the same error, if the time of
@@ -301,10 +273,8 @@ fn least(strip: &Table) -> Vec<usize> {
         })
         .collect();
     let is_least = |&&(line, requested, time): &&(usize, f64, Option<f64>)| {
-        let mut rivals = delivering
-            .iter()
-            .filter(|rival| rival.0 != line && rival.1 == requested)
-            .peekable();
+        let mut rivals =
+            delivering.iter().filter(|rival| rival.0 != line && rival.1 == requested).peekable();
         let beats = |rival: Option<f64>| time.zip(rival).is_some_and(|(own, rival)| own <= rival);
         rivals.peek().is_some() && rivals.all(|rival| beats(rival.2))
     };
@@ -313,9 +283,7 @@ fn least(strip: &Table) -> Vec<usize> {
 }
 
 fn note(record: &Parsed, marked: bool) -> String {
-    let unit = record
-        .table("table unit")
-        .and_then(|table| table.rows().first());
+    let unit = record.table("table unit").and_then(|table| table.rows().first());
     let mut note = String::from("Time: in units of one sample of the closed form");
     if let Some(unit) = unit.and_then(|row| row.get(1)) {
         note += &format!(" ({unit}\u{202f}ns)");
@@ -375,20 +343,12 @@ mod tests {
         assert!(
             line(asked).starts_with("DOP853 with 10<sup>−9</sup> as the error of a step: 3 steps")
         );
-        table
-            .push(["solve: slow", "1e-9", "1e-12", "90 steps", "50"])
-            .expect("sound");
+        table.push(["solve: slow", "1e-9", "1e-12", "90 steps", "50"]).expect("sound");
         let words = summary(&lines(&table), "");
-        for part in [
-            "fast: 2 steps, the time of 20 samples",
-            "takes 2.5 times as long",
-        ] {
+        for part in ["fast: 2 steps, the time of 20 samples", "takes 2.5 times as long"] {
             assert!(words.contains(part), "{words}");
         }
-        let alone: Vec<Line> = lines(&table)
-            .into_iter()
-            .filter(Line::is_controlled)
-            .collect();
+        let alone: Vec<Line> = lines(&table).into_iter().filter(Line::is_controlled).collect();
         assert!(summary(&alone, "").contains("For an error of 10<sup>\u{2212}9</sup>"));
         assert_eq!(summary(&[], ""), "");
     }

@@ -53,10 +53,7 @@ pub fn listen() {
 /// # Errors
 /// What mdBook warned of since the last call.
 pub fn none() -> Result<()> {
-    let heard = HEARD
-        .lock()
-        .map(|mut heard| std::mem::take(&mut *heard))
-        .unwrap_or_default();
+    let heard = HEARD.lock().map(|mut heard| std::mem::take(&mut *heard)).unwrap_or_default();
     if heard.is_empty() {
         Ok(())
     } else {

@@ -17,10 +17,8 @@ pub fn driven_in_air(
     [acceleration, inertia, way]: [f64; 3],
 ) -> Result<()> {
     let drag = QuadraticDrag::in_air(1.204, coefficient, area)?;
-    let ([time, speed], slowing) = (
-        drag.driven(acceleration, inertia, way),
-        drag.coefficient() / inertia,
-    );
+    let ([time, speed], slowing) =
+        (drag.driven(acceleration, inertia, way), drag.coefficient() / inertia);
     let law = second_order(|_, _, v| acceleration - slowing * v * v);
     let (there, _) = Dop853::new(1e-13)?.zero(&law, [0.0; 2], 1, 2.0 * time, |y| y[0] - way)?;
     crate::claims! { report,

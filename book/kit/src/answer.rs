@@ -36,11 +36,7 @@ pub struct Answer {
 
 impl From<f64> for Answer {
     fn from(value: f64) -> Self {
-        Self {
-            value,
-            unit: String::new(),
-            typed: None,
-        }
+        Self { value, unit: String::new(), typed: None }
     }
 }
 
@@ -72,11 +68,7 @@ impl Answer {
         if !value.is_finite() {
             return Err("that is not a finite number");
         }
-        Ok(Self {
-            value,
-            unit: unit.to_owned(),
-            typed: typed(number),
-        })
+        Ok(Self { value, unit: unit.to_owned(), typed: typed(number) })
     }
 
     /// The value in this unit: an angle may be given in degrees.
@@ -265,9 +257,7 @@ impl Reader<'_> {
     /// Whether a factor follows that needs no sign of multiplication before it.
     fn begins_word(&self) -> bool {
         let rest = self.rest.trim_start();
-        ["pi", "sqrt", "("]
-            .iter()
-            .any(|word| rest.starts_with(word))
+        ["pi", "sqrt", "("].iter().any(|word| rest.starts_with(word))
     }
 
     fn factor(&mut self) -> Option<f64> {
@@ -329,10 +319,7 @@ fn raised(base: f64, power: f64) -> f64 {
 /// Significant digits, and the worth of the last, of a decimal number or one times `10^n`.
 fn typed(number: &str) -> Option<(u32, f64)> {
     let tight: String = number.chars().filter(|c| *c != ' ').collect();
-    let tight = tight
-        .replace('x', "*")
-        .replace("*10^", "e")
-        .replace('E', "e");
+    let tight = tight.replace('x', "*").replace("*10^", "e").replace('E', "e");
     let unsigned = tight.trim_start_matches(['-', '+']);
     if number_end(unsigned) != Some(unsigned.len()) {
         return None;
@@ -341,10 +328,7 @@ fn typed(number: &str) -> Option<(u32, f64)> {
     let decimals = mantissa.split_once('.').map_or(0, |(_, d)| d.len() as i32);
     let digits = mantissa.replace('.', "");
     let last = exponent.parse::<i32>().ok()? - decimals;
-    Some((
-        digits.trim_start_matches('0').len() as u32,
-        format!("1e{last}").parse().ok()?,
-    ))
+    Some((digits.trim_start_matches('0').len() as u32, format!("1e{last}").parse().ok()?))
 }
 
 /// The powers of the base units in `unit`, radians left out; `None` if it is no unit.
@@ -404,11 +388,7 @@ pub const USUAL_SLIPS: [(f64, &str, &[&str]); 7] = [
     (2.0 * PI, "too large by 2 pi: turns or radians?", TURNS),
     (0.5 / PI, "too small by 2 pi: turns or radians?", TURNS),
     (180.0 / PI, DEGREES, ANGLES),
-    (
-        PI / 180.0,
-        "too small by 180/pi: converted to radians twice?",
-        ANGLES,
-    ),
+    (PI / 180.0, "too small by 180/pi: converted to radians twice?", ANGLES),
 ];
 
 /// What can be counted in turns or in radians.

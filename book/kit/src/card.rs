@@ -53,8 +53,7 @@ impl EffectEntry {
             .into_iter()
             .chain(&self.cost)
             .try_for_each(|cell| check_cell(cell))?;
-        self.measured
-            .map_or(Ok(()), |measured| self.predicts(measured))
+        self.measured.map_or(Ok(()), |measured| self.predicts(measured))
     }
 
     /// That what is measured of a small effect is what is predicted, within a factor 2.
@@ -98,11 +97,7 @@ impl EffectEntry {
             let claim = claims.iter().find(|claim| claim.key == *key);
             return claim.map(of).ok_or_else(|| Error::UnknownKey {
                 key: key.clone(),
-                known: claims
-                    .iter()
-                    .map(|claim| claim.key.as_str())
-                    .collect::<Vec<_>>()
-                    .join(", "),
+                known: claims.iter().map(|claim| claim.key.as_str()).collect::<Vec<_>>().join(", "),
             });
         }
         if self.unit == "-" || begins("of") || begins("rad") {
@@ -131,9 +126,7 @@ pub(super) fn table(effects: &[EffectEntry], claims: &[Claim], asked: f64) -> Re
     // Two columns stand only where a line has something to say in them.
     let measured = effects.iter().any(|e| e.measured.is_some());
     let counted = effects.iter().any(|e| e.cost.is_some());
-    let mut columns = ["effect", "number", "value", "error if left out"]
-        .map(String::from)
-        .to_vec();
+    let mut columns = ["effect", "number", "value", "error if left out"].map(String::from).to_vec();
     columns.extend(measured.then(|| "measured".into()));
     columns.extend(counted.then(|| "cost: without, with".into()));
     columns.extend(["here".into(), format!("at {asked:e}")]);

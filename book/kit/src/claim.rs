@@ -80,10 +80,7 @@ pub fn claim(
         value,
         unit: unit.into(),
         bound: f64::NAN,
-        oracle: Oracle {
-            name: "nothing".into(),
-            value: f64::NAN,
-        },
+        oracle: Oracle { name: "nothing".into(), value: f64::NAN },
         judged_within: 1e-3,
         slips: Vec::new(),
         group: None,
@@ -191,10 +188,7 @@ impl Claim {
             self.unit.clone(),
             self.printed_bound(),
             self.oracle.name.clone(),
-            below(
-                self.difference(),
-                EPS * self.value.abs().max(self.oracle.value.abs()),
-            ),
+            below(self.difference(), EPS * self.value.abs().max(self.oracle.value.abs())),
         ]
     }
 

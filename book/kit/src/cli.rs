@@ -44,16 +44,12 @@ fn brackets(flag: &Flag, default: Option<&str>) -> String {
 
 fn arg(flag: &Flag, defaults: &dyn Settings) -> Arg {
     let brackets = brackets(flag, flag.printed(defaults).as_deref());
-    let arg = Arg::new(flag.name())
-        .long(flag.name())
-        .help(format!("{}{brackets}", flag.meaning()));
+    let arg = Arg::new(flag.name()).long(flag.name()).help(format!("{}{brackets}", flag.meaning()));
     if flag.words().is_empty() {
         let unit = flag.unit();
-        arg.value_name("NUMBER")
-            .value_parser(move |text: &str| number(text, unit))
+        arg.value_name("NUMBER").value_parser(move |text: &str| number(text, unit))
     } else {
-        arg.value_name("WORD")
-            .value_parser(clap::builder::PossibleValuesParser::new(flag.words()))
+        arg.value_name("WORD").value_parser(clap::builder::PossibleValuesParser::new(flag.words()))
     }
 }
 
@@ -80,10 +76,7 @@ fn effect_args(defaults: &dyn Settings) -> [Arg; 2] {
     }
     let out = match present.is_empty() {
         true => "Leave an effect out".into(),
-        false => format!(
-            "Leave an effect out; in without this: {}",
-            present.join(", ")
-        ),
+        false => format!("Leave an effect out; in without this: {}", present.join(", ")),
     };
     let arg = |name: &'static str, value: &'static str, help: String| {
         let arg = Arg::new(name).long(name).value_name(value).help(help);
@@ -142,18 +135,10 @@ fn no_effect(flags: &[Flag], name: &str) -> String {
             "there is no effect '{name}': this example has none to put in or leave out"
         );
     }
-    let near = known
-        .iter()
-        .map(|known| (changes(name, known), known))
-        .min();
+    let near = known.iter().map(|known| (changes(name, known), known)).min();
     let near = near.filter(|(changes, _)| *changes <= 1 + name.len() / 3);
-    let near = near.map_or(String::new(), |(_, known)| {
-        format!("; do you mean {known}?")
-    });
-    format!(
-        "there is no effect '{name}'; there are: {}{near}",
-        known.join(", ")
-    )
+    let near = near.map_or(String::new(), |(_, known)| format!("; do you mean {known}?"));
+    format!("there is no effect '{name}'; there are: {}{near}", known.join(", "))
 }
 
 /// How many letters one adds, drops or exchanges to make one word of the other (Levenshtein).
@@ -202,8 +187,7 @@ pub fn joined(arguments: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
         let number = || text.parse::<f64>().is_ok() || Answer::read(text).is_ok();
         let negative = text.starts_with('-') && !text.starts_with("--") && number();
         let flag = |last: &&mut OsString| {
-            last.to_str()
-                .is_some_and(|l| l.starts_with("--") && !l.contains('='))
+            last.to_str().is_some_and(|l| l.starts_with("--") && !l.contains('='))
         };
         match all.last_mut().filter(flag) {
             Some(last) if negative => {
@@ -249,11 +233,7 @@ pub struct Outcome {
 
 impl Outcome {
     fn refused(reason: impl core::fmt::Display) -> Self {
-        Self {
-            stdout: String::new(),
-            stderr: format!("error: {reason}\n"),
-            code: 2,
-        }
+        Self { stdout: String::new(), stderr: format!("error: {reason}\n"), code: 2 }
     }
 }
 
@@ -431,11 +411,7 @@ fn command(run: &dyn Run) -> Command {
 
 fn outcome(run: &dyn Run, matches: &ArgMatches, keep: Keep<'_>) -> Result<Outcome> {
     let report = report(run)?;
-    let mut outcome = Outcome {
-        stdout: String::new(),
-        stderr: String::new(),
-        code: 0,
-    };
+    let mut outcome = Outcome { stdout: String::new(), stderr: String::new(), code: 0 };
     if let Some(answers) = matches.get_many::<(String, Answer)>("check") {
         for (key, value) in answers {
             let (line, right) = judged(&report, key, value)?;
@@ -510,10 +486,7 @@ fn delivered(outcome: &Outcome, out: &mut dyn Write, err: &mut dyn Write) -> u8 
 fn judged(report: &Report, key: &str, answer: &Answer) -> Result<(String, bool)> {
     let claim: &Claim = report.claim(key).ok_or_else(|| {
         let keys: Vec<&str> = report.claims().iter().map(|c| c.key.as_str()).collect();
-        Error::UnknownKey {
-            key: key.into(),
-            known: keys.join(", "),
-        }
+        Error::UnknownKey { key: key.into(), known: keys.join(", ") }
     })?;
     let unit = match claim.unit.as_str() {
         "-" => String::new(),
@@ -552,11 +525,7 @@ mod tests {
 
     #[test]
     fn a_full_disk_is_an_error_and_a_reader_gone_is_none() {
-        let outcome = Outcome {
-            stdout: "a report".into(),
-            stderr: "a word\n".into(),
-            code: 0,
-        };
+        let outcome = Outcome { stdout: "a report".into(), stderr: "a word\n".into(), code: 0 };
         let told = |kind| {
             let mut err = Vec::new();
             let code = delivered(&outcome, &mut Failing(kind), &mut err);

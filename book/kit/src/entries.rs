@@ -184,22 +184,15 @@ impl EffectLine {
             torques => format!("{torques} torques"),
         };
         let [without, with] = measured.work.map(torques);
-        let order = if weighed.linear && weighed.number.abs() <= SMALL {
-            ""
-        } else {
-            ", to first order"
-        };
+        let order =
+            if weighed.linear && weighed.number.abs() <= SMALL { "" } else { ", to first order" };
         let mut line = self
             .costs(weighed.predicted, format!("{of}{order}"))
             .at_cost(format!("{without}, {with}"));
         line.entry.beyond = !weighed.linear;
         line.asked = Some(tolerance);
         // Of an effect that is not small the first order need not hold.
-        let within = if weighed.linear {
-            measured.within
-        } else {
-            f64::INFINITY
-        };
+        let within = if weighed.linear { measured.within } else { f64::INFINITY };
         line.measured(measured.error).within(within)
     }
 }

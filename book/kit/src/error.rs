@@ -12,19 +12,9 @@ pub enum Error {
     /// What the library refuses, in its words.
     Library(rotation_dynamics::Error),
     /// A parameter of an example is outside what is allowed.
-    Parameter {
-        name: &'static str,
-        value: f64,
-        allowed: Interval,
-    },
+    Parameter { name: &'static str, value: f64, allowed: Interval },
     /// A number and the independent route that should confirm it differ too much.
-    Contradicted {
-        key: String,
-        value: f64,
-        oracle: String,
-        oracle_value: f64,
-        bound: f64,
-    },
+    Contradicted { key: String, value: f64, oracle: String, oracle_value: f64, bound: f64 },
     /// A name or a piece of text does not fit where it is to be printed.
     Text { text: String, allowed: &'static str },
     /// There is no claim with this key.
@@ -40,11 +30,7 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Library(error) => error.fmt(f),
-            Self::Parameter {
-                name,
-                value,
-                allowed,
-            } => {
+            Self::Parameter { name, value, allowed } => {
                 // Of what was computed six digits say enough, unless the value they say is allowed.
                 let text = plain(*value);
                 let short = format!("{value:.5e}").parse().unwrap_or(*value);
@@ -54,13 +40,7 @@ impl fmt::Display for Error {
                 };
                 write!(f, "{name} = {text} is not allowed: {allowed}")
             }
-            Self::Contradicted {
-                key,
-                value,
-                oracle,
-                oracle_value,
-                bound,
-            } => write!(
+            Self::Contradicted { key, value, oracle, oracle_value, bound } => write!(
                 f,
                 "{key} = {value:?} is contradicted: {oracle} gives {oracle_value:?}, \
                  and they may differ by {bound:?}"

@@ -92,10 +92,7 @@ impl<P: ParameterSet> Example<P> {
     }
 
     fn with(&self, parameters: P) -> Running<'_, P> {
-        Running {
-            example: self,
-            parameters,
-        }
+        Running { example: self, parameters }
     }
 
     /// With its defaults.

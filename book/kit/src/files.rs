@@ -13,13 +13,7 @@ pub(super) struct Directories(Vec<PathBuf>);
 impl Directories {
     pub(super) fn missing(place: &Path) -> Self {
         let missing = |p: &&Path| !p.as_os_str().is_empty() && !p.exists();
-        Self(
-            place
-                .ancestors()
-                .take_while(missing)
-                .map(Into::into)
-                .collect(),
-        )
+        Self(place.ancestors().take_while(missing).map(Into::into).collect())
     }
 
     pub(super) fn keep(mut self) {
@@ -39,10 +33,7 @@ impl Drop for Directories {
 /// Where the content of a file goes.
 enum Place {
     /// A file: the new one takes its name when it is whole.
-    File {
-        path: PathBuf,
-        replaced: Option<Metadata>,
-    },
+    File { path: PathBuf, replaced: Option<Metadata> },
     /// A pipe: what is written cannot be taken back.
     Pipe(PathBuf),
 }
@@ -56,10 +47,7 @@ impl Place {
     /// The same through at most so many links to what is not there.
     fn through(path: &Path, links: u32) -> Result<Self> {
         let refused = |reason: &str| {
-            Err(Error::File {
-                path: path.display().to_string(),
-                reason: reason.into(),
-            })
+            Err(Error::File { path: path.display().to_string(), reason: reason.into() })
         };
         let Ok(found) = fs::metadata(path) else {
             // A link to nothing yet is written through; it may lead to another.
@@ -67,10 +55,7 @@ impl Place {
                 Ok(_) if links == 0 => refused("its links lead round in a circle"),
                 Ok(to) => Self::through(&path.with_file_name(to), links - 1),
                 Err(_) if path.file_name().is_none() => refused("it does not name a file"),
-                Err(_) => Ok(Self::File {
-                    path: path.into(),
-                    replaced: None,
-                }),
+                Err(_) => Ok(Self::File { path: path.into(), replaced: None }),
             };
         };
         if found.is_dir() {
@@ -179,8 +164,5 @@ fn stage(path: &Path, content: &str, replaced: &Option<Metadata>) -> Result<Path
 }
 
 pub(super) fn failure(path: &Path, error: &std::io::Error) -> Error {
-    Error::File {
-        path: path.display().to_string(),
-        reason: error.to_string(),
-    }
+    Error::File { path: path.display().to_string(), reason: error.to_string() }
 }

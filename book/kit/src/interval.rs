@@ -25,14 +25,7 @@ pub struct Interval {
 }
 
 const fn interval(low: f64, high: f64, closed: [bool; 2]) -> Interval {
-    Interval {
-        low,
-        high,
-        closed,
-        usual: None,
-        nonzero: false,
-        reason: None,
-    }
+    Interval { low, high, closed, usual: None, nonzero: false, reason: None }
 }
 
 /// Any finite number.
@@ -124,11 +117,7 @@ impl Interval {
     /// [`Error::Parameter`] if it does not.
     pub fn check(&self, name: &'static str, value: f64) -> Result<f64> {
         let allowed = *self;
-        let error = Error::Parameter {
-            name,
-            value,
-            allowed,
-        };
+        let error = Error::Parameter { name, value, allowed };
         self.contains(value).then_some(value).ok_or(error)
     }
 
@@ -163,7 +152,6 @@ impl fmt::Display for Interval {
         if self.nonzero {
             write!(f, ", and not 0")?;
         }
-        self.reason
-            .map_or(Ok(()), |reason| write!(f, " ({reason})"))
+        self.reason.map_or(Ok(()), |reason| write!(f, " ({reason})"))
     }
 }

@@ -33,13 +33,7 @@ impl Tried {
             true => format!("{x:?}"),
             false => "null".into(),
         };
-        let Errors {
-            attitude,
-            rates,
-            momentum,
-            energy,
-            ..
-        } = self.errors;
+        let Errors { attitude, rates, momentum, energy, .. } = self.errors;
         let [attitude, rates, momentum, energy] = [attitude, rates, momentum, energy].map(number);
         let against = self.against.map_or("null".into(), number);
         format!(

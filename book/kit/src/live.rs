@@ -78,10 +78,7 @@ pub(super) fn set_lines(parameters: &mut dyn Settings, settings: &str) -> Result
 }
 
 fn set(parameters: &mut dyn Settings, name: &str, value: &str) -> Result<()> {
-    let refused = |allowed| Error::Text {
-        text: format!("{name}={value}"),
-        allowed,
-    };
+    let refused = |allowed| Error::Text { text: format!("{name}={value}"), allowed };
     let flags = parameters.flags();
     let flag = flags.iter().find(|flag| flag.name() == name);
     let flag = flag.ok_or_else(|| Error::UnknownKey {
@@ -120,9 +117,8 @@ pub(super) fn declared(run: &dyn Run) -> String {
             (None, [], Some(_)) => "number",
         };
         let range = flag.allowed().and_then(|allowed| allowed.usual());
-        let [from, to] = range.map_or(["null".into(), "null".into()], |r| {
-            r.map(|x| format!("{x:?}"))
-        });
+        let [from, to] =
+            range.map_or(["null".into(), "null".into()], |r| r.map(|x| format!("{x:?}")));
         let words: Vec<String> = flag.words().iter().map(|word| quoted(word)).collect();
         let comma = if flags.is_empty() { "" } else { ", " };
         // Writing to a string cannot fail.
@@ -170,12 +166,8 @@ mod tests {
     fn lines_set_parameters_and_are_refused_by_name() {
         let p: Parameters =
             read("length=2e0\n\nmass=4\nstart=turning\nfriction=0.5").expect("they are allowed");
-        let expected = Parameters {
-            length: 2.0,
-            mass: Some(4.0),
-            start: "turning",
-            friction: Some(0.5),
-        };
+        let expected =
+            Parameters { length: 2.0, mass: Some(4.0), start: "turning", friction: Some(0.5) };
         assert_eq!(p, expected);
         let out: Parameters = read("friction=0.5\nfriction=").expect("it is left out again");
         assert_eq!(out, Parameters::default());
@@ -189,10 +181,7 @@ mod tests {
         ];
         for (lines, said) in cases {
             let told = refused(lines);
-            assert!(
-                told.contains(said) || told.contains("known"),
-                "{lines}: {told}"
-            );
+            assert!(told.contains(said) || told.contains("known"), "{lines}: {told}");
         }
     }
 
@@ -213,13 +202,7 @@ mod tests {
             told.contains(r#""kind": "choice", "default": "rest", "usual": null, "allowed": null, "from": null, "to": null, "words": ["rest", "turning"]"#),
             "{told}"
         );
-        assert!(
-            told.contains(r#""kind": "effect", "default": null, "usual": "0.02""#),
-            "{told}"
-        );
-        assert!(
-            told.contains(r#""kind": "optional", "default": null"#),
-            "{told}"
-        );
+        assert!(told.contains(r#""kind": "effect", "default": null, "usual": "0.02""#), "{told}");
+        assert!(told.contains(r#""kind": "optional", "default": null"#), "{told}");
     }
 }

@@ -56,12 +56,7 @@ impl MovingPicture {
     fn boxed(span: RangeInclusive<f64>, stills: Vec<f64>, draw: Box<Draw>) -> Result<Self> {
         finite("start of a moving picture", *span.start())?;
         finite("end of a moving picture", *span.end())?;
-        let picture = Self {
-            span,
-            stills,
-            time: "$t$ / s".into(),
-            draw,
-        };
+        let picture = Self { span, stills, time: "$t$ / s".into(), draw };
         for &t in &picture.stills {
             picture.check(t)?;
         }
@@ -137,11 +132,7 @@ impl MovingPicture {
         if self.span.contains(&t) {
             return Ok(());
         }
-        Err(Error::OutsideRun {
-            t,
-            start: *self.span.start(),
-            end: *self.span.end(),
-        })
+        Err(Error::OutsideRun { t, start: *self.span.start(), end: *self.span.end() })
     }
 
     /// From when to when it moves.
@@ -200,10 +191,7 @@ impl MovingPicture {
             .zip(&self.stills)
             .map(|(n, &t)| {
                 let name = format!("frame_{n}");
-                Ok(Figure {
-                    name,
-                    ..self.frame(t)?
-                })
+                Ok(Figure { name, ..self.frame(t)? })
             })
             .collect()
     }

@@ -26,11 +26,7 @@ fn exponent(x: f64) -> (i32, bool) {
 /// ```
 pub fn supported_digits(value: f64, bound: f64) -> String {
     if value == 0.0 || !value.is_finite() {
-        return if value == 0.0 {
-            "0".into()
-        } else {
-            value.to_string()
-        };
+        return if value == 0.0 { "0".into() } else { value.to_string() };
     }
     let (top, _) = exponent(value);
     let mut last = top - (MOST_DIGITS - 1);
@@ -73,11 +69,7 @@ pub fn exactly(value: f64) -> String {
 pub fn decimals(value: f64, places: usize) -> String {
     let plain = format!("{value:.places$}");
     let seen = value == 0.0 || plain.parse::<f64>() != Ok(0.0);
-    if seen && value.abs() < 1e15 {
-        plain
-    } else {
-        format!("{value:.places$e}")
-    }
+    if seen && value.abs() < 1e15 { plain } else { format!("{value:.places$e}") }
 }
 
 /// `value`, of decimal exponent `top`, rounded to a multiple of `10^last`, `last <= top`.
@@ -96,16 +88,9 @@ fn rounded(value: f64, top: i32, last: i32) -> String {
     } else if (0..7).contains(&top) {
         // Zeros stand for the digits that are not known.
         let unit = 10_i64.pow(last as u32);
-        let digits: String = text
-            .split('e')
-            .next()
-            .unwrap_or("")
-            .chars()
-            .filter(|c| *c != '.')
-            .collect();
-        digits
-            .parse::<i64>()
-            .map_or(text, |d| (d * unit).to_string())
+        let digits: String =
+            text.split('e').next().unwrap_or("").chars().filter(|c| *c != '.').collect();
+        digits.parse::<i64>().map_or(text, |d| (d * unit).to_string())
     } else {
         text
     }
@@ -128,11 +113,7 @@ pub fn rounded_up(x: f64) -> String {
     let lead: u32 = mantissa[..1].parse().unwrap_or(9);
     let up = lead + u32::from(mantissa.len() > 1);
     let e: i32 = e.parse().unwrap_or(0);
-    if up == 10 {
-        format!("1e{}", e + 1)
-    } else {
-        format!("{up}e{e}")
-    }
+    if up == 10 { format!("1e{}", e + 1) } else { format!("{up}e{e}") }
 }
 
 /// How far `text`, which is `value` printed, reads from it.
@@ -153,11 +134,7 @@ pub(super) fn taken_away(value: f64, text: &str) -> f64 {
 /// ```
 pub fn below(difference: f64, floor: f64) -> String {
     let d = difference.abs().max(floor);
-    if d == 0.0 {
-        "0".into()
-    } else {
-        format!("<1e{}", exponent(d).0 + 1)
-    }
+    if d == 0.0 { "0".into() } else { format!("<1e{}", exponent(d).0 + 1) }
 }
 
 #[cfg(test)]
@@ -173,10 +150,7 @@ mod tests {
             Some((_, decimals)) => -(decimals.len() as i32),
             None => (mantissa.len() - mantissa.trim_end_matches('0').len()) as i32,
         };
-        pow(
-            10.0,
-            f64::from(decimals + e.parse::<i32>().expect("an exponent")),
-        )
+        pow(10.0, f64::from(decimals + e.parse::<i32>().expect("an exponent")))
     }
 
     /// Values and bounds over 40 decades: the printed number is a rounding of the
@@ -208,10 +182,7 @@ mod tests {
             // Fifteen digits may be all there are, though the bound supports more.
             let fine = bound < 1e-14 * value.abs();
             assert!(bound <= worth * slack, "{value:e} {bound:e}: {text}");
-            assert!(
-                whole || fine || worth < 10.0 * bound * slack,
-                "{value:e} {bound:e}: {text}"
-            );
+            assert!(whole || fine || worth < 10.0 * bound * slack, "{value:e} {bound:e}: {text}");
             printed += 1;
         }
         assert_eq!((printed + zeros, zeros > 50), (4000, true));
@@ -243,10 +214,7 @@ mod tests {
             let x = pow(10.0, 30.0 * sin(f64::from(i)));
             let up: f64 = rounded_up(x).parse().expect("it reads back");
             // The slack is for 3e-13, which as an f64 may lie below the x it came from.
-            assert!(
-                up >= x * (1.0 - 1e-15) && up < 2.0 * x * (1.0 + 1e-15),
-                "{x:e} {up:e}"
-            );
+            assert!(up >= x * (1.0 - 1e-15) && up < 2.0 * x * (1.0 + 1e-15), "{x:e} {up:e}");
             let power: f64 = below(x, 0.0)[1..].parse().expect("it reads back");
             assert!(
                 power > x * (1.0 - 1e-15) && power <= 10.0 * x * (1.0 + 1e-15),

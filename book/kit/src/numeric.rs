@@ -140,10 +140,7 @@ pub fn solved<const N: usize>(mut rows: [[f64; N]; N], mut right: [f64; N]) -> [
         right.swap(k, best);
         for i in (0..N).filter(|&i| i != k) {
             let (part, row) = (rows[i][k] / rows[k][k], rows[k]);
-            rows[i]
-                .iter_mut()
-                .zip(row)
-                .for_each(|(a, b)| *a -= part * b);
+            rows[i].iter_mut().zip(row).for_each(|(a, b)| *a -= part * b);
             right[i] -= part * right[k];
         }
     }

@@ -229,11 +229,7 @@ pub(super) fn check(parameters: &dyn Settings) -> Result<()> {
             (parameters.value(flag.field), flag.allowed)
             && !allowed.contains(value)
         {
-            return Err(Error::Parameter {
-                name: flag.field,
-                value,
-                allowed,
-            });
+            return Err(Error::Parameter { name: flag.field, value, allowed });
         }
     }
     Ok(())
@@ -321,15 +317,7 @@ impl Flag {
         meaning: &'static str,
         allowed: Interval,
     ) -> Self {
-        Self {
-            field,
-            unit,
-            meaning,
-            allowed: Some(allowed),
-            usual: None,
-            words: &[],
-            grid: None,
-        }
+        Self { field, unit, meaning, allowed: Some(allowed), usual: None, words: &[], grid: None }
     }
 
     /// An effect, of the strength `usual` in `unit` unless another is given.
@@ -340,10 +328,7 @@ impl Flag {
         usual: f64,
         allowed: Interval,
     ) -> Self {
-        Self {
-            usual: Some(usual),
-            ..Self::number(field, unit, meaning, allowed)
-        }
+        Self { usual: Some(usual), ..Self::number(field, unit, meaning, allowed) }
     }
 
     /// One of these words.
@@ -352,15 +337,7 @@ impl Flag {
         meaning: &'static str,
         words: &'static [&'static str],
     ) -> Self {
-        Self {
-            field,
-            unit: "-",
-            meaning,
-            allowed: None,
-            usual: None,
-            words,
-            grid: None,
-        }
+        Self { field, unit: "-", meaning, allowed: None, usual: None, words, grid: None }
     }
 
     /// Lets problem sheets draw this number: `from`, `from + step`, … `to`.

@@ -11,11 +11,7 @@ use crate::error::Result;
 /// ```
 pub fn times(from: f64, to: f64, count: u32) -> impl Iterator<Item = f64> + Clone {
     (0..=count).map(move |i| {
-        if i == count {
-            to
-        } else {
-            from + (to - from) * f64::from(i) / f64::from(count)
-        }
+        if i == count { to } else { from + (to - from) * f64::from(i) / f64::from(count) }
     })
 }
 

@@ -34,13 +34,7 @@ pub struct Limit {
 
 /// In the limit `limit` the result must be `must_give`, and it `gives` this.
 pub fn limit(limit: impl Into<String>, must_give: f64, gives: f64) -> Limit {
-    Limit {
-        limit: limit.into(),
-        because: String::new(),
-        must_give,
-        gives,
-        within: f64::NAN,
-    }
+    Limit { limit: limit.into(), because: String::new(), must_give, gives, within: f64::NAN }
 }
 
 impl Limit {
@@ -248,11 +242,7 @@ impl Report {
     /// # Errors
     /// What a run of the strip refuses; see [`Report::strip`] and [`Report::controlled`].
     pub fn prices(&self) -> Result<Vec<&Price>> {
-        let lines: Vec<&[Price]> = self
-            .accuracy
-            .iter()
-            .map(Lines::get)
-            .collect::<Result<_>>()?;
+        let lines: Vec<&[Price]> = self.accuracy.iter().map(Lines::get).collect::<Result<_>>()?;
         Ok(lines.into_iter().flatten().collect())
     }
 
@@ -310,14 +300,7 @@ impl Report {
     }
 
     fn claims_table(&self) -> Result<Table> {
-        let columns = [
-            "key",
-            "value",
-            "unit",
-            "bound",
-            "checked against",
-            "differs by",
-        ];
+        let columns = ["key", "value", "unit", "bound", "checked against", "differs by"];
         let mut table = Table::headed(CLAIMS, columns)?;
         for claim in &self.claims {
             table.push(claim.cells())?;
@@ -412,6 +395,5 @@ impl Report {
 
 /// A report's text up to the sections of the answer box, `checks` and `slips`.
 pub fn for_reading(text: &str) -> &str {
-    text.split_once("\n\nchecks\n")
-        .map_or(text, |(before, _)| &text[..before.len() + 1])
+    text.split_once("\n\nchecks\n").map_or(text, |(before, _)| &text[..before.len() + 1])
 }

@@ -55,10 +55,7 @@ pub(super) struct Lines {
 impl Lines {
     /// What `compute` gives.
     pub(super) fn new(compute: impl Fn() -> Result<Vec<Price>> + Send + Sync + 'static) -> Self {
-        Self {
-            compute: Arc::new(compute),
-            known: Arc::default(),
-        }
+        Self { compute: Arc::new(compute), known: Arc::default() }
     }
 
     /// The lines, as they were computed or computed now.
@@ -149,13 +146,7 @@ impl Report {
                     Err(other) => return Err(other),
                 };
                 let (method, requested) = (method.clone(), Some(requested));
-                Ok(Price {
-                    method,
-                    requested,
-                    delivered,
-                    work,
-                    again,
-                })
+                Ok(Price { method, requested, delivered, work, again })
             };
             tolerances.iter().map(line).collect()
         });
@@ -256,11 +247,11 @@ where
             (solved.method, error, solved.work.to_string(), Some(again))
         }
         // What the reader asked for and cannot have is an error, with its reason.
-        Err(Error::NotDelivered {
-            best,
-            condition: Some(_),
-            ..
-        }) if label != CLOSED_FORM && best.is_finite() => ("-", best, REFUSED.into(), None),
+        Err(Error::NotDelivered { best, condition: Some(_), .. })
+            if label != CLOSED_FORM && best.is_finite() =>
+        {
+            ("-", best, REFUSED.into(), None)
+        }
         Err(other) => return Err(other.into()),
     };
     Ok(Price {

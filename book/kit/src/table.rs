@@ -35,9 +35,7 @@ impl Table {
     /// [`Error::Text`] for a name or a column that a table cannot hold.
     pub fn new<S: Into<String>>(name: &str, columns: impl IntoIterator<Item = S>) -> Result<Self> {
         let plain = !name.is_empty()
-            && name
-                .bytes()
-                .all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_');
+            && name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_');
         if !plain {
             return Err(Error::Text {
                 text: name.into(),
@@ -86,11 +84,7 @@ impl Table {
                 allowed: "a table has at least one column",
             });
         }
-        Ok(Self {
-            heading: heading.into(),
-            columns,
-            rows: Vec::new(),
-        })
+        Ok(Self { heading: heading.into(), columns, rows: Vec::new() })
     }
 
     /// Appends a row.
@@ -144,21 +138,12 @@ impl fmt::Display for Table {
             .map(|i| i > 0 && self.rows.iter().any(|row| is_negative(&row[i])))
             .collect();
         let shown = |i: usize, cell: &str| -> String {
-            let room = if signed[i] && !is_negative(cell) {
-                " "
-            } else {
-                ""
-            };
+            let room = if signed[i] && !is_negative(cell) { " " } else { "" };
             format!("{room}{cell}")
         };
         let lines: Vec<Vec<String>> = core::iter::once(&self.columns)
             .chain(&self.rows)
-            .map(|line| {
-                line.iter()
-                    .enumerate()
-                    .map(|(i, cell)| shown(i, cell))
-                    .collect()
-            })
+            .map(|line| line.iter().enumerate().map(|(i, cell)| shown(i, cell)).collect())
             .collect();
         let mut widths = vec![0; self.columns.len()];
         for line in &lines {
@@ -207,10 +192,8 @@ impl Parsed {
 /// # Errors
 /// [`Error::Text`] with the line that does not fit.
 pub fn parse(text: &str) -> Result<Parsed> {
-    let mut blocks = text
-        .split("\n\n")
-        .map(|block| block.trim_matches('\n'))
-        .filter(|block| !block.is_empty());
+    let mut blocks =
+        text.split("\n\n").map(|block| block.trim_matches('\n')).filter(|block| !block.is_empty());
     let head = blocks.next().unwrap_or("");
     let (title, description) = head.split_once('\n').unwrap_or((head, ""));
     check_cell(title)?;
@@ -231,9 +214,5 @@ pub fn parse(text: &str) -> Result<Parsed> {
         }
         tables.push(table);
     }
-    Ok(Parsed {
-        title: title.into(),
-        description: description.replace('\n', " "),
-        tables,
-    })
+    Ok(Parsed { title: title.into(), description: description.replace('\n', " "), tables })
 }

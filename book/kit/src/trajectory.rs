@@ -29,10 +29,7 @@ impl Trajectory {
                 allowed: "a trajectory has columns, named without commas and quotes",
             });
         }
-        Ok(Self {
-            columns,
-            rows: Vec::new(),
-        })
+        Ok(Self { columns, rows: Vec::new() })
     }
 
     /// The samples that `sample` gives at each of these times.

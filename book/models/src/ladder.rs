@@ -237,11 +237,7 @@ impl Ladder {
     /// The state in which the wall lets go: `cos theta = (2/3) cos theta0`,
     /// `omega^2 = g cos theta0/l`, a floor force of a quarter of the weight.
     pub fn release(&self) -> LadderState {
-        LadderState {
-            wall_force: 0.0,
-            phase: Phase::OnWall,
-            ..self.off_wall(0.0, 0.0)
-        }
+        LadderState { wall_force: 0.0, phase: Phase::OnWall, ..self.off_wall(0.0, 0.0) }
     }
 
     /// The state in which the ladder meets the floor, `theta = pi/2`, just before the
@@ -269,11 +265,7 @@ impl Ladder {
         // The last place of landing_time is not certain: that close counts as landed.
         let end = self.landing_time * (1.0 + 4.0 * math::EPS);
         if !(0.0..=end).contains(&t) {
-            return Err(Error::OutsideRun {
-                t,
-                start: 0.0,
-                end: self.landing_time,
-            });
+            return Err(Error::OutsideRun { t, start: 0.0, end: self.landing_time });
         }
         if DoubleDouble::from(t) <= self.release_time {
             return self.on_wall(t);
@@ -434,11 +426,7 @@ fn in_range(
     allowed: &'static str,
 ) -> Result<()> {
     finite(name, value)?;
-    if range.contains(&value) {
-        Ok(())
-    } else {
-        Err(Error::out_of_range(name, value, allowed))
-    }
+    if range.contains(&value) { Ok(()) } else { Err(Error::out_of_range(name, value, allowed)) }
 }
 
 /// The integral of `f` from 0 to `end` by the 12-point Gauss rule.
@@ -456,10 +444,8 @@ pub(crate) fn gauss_legendre(end: f64, f: impl Fn(f64) -> f64) -> f64 {
         (0.125_233_408_511_468_9, 0.249_147_045_813_402_77),
     ];
     let half = 0.5 * end;
-    let sum: f64 = NODES
-        .iter()
-        .map(|(x, weight)| weight * (f(half * (1.0 - x)) + f(half * (1.0 + x))))
-        .sum();
+    let sum: f64 =
+        NODES.iter().map(|(x, weight)| weight * (f(half * (1.0 - x)) + f(half * (1.0 + x)))).sum();
     half * sum
 }
 

@@ -107,12 +107,7 @@ impl Plank {
         let flat = core::f64::consts::FRAC_PI_2;
         for (name, value, inside, allowed) in [
             ("length", length, (1e-100..=1e100).contains(&length), size),
-            (
-                "gravity",
-                gravity,
-                (1e-100..=1e100).contains(&gravity),
-                size,
-            ),
+            ("gravity", gravity, (1e-100..=1e100).contains(&gravity), size),
             ("theta0", theta0, (0.0..flat).contains(&theta0), angle),
             ("omega0", omega0, omega0 >= 0.0, sense),
         ] {
@@ -197,11 +192,7 @@ impl Plank {
 
     /// The state at t = 0.
     pub fn start(&self) -> PlankState {
-        PlankState {
-            theta: self.theta0,
-            omega: self.omega0,
-            ..self.state(0.0)
-        }
+        PlankState { theta: self.theta0, omega: self.omega0, ..self.state(0.0) }
     }
 
     /// The state just before the impact, theta = pi/2: `omega^2 = lambda^2 (1/2 - e)`,
@@ -232,11 +223,7 @@ impl Plank {
         finite("t", t)?;
         // The last place of landing_time is not certain: that close counts as landed.
         if !(0.0..=self.landing_time * (1.0 + 4.0 * EPS)).contains(&t) {
-            return Err(Error::OutsideRun {
-                t,
-                start: 0.0,
-                end: self.landing_time,
-            });
+            return Err(Error::OutsideRun { t, start: 0.0, end: self.landing_time });
         }
         if t >= self.landing_time {
             return Ok(self.landing());
@@ -301,19 +288,8 @@ impl Plank {
         let sin = 2.0 * x * self.c / factor;
         let cos = (self.c - x) * (self.c + x) / factor;
         // From the smaller of the two: the other's rounding would count in full.
-        let stretch = if sin < cos {
-            1.0 + 3.0 * sin * sin
-        } else {
-            4.0 - 3.0 * cos * cos
-        };
-        Point {
-            x,
-            v,
-            factor,
-            sin,
-            cos,
-            stretch,
-        }
+        let stretch = if sin < cos { 1.0 + 3.0 * sin * sin } else { 4.0 - 3.0 * cos * cos };
+        Point { x, v, factor, sin, cos, stretch }
     }
 
     fn state(&self, w: f64) -> PlankState {
@@ -353,26 +329,19 @@ impl Motion for Plank {
     }
 
     fn kept(&self) -> Vec<Kept> {
-        vec![Kept::new(
-            "e = y - (theta'^2 (1 + 3 s^2))/(4 lambda^2)",
-            "",
-            self.excess,
-        )]
+        vec![Kept::new("e = y - (theta'^2 (1 + 3 s^2))/(4 lambda^2)", "", self.excess)]
     }
 
     fn condition(&self, t: f64) -> Result<f64> {
         let here = self.at(t)?;
         let inputs = [self.length, self.gravity, self.theta0, self.omega0];
         let turned = here.omega * t;
-        let square = condition_of_each(
-            turned * turned,
-            inputs,
-            |[length, gravity, theta0, omega0]| {
+        let square =
+            condition_of_each(turned * turned, inputs, |[length, gravity, theta0, omega0]| {
                 let other = Self::new(length, gravity, theta0, omega0)?;
                 // One that lands before t is no neighbour: the other direction is felt.
                 Ok((other.at(t)?.theta - here.theta).abs())
-            },
-        )?;
+            })?;
         Ok(square.sqrt())
     }
 }
@@ -405,9 +374,7 @@ mod tests {
     fn it_lands_as_it_falls() {
         let plank = Plank::new(1.3, 9.8, 0.02, 0.1).expect("a plank");
         let (landing, before) = (plank.landing(), 1e-7 * plank.landing_time());
-        let near = plank
-            .at(plank.landing_time() - before)
-            .expect("in the fall");
+        let near = plank.at(plank.landing_time() - before).expect("in the fall");
         let pairs = [
             (landing.theta, near.theta + near.omega * before),
             (landing.omega, near.omega),

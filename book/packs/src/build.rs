@@ -28,9 +28,7 @@ const CODE: &str = "-Ctarget-feature=+simd128 -Cllvm-args=-inline-threshold=50";
 /// The project's directory.
 pub fn root() -> Result<PathBuf, Box<dyn Error>> {
     let here = env::current_dir()?;
-    let found = here
-        .ancestors()
-        .find(|above| above.join("book/book.toml").is_file());
+    let found = here.ancestors().find(|above| above.join("book/book.toml").is_file());
     found
         .map(Path::to_owned)
         .ok_or("there is no book/book.toml here or in any directory above".into())
@@ -57,10 +55,7 @@ pub fn sources(root: &Path) -> Result<String, Box<dyn Error>> {
     found.sort();
     let mut hash = 0xcbf2_9ce4_8422_2325_u64;
     for file in found {
-        let name = file
-            .strip_prefix(root)?
-            .to_string_lossy()
-            .replace('\\', "/");
+        let name = file.strip_prefix(root)?.to_string_lossy().replace('\\', "/");
         for byte in name.bytes().chain(fs::read(&file)?) {
             hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
         }
@@ -85,15 +80,7 @@ pub fn linked(root: &Path) -> Result<PathBuf, Box<dyn Error>> {
     );
     let built = Command::new(cargo)
         .current_dir(root)
-        .args([
-            "rustc",
-            "--quiet",
-            "--locked",
-            "--profile",
-            "page",
-            "--package",
-            "live",
-        ])
+        .args(["rustc", "--quiet", "--locked", "--profile", "page", "--package", "live"])
         .args(["--target", TARGET, "--", "-C", "link-arg=--emit-relocs"])
         .env(given, flags.trim())
         .status()?;

@@ -35,16 +35,9 @@ pub fn entries(module: &Slim, pages: usize) -> Result<Vec<Vec<Node>>, Box<dyn Er
 /// All that a page may need, whatever is called.
 pub fn reached(module: &Slim, entries: &[Vec<Node>], page: usize) -> Need {
     let own: BTreeSet<&Node> = entries[page].iter().collect();
-    let others: BTreeSet<&Node> = entries
-        .iter()
-        .flatten()
-        .filter(|node| !own.contains(node))
-        .collect();
-    closure(
-        module.roots(),
-        |node| module.names[&node].clone(),
-        |node| !others.contains(&node),
-    )
+    let others: BTreeSet<&Node> =
+        entries.iter().flatten().filter(|node| !own.contains(node)).collect();
+    closure(module.roots(), |node| module.names[&node].clone(), |node| !others.contains(&node))
 }
 
 /// These functions and the data that they name, as far as a page may need it.
@@ -93,17 +86,12 @@ pub fn groups(module: &Slim, lists: &[List]) -> Vec<Group> {
     }
     let mut by_lists: BTreeMap<BTreeSet<usize>, Group> = BTreeMap::new();
     for (node, lists) in users {
-        let group = by_lists.entry(lists.clone()).or_insert_with(|| Group {
-            lists,
-            ..Group::default()
-        });
+        let group =
+            by_lists.entry(lists.clone()).or_insert_with(|| Group { lists, ..Group::default() });
         group.nodes.insert(node);
         group.bytes += module.size(node);
     }
-    let mut sharing = Sharing {
-        lists,
-        groups: by_lists.into_values().collect(),
-    };
+    let mut sharing = Sharing { lists, groups: by_lists.into_values().collect() };
     sharing.share();
     sharing.groups
 }
@@ -131,10 +119,7 @@ impl Sharing<'_> {
     fn pages(&self, group: &Group) -> BTreeMap<usize, BTreeSet<usize>> {
         let mut pages: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
         for list in &group.lists {
-            pages
-                .entry(self.lists[*list].page)
-                .or_default()
-                .insert(*list);
+            pages.entry(self.lists[*list].page).or_default().insert(*list);
         }
         pages
     }
@@ -144,9 +129,7 @@ impl Sharing<'_> {
         let both = self.weight(a.lists.intersection(&b.lists));
         let vain = a.bytes * self.weight(b.lists.difference(&a.lists))
             + b.bytes * self.weight(a.lists.difference(&b.lists));
-        (both > 0)
-            .then(|| vain.checked_signed_diff(FILE * both))
-            .flatten()
+        (both > 0).then(|| vain.checked_signed_diff(FILE * both)).flatten()
     }
 
     /// The same if each page has the group among its own; `None` if it is one page's.
@@ -165,9 +148,7 @@ impl Sharing<'_> {
         let joins = others.filter_map(|other| {
             Some((self.joined(group, &self.groups[other])?, Step::Join(other)))
         });
-        joins
-            .chain(self.owned(group).map(|loss| (loss, Step::Own)))
-            .min()
+        joins.chain(self.owned(group).map(|loss| (loss, Step::Own))).min()
     }
 
     /// Takes the best step as long as it pays.
@@ -194,10 +175,8 @@ impl Sharing<'_> {
             self.groups.swap_remove(gone);
             bests.swap_remove(gone);
             let moved = self.groups.len();
-            let changed: Vec<usize> = changed
-                .into_iter()
-                .map(|row| if row == moved { gone } else { row })
-                .collect();
+            let changed: Vec<usize> =
+                changed.into_iter().map(|row| if row == moved { gone } else { row }).collect();
             let lost = |other| other == gone || other == moved || changed.contains(&other);
             let again = |(row, found): (usize, Option<(isize, Step)>)| match found {
                 Some((_, Step::Join(other))) if lost(other) => self.best(row),
@@ -219,10 +198,7 @@ impl Sharing<'_> {
         let group = self.groups[row].clone();
         let mut changed = Vec::new();
         for (_, lists) in self.pages(&group) {
-            let own = Group {
-                lists: lists.clone(),
-                ..group.clone()
-            };
+            let own = Group { lists: lists.clone(), ..group.clone() };
             match self.groups.iter().position(|other| other.lists == lists) {
                 Some(known) => {
                     self.groups[known].take(own);
@@ -273,12 +249,7 @@ mod tests {
         let lists: Vec<List> = needs.iter().enumerate().map(list).collect();
         let mut groups: Vec<_> = groups(&module(sizes), &lists)
             .into_iter()
-            .map(|group| {
-                (
-                    group.lists.into_iter().collect(),
-                    group.nodes.into_iter().collect(),
-                )
-            })
+            .map(|group| (group.lists.into_iter().collect(), group.nodes.into_iter().collect()))
             .collect();
         groups.sort();
         groups
@@ -292,16 +263,9 @@ mod tests {
         let needs: [&[usize]; 2] = [&[0, 1], &[0, 2]];
         assert_eq!(
             shared(&[large, large, large], &needs),
-            [
-                (vec![0], vec![F(1)]),
-                (vec![0, 1], vec![F(0)]),
-                (vec![1], vec![F(2)])
-            ]
+            [(vec![0], vec![F(1)]), (vec![0, 1], vec![F(0)]), (vec![1], vec![F(2)])]
         );
-        assert_eq!(
-            shared(&[large, small, small], &needs),
-            [(vec![0, 1], vec![F(0), F(1), F(2)])]
-        );
+        assert_eq!(shared(&[large, small, small], &needs), [(vec![0, 1], vec![F(0), F(1), F(2)])]);
         assert_eq!(
             shared(&[small, large, large], &needs),
             [(vec![0], vec![F(0), F(1)]), (vec![1], vec![F(0), F(2)])]

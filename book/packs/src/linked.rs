@@ -178,19 +178,15 @@ impl<'a> Parts<'a> {
                         // What begins so belongs to the tool wasm-bindgen, which is not used.
                         let others = export.name.starts_with("__");
                         if export.kind == ExternalKind::Func && !others {
-                            parts
-                                .exports
-                                .insert(export.name.into(), export.index as usize);
+                            parts.exports.insert(export.name.into(), export.index as usize);
                         }
                     }
                 }
-                Payload::CodeSectionStart {
-                    unchecked_range, ..
-                } => parts.code = at(unchecked_range.start),
+                Payload::CodeSectionStart { unchecked_range, .. } => {
+                    parts.code = at(unchecked_range.start)
+                }
                 Payload::CodeSectionEntry(body) => {
-                    parts
-                        .bodies
-                        .push(at(body.range().start)..at(body.range().end));
+                    parts.bodies.push(at(body.range().start)..at(body.range().end));
                 }
                 Payload::DataSection(section) => {
                     parts.data = at(section.range().start);
@@ -260,19 +256,16 @@ impl<'a> Parts<'a> {
                 }
                 Symbol::Function(*index as usize)
             }
-            SymbolInfo::Data {
-                name,
-                symbol: Some(place),
-                ..
-            } => match self.segments.get(place.index as usize) {
-                Some(segment) => {
-                    let start = segment.address + place.offset as usize;
-                    self.places
-                        .push((start, start + place.size as usize, (*name).into()));
-                    Symbol::Datum(start)
+            SymbolInfo::Data { name, symbol: Some(place), .. } => {
+                match self.segments.get(place.index as usize) {
+                    Some(segment) => {
+                        let start = segment.address + place.offset as usize;
+                        self.places.push((start, start + place.size as usize, (*name).into()));
+                        Symbol::Datum(start)
+                    }
+                    None => Symbol::Other,
                 }
-                None => Symbol::Other,
-            },
+            }
             _ => Symbol::Other,
         };
         self.symbols.push(found);
@@ -363,12 +356,7 @@ impl Linked {
                 }
                 _ => seven_bits(bytes, form == Form::Signed),
             };
-            Ok(Hole {
-                at: place - start,
-                form,
-                target,
-                value,
-            })
+            Ok(Hole { at: place - start, form, target, value })
         };
         let mut functions = Vec::with_capacity(parts.kinds.len());
         let mut code = parts.relocations[0].iter().peekable();
@@ -392,26 +380,16 @@ impl Linked {
         let mut words = Vec::new();
         for entry in &parts.relocations[1] {
             let place = parts.data + entry.offset as usize;
-            let segment = parts
-                .segments
-                .iter()
-                .find(|s| (s.at..s.at + s.bytes.len()).contains(&place));
+            let segment =
+                parts.segments.iter().find(|s| (s.at..s.at + s.bytes.len()).contains(&place));
             let segment = segment.ok_or("a relocation lies in no segment")?;
             let address = segment.address + place - segment.at;
             let datum = datum_at(&data, address).ok_or("a relocation lies in no datum")?;
-            words.push((
-                datum,
-                hole(entry, place - (address - data[datum].address), place)?,
-            ));
+            words.push((datum, hole(entry, place - (address - data[datum].address), place)?));
         }
         for (datum, hole) in words {
             data[datum].holes.push(hole);
         }
-        Ok(Self {
-            sections: parts.sections,
-            functions,
-            data,
-            exports: parts.exports,
-        })
+        Ok(Self { sections: parts.sections, functions, data, exports: parts.exports })
     }
 }

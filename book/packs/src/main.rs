@@ -29,11 +29,7 @@ type Outcome<T> = Result<T, Box<dyn Error>>;
 
 /// The functions that ran, as the trace tells them.
 fn functions(traced: &Value) -> Need {
-    let numbers = traced
-        .as_array()
-        .into_iter()
-        .flatten()
-        .filter_map(Value::as_u64);
+    let numbers = traced.as_array().into_iter().flatten().filter_map(Value::as_u64);
     numbers.map(|n| Node::Function(n as usize)).collect()
 }
 
@@ -62,12 +58,8 @@ fn lists(module: &Slim, traced: &[Value]) -> Outcome<Vec<List>> {
 
 /// The names of the packs: a page's own have its stem, others count from the most shared down.
 fn named(groups: &mut [cut::Group], stems: &[&str]) -> Vec<String> {
-    groups.sort_by_key(|group| {
-        (
-            std::cmp::Reverse(group.lists.len()),
-            group.nodes.first().copied(),
-        )
-    });
+    groups
+        .sort_by_key(|group| (std::cmp::Reverse(group.lists.len()), group.nodes.first().copied()));
     let mut shared = 0;
     let name = |group: &cut::Group| {
         let pages: BTreeSet<usize> = group.lists.iter().map(|list| list / LISTS.len()).collect();
@@ -88,13 +80,9 @@ fn named(groups: &mut [cut::Group], stems: &[&str]) -> Vec<String> {
 
 /// The packs by name, and the list of what each page loads.
 fn packs(module: &Slim, traced: &Value) -> Outcome<(BTreeMap<String, Vec<u8>>, Value)> {
-    let pages = traced["pages"]
-        .as_array()
-        .ok_or("the trace tells of no pages")?;
-    let stems: Vec<&str> = pages
-        .iter()
-        .filter_map(|page| page["declared"]["stem"].as_str())
-        .collect();
+    let pages = traced["pages"].as_array().ok_or("the trace tells of no pages")?;
+    let stems: Vec<&str> =
+        pages.iter().filter_map(|page| page["declared"]["stem"].as_str()).collect();
     let lists = lists(module, pages)?;
     let mut groups = cut::groups(module, &lists);
     let names = named(&mut groups, &stems);
@@ -116,10 +104,7 @@ fn packs(module: &Slim, traced: &Value) -> Outcome<(BTreeMap<String, Vec<u8>>, V
         }
         listed.insert((*stem).into(), entry);
     }
-    Ok((
-        packs,
-        json!({ "pages": listed, "palette": traced["palette"] }),
-    ))
+    Ok((packs, json!({ "pages": listed, "palette": traced["palette"] })))
 }
 
 /// Writes what differs and removes what is no more; tells of each.
@@ -158,12 +143,8 @@ fn tell(index: &Value, to: &Path) -> Outcome<()> {
     for (list, _) in LISTS {
         let mut weights = Vec::new();
         for (stem, page) in index["pages"].as_object().into_iter().flatten() {
-            let names: Vec<&str> = page[list]
-                .as_array()
-                .into_iter()
-                .flatten()
-                .filter_map(Value::as_str)
-                .collect();
+            let names: Vec<&str> =
+                page[list].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
             let mut weight = 0;
             for name in &names {
                 weight += fs::metadata(to.join(name))?.len();

@@ -79,10 +79,7 @@ pub fn pack(module: &Slim, nodes: &BTreeSet<Node>, with_head: bool) -> Vec<u8> {
         Node::Datum(d) => Some(&module.data[*d]),
         Node::Function(_) => None,
     });
-    runs(
-        data.clone().map(|(address, bytes)| (*address, bytes.len())),
-        &mut out,
-    );
+    runs(data.clone().map(|(address, bytes)| (*address, bytes.len())), &mut out);
     for (_, bytes) in data {
         out.extend(bytes);
     }
@@ -99,10 +96,7 @@ const TRIES: NonZeroU64 = NonZeroU64::new(3).expect("not 0");
 
 /// The pack compressed (RFC 1952).
 pub fn compressed(pack: &[u8]) -> std::io::Result<Vec<u8>> {
-    let options = zopfli::Options {
-        iteration_count: TRIES,
-        ..zopfli::Options::default()
-    };
+    let options = zopfli::Options { iteration_count: TRIES, ..zopfli::Options::default() };
     let mut out = Vec::new();
     zopfli::compress(options, zopfli::Format::Gzip, pack, &mut out)?;
     Ok(out)
@@ -110,8 +104,6 @@ pub fn compressed(pack: &[u8]) -> std::io::Result<Vec<u8>> {
 
 /// Whether a file holds this pack.
 pub fn is(file: &[u8], pack: &[u8]) -> bool {
-    let deflated = file
-        .get(10..file.len().saturating_sub(8))
-        .unwrap_or_default();
+    let deflated = file.get(10..file.len().saturating_sub(8)).unwrap_or_default();
     miniz_oxide::inflate::decompress_to_vec(deflated).is_ok_and(|held| held == pack)
 }

@@ -61,10 +61,7 @@ impl Same {
             bytes
         };
         // A datum that may be written stays its own.
-        let bare = module
-            .functions
-            .iter()
-            .map(|f| (f.kind, 0, blank(&f.bytes, &f.holes)));
+        let bare = module.functions.iter().map(|f| (f.kind, 0, blank(&f.bytes, &f.holes)));
         let bare = bare.chain(module.data.iter().enumerate().map(|(index, datum)| {
             let own = if datum.constant { 0 } else { index + 1 };
             (u32::MAX, own, blank(&datum.bytes, &datum.holes))
@@ -112,10 +109,7 @@ impl Same {
             .collect();
         Self {
             functions: firsts[..functions].to_vec(),
-            data: firsts[functions..]
-                .iter()
-                .map(|node| node - functions)
-                .collect(),
+            data: firsts[functions..].iter().map(|node| node - functions).collect(),
         }
     }
 }
@@ -174,16 +168,9 @@ impl Slim {
             };
             holes.iter().filter_map(|hole| named(hole, &same)).collect()
         };
-        let roots = module
-            .exports
-            .values()
-            .map(|&f| Node::Function(same.functions[f]));
+        let roots = module.exports.values().map(|&f| Node::Function(same.functions[f]));
         // What no symbol covers is kept: nothing says who reads it.
-        let unnamed = module
-            .data
-            .iter()
-            .enumerate()
-            .filter(|(_, datum)| datum.name.is_empty());
+        let unnamed = module.data.iter().enumerate().filter(|(_, datum)| datum.name.is_empty());
         let roots = roots.chain(unnamed.map(|(index, _)| Node::Datum(index)));
         let kept = closure(roots, names, |_| true);
         let imported = |node: &&Node| match node {
@@ -220,16 +207,10 @@ impl Slim {
                 Node::Function(_) => None,
             })
             .collect();
-        let place: HashMap<usize, usize> = order
-            .iter()
-            .enumerate()
-            .map(|(new, old)| (*old, new))
-            .collect();
-        let datum: HashMap<usize, usize> = data
-            .iter()
-            .enumerate()
-            .map(|(new, old)| (*old, new))
-            .collect();
+        let place: HashMap<usize, usize> =
+            order.iter().enumerate().map(|(new, old)| (*old, new)).collect();
+        let datum: HashMap<usize, usize> =
+            data.iter().enumerate().map(|(new, old)| (*old, new)).collect();
         let renamed = |node: Node| match node {
             Node::Function(f) => Node::Function(place[&f]),
             Node::Datum(d) => Node::Datum(datum[&d]),
@@ -247,25 +228,14 @@ impl Slim {
             };
             (renamed(node), name.clone())
         });
-        let filled_body = |f: &usize| {
-            filled(
-                &module.functions[*f].bytes,
-                &module.functions[*f].holes,
-                value,
-            )
-        };
+        let filled_body =
+            |f: &usize| filled(&module.functions[*f].bytes, &module.functions[*f].holes, value);
         let filled_datum = |d: &usize| {
-            (
-                module.data[*d].address,
-                filled(&module.data[*d].bytes, &module.data[*d].holes, value),
-            )
+            (module.data[*d].address, filled(&module.data[*d].bytes, &module.data[*d].holes, value))
         };
-        let names = kept.iter().map(|&node| {
-            (
-                renamed(node),
-                names(node).into_iter().map(renamed).collect(),
-            )
-        });
+        let names = kept
+            .iter()
+            .map(|&node| (renamed(node), names(node).into_iter().map(renamed).collect()));
         Ok(Self {
             sections: module.sections.clone(),
             kinds: order.iter().map(|f| module.functions[*f].kind).collect(),
@@ -342,12 +312,9 @@ mod tests {
             signed(value, &mut out);
             assert_eq!(out, bytes, "{value}");
         }
-        for (value, bytes) in [
-            (2, &[2][..]),
-            (127, &[0x7f]),
-            (128, &[0x80, 1]),
-            (12857, &[0xb9, 0x64]),
-        ] {
+        for (value, bytes) in
+            [(2, &[2][..]), (127, &[0x7f]), (128, &[0x80, 1]), (12857, &[0xb9, 0x64])]
+        {
             let mut out = Vec::new();
             unsigned(value, &mut out);
             assert_eq!(out, bytes, "{value}");
@@ -389,20 +356,10 @@ mod tests {
 
     #[test]
     fn a_hole_is_filled_without_its_padding() {
-        let hole = |at, form| Hole {
-            at,
-            form,
-            target: Target::Fixed,
-            value: 3,
-        };
-        let bytes = [
-            0x10, 0x83, 0x80, 0x80, 0x80, 0, 0x41, 0x83, 0x80, 0x80, 0x80, 0, 0x0b, 3, 0, 0, 0,
-        ];
-        let holes = [
-            hole(1, Form::Unsigned),
-            hole(7, Form::Signed),
-            hole(13, Form::Word),
-        ];
+        let hole = |at, form| Hole { at, form, target: Target::Fixed, value: 3 };
+        let bytes =
+            [0x10, 0x83, 0x80, 0x80, 0x80, 0, 0x41, 0x83, 0x80, 0x80, 0x80, 0, 0x0b, 3, 0, 0, 0];
+        let holes = [hole(1, Form::Unsigned), hole(7, Form::Signed), hole(13, Form::Word)];
         let found = filled(&bytes, &holes, |hole| hole.value + 64);
         assert_eq!(found, [0x10, 67, 0x41, 0xc3, 0, 0x0b, 67, 0, 0, 0]);
     }

@@ -38,10 +38,7 @@ pub fn inline(svg: &str, prefix: &str) -> Result<String, String> {
         .collect();
     for id in ids {
         for (open, close) in [(" id=\"", "\""), ("url(#", ")"), ("href=\"#", "\"")] {
-            svg = svg.replace(
-                &format!("{open}{id}{close}"),
-                &format!("{open}{prefix}{id}{close}"),
-            );
+            svg = svg.replace(&format!("{open}{id}{close}"), &format!("{open}{prefix}{id}{close}"));
         }
     }
     Ok(svg)
@@ -73,13 +70,7 @@ pub fn row(row: &Row) -> String {
         Some((stem, mark)) => ("panels stills", format!(" data-frame=\"{stem}\""), mark),
         None => ("panels", String::new(), ""),
     };
-    let Row {
-        number,
-        caption,
-        indent,
-        id,
-        ..
-    } = row;
+    let Row { number, caption, indent, id, .. } = row;
     let lines = [
         &format!("<figure id=\"{id}\"{frame}>"),
         &format!("<div class=\"{class}\">{panels}</div>{player}"),
@@ -94,13 +85,7 @@ pub fn row(row: &Row) -> String {
     ];
     let indented: Vec<String> = lines
         .iter()
-        .map(|line| {
-            if line.is_empty() {
-                String::new()
-            } else {
-                format!("{indent}{line}")
-            }
-        })
+        .map(|line| if line.is_empty() { String::new() } else { format!("{indent}{line}") })
         .collect();
     indented.join("\n")
 }
@@ -116,10 +101,8 @@ mod tests {
     fn a_figure_keeps_to_itself() {
         assert_eq!(
             inline(SVG, "f1-").as_deref(),
-            Ok(
-                "<svg viewBox=\"0 0 340 260\" aria-label=\"A line that falls\">\
-                <clipPath id=\"f1-c\"/><path clip-path=\"url(#f1-c)\"/></svg>"
-            )
+            Ok("<svg viewBox=\"0 0 340 260\" aria-label=\"A line that falls\">\
+                <clipPath id=\"f1-c\"/><path clip-path=\"url(#f1-c)\"/></svg>")
         );
         // The damaged twins.
         assert!(inline(&SVG.replace("A line that falls", " "), "").is_err());

@@ -13,14 +13,8 @@ macro_rules! shipped {
 }
 
 /// The files of `book/theme/fonts`, without `.woff2`.
-static FILES: [(&str, &[u8]); 6] = shipped!(
-    "serif",
-    "serif-italic",
-    "serif-semibold",
-    "serif-semibold-italic",
-    "maths",
-    "mono"
-);
+static FILES: [(&str, &[u8]); 6] =
+    shipped!("serif", "serif-italic", "serif-semibold", "serif-semibold-italic", "maths", "mono");
 
 /// The fonts that every page needs: they are asked for with the page.
 pub const FIRST: [&str; 4] = ["serif", "serif-italic", "serif-semibold", "maths"];
@@ -54,10 +48,7 @@ impl Family {
 }
 
 static FACES: LazyLock<Vec<(&str, Option<Face<'static>>)>> = LazyLock::new(|| {
-    FILES
-        .iter()
-        .map(|(name, file)| (*name, unpacked(file).as_ref().and_then(face)))
-        .collect()
+    FILES.iter().map(|(name, file)| (*name, unpacked(file).as_ref().and_then(face))).collect()
 });
 
 /// The tables that are read here, by their names.
@@ -187,16 +178,8 @@ mod tests {
     #[test]
     fn each_family_has_its_characters_and_no_others() {
         let cases = [
-            (
-                Family::Serif,
-                "Ač\u{3c6}\u{2032}\u{2212}\u{21a9}",
-                "\u{2500}\u{6f22}",
-            ),
-            (
-                Family::Maths,
-                "\u{1d711}\u{1d714}\u{221a}\u{2061}",
-                "č\u{2500}\u{6f22}",
-            ),
+            (Family::Serif, "Ač\u{3c6}\u{2032}\u{2212}\u{21a9}", "\u{2500}\u{6f22}"),
+            (Family::Maths, "\u{1d711}\u{1d714}\u{221a}\u{2061}", "č\u{2500}\u{6f22}"),
             (Family::Mono, "\u{2500}\u{3b8}~", "\u{6f22}"),
         ];
         for (family, has, lacks) in cases {

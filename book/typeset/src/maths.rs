@@ -41,10 +41,7 @@ fn argument(tex: &str, at: usize, command: &str) -> Option<(String, usize)> {
 /// # Errors
 /// A command given twice, or without its braces.
 pub fn prepare(tex: &str) -> Result<Prepared, String> {
-    let mut prepared = Prepared {
-        tex: tex.to_owned(),
-        ..Prepared::default()
-    };
+    let mut prepared = Prepared { tex: tex.to_owned(), ..Prepared::default() };
     let mut take = |command: &str| -> Result<Option<String>, String> {
         let mut taken = None;
         while let Some(at) = prepared.tex.find(command) {
@@ -92,27 +89,15 @@ pub fn mathml(tex: &str, display: bool) -> Result<String, Refused> {
         allow_unreliable_rendering: true,
         ..MathCoreConfig::default()
     };
-    let converter = LatexToMathML::new(config).map_err(|(e, ..)| Refused {
-        at: 0,
-        reason: e.to_string(),
-    })?;
+    let converter =
+        LatexToMathML::new(config).map_err(|(e, ..)| Refused { at: 0, reason: e.to_string() })?;
     if tex.trim().is_empty() {
-        return Err(Refused {
-            at: 0,
-            reason: "the formula is empty".into(),
-        });
+        return Err(Refused { at: 0, reason: "the formula is empty".into() });
     }
-    let mode = if display {
-        MathDisplay::Block
-    } else {
-        MathDisplay::Inline
-    };
+    let mode = if display { MathDisplay::Block } else { MathDisplay::Inline };
     let converted = converter
         .convert_with_local_state(tex, mode)
-        .map_err(|e| Refused {
-            at: e.0.start,
-            reason: e.to_string(),
-        })?;
+        .map_err(|e| Refused { at: e.0.start, reason: e.to_string() })?;
     Ok(mend(&converted.mathml))
 }
 
@@ -156,9 +141,7 @@ fn outside_of_groups(tex: &str, found: impl Fn(&str) -> Option<usize>) -> Vec<(u
 
 /// Whether `rest` begins with the command `name` and not with a longer one.
 fn is_command(rest: &str, name: &str) -> bool {
-    let after = rest
-        .strip_prefix('\\')
-        .and_then(|rest| rest.strip_prefix(name));
+    let after = rest.strip_prefix('\\').and_then(|rest| rest.strip_prefix(name));
     after.is_some_and(|after| !after.starts_with(|c: char| c.is_ascii_alphabetic()))
 }
 
@@ -185,9 +168,8 @@ const LONG: usize = 14;
 /// The pieces of a long formula in a line, each but the last ended by a relation: behind it the
 /// line may be broken, as TeX does it. Browsers break no line within a formula.
 pub fn pieces(tex: &str) -> Vec<&str> {
-    const RELATIONS: [&str; 12] = [
-        "approx", "le", "ge", "ll", "gg", "equiv", "to", "propto", "sim", "simeq", "ne", "neq",
-    ];
+    const RELATIONS: [&str; 12] =
+        ["approx", "le", "ge", "ll", "gg", "equiv", "to", "propto", "sim", "simeq", "ne", "neq"];
     let whole = mathml(tex, false).map(|mathml| plain(&mathml).chars().count());
     if whole.unwrap_or(0) <= LONG {
         return vec![tex];
@@ -264,10 +246,7 @@ mod tests {
     fn a_long_formula_may_be_broken_behind_a_relation() {
         let cases = [
             (r"a = b", vec![r"a = b"]),
-            (
-                r"a(b-u)(1-bu) = c(1-u^2)^2 \le d",
-                vec![r"a(b-u)(1-bu) =", r" c(1-u^2)^2 \le", " d"],
-            ),
+            (r"a(b-u)(1-bu) = c(1-u^2)^2 \le d", vec![r"a(b-u)(1-bu) =", r" c(1-u^2)^2 \le", " d"]),
             (
                 r"\left(a = b\right)^2 - f(x, y, z, t, u)",
                 vec![r"\left(a = b\right)^2 - f(x, y, z, t, u)"],
@@ -276,10 +255,7 @@ mod tests {
                 r"= \sqrt{x = 1} + \leftarrow aaaaaaaaaaaa",
                 vec![r"= \sqrt{x = 1} + \leftarrow aaaaaaaaaaaa"],
             ),
-            (
-                r"a \le b + c + d + e + f + g + h =",
-                vec![r"a \le b + c + d + e + f + g + h ="],
-            ),
+            (r"a \le b + c + d + e + f + g + h =", vec![r"a \le b + c + d + e + f + g + h ="]),
         ];
         for (tex, expected) in cases {
             assert_eq!(pieces(tex), expected, "{tex}");
@@ -309,9 +285,6 @@ mod tests {
         for tex in damaged {
             assert!(mathml(tex, true).is_err(), "{tex}");
         }
-        assert_eq!(
-            mathml(r"x + \nonsense", false).map_err(|e| e.at).err(),
-            Some(4)
-        );
+        assert_eq!(mathml(r"x + \nonsense", false).map_err(|e| e.at).err(), Some(4));
     }
 }

@@ -17,10 +17,8 @@ use crate::fonts;
 pub fn mend(mathml: &str) -> String {
     let mut mended = mathml.replace('ϕ', "φ").replace('ϵ', "ε");
     for prime in ['\u{2032}', '\u{2033}', '\u{2034}'] {
-        mended = mended.replace(
-            &format!("<mo>{prime}</mo>"),
-            &format!("<mo class=\"prime\">{prime}</mo>"),
-        );
+        mended = mended
+            .replace(&format!("<mo>{prime}</mo>"), &format!("<mo class=\"prime\">{prime}</mo>"));
     }
     let mended = mended.replace("<msqrt>", &format!("<msqrt>{STRUT}"));
     powers(&leaning(&functions(&dots(&accents(&fences(&mended))))))
@@ -169,9 +167,7 @@ pub fn italic(c: char) -> char {
 }
 
 fn fences(mathml: &str) -> String {
-    const TALL: [&str; 6] = [
-        "<mfrac", "<mtable", "<munder", "<msqrt", "<mroot", "largeop",
-    ];
+    const TALL: [&str; 6] = ["<mfrac", "<mtable", "<munder", "<msqrt", "<mroot", "largeop"];
     const SMALL: &str = "<mfrac displaystyle=\"false\">";
     let mut done = mathml.to_owned();
     let mut from = 0;
@@ -210,17 +206,10 @@ mod tests {
 
     #[test]
     fn browsers_are_helped() {
-        let html = |tex: &str| {
-            maths::mathml(tex, false)
-                .map_err(|e| e.reason)
-                .unwrap_or_default()
-        };
+        let html = |tex: &str| maths::mathml(tex, false).map_err(|e| e.reason).unwrap_or_default();
         // The font attaches an accent of a slanted theta 0.0755 em right of its middle.
         let theta = html(r"\dot\theta");
-        assert!(
-            theta.contains("<mi>θ</mi><mo style=\"transform:translate(0.07"),
-            "{theta}"
-        );
+        assert!(theta.contains("<mi>θ</mi><mo style=\"transform:translate(0.07"), "{theta}");
         let bold = html(r"\dot{\boldsymbol\omega}");
         assert!(bold.contains("translate(0.039em,-0.09em)"), "{bold}");
         let omega = html(r"\dot\Omega");
@@ -230,19 +219,13 @@ mod tests {
         for tex in [r"\dot\theta^2", r"\dot{\vec L}_1^2"] {
             let power = html(tex);
             let padded = "<mpadded height=\".7em\"><mover accent=\"true\">";
-            assert!(
-                power.contains(padded) && power.contains("</mover></mpadded>"),
-                "{power}"
-            );
+            assert!(power.contains(padded) && power.contains("</mover></mpadded>"), "{power}");
         }
         assert!(!html(r"\dot\theta + x^2").contains("mpadded"));
         // The font lets a slanted W lean out by 0.138 em, an x not at all.
         let power = html("W^2 + x^2");
         let led = "<msup><mrow><mi>W</mi><mspace width=\"0.1";
-        assert!(
-            power.contains(led) && power.contains("<msup><mi>x</mi>"),
-            "{power}"
-        );
+        assert!(power.contains(led) && power.contains("<msup><mi>x</mi>"), "{power}");
         let product = html(r"T \cos x + x \cos x");
         assert!(
             product.contains("<mi>T</mi><mspace width=\"0.1")
@@ -250,10 +233,7 @@ mod tests {
             "{product}"
         );
         let root = html(r"\sqrt{\phi}");
-        assert!(
-            root.contains(&format!("<msqrt>{STRUT}<mi>φ</mi>")),
-            "{root}"
-        );
+        assert!(root.contains(&format!("<msqrt>{STRUT}<mi>φ</mi>")), "{root}");
         let low = html(r"\left(b - \left[c\right]\right)^2");
         assert_eq!(low.matches("<mo stretchy=\"false\">").count(), 4, "{low}");
         // A stretched one of round brackets has its width mended, by what it holds.
@@ -271,10 +251,7 @@ mod tests {
 
     #[test]
     fn a_sign_on_its_own_is_no_fence() {
-        for alone in [
-            "<mrow><mo>(</mo></mrow>",
-            "<mrow><mo>(</mo><mi>x</mi></mrow>",
-        ] {
+        for alone in ["<mrow><mo>(</mo></mrow>", "<mrow><mo>(</mo><mi>x</mi></mrow>"] {
             assert_eq!(fences(alone), alone);
         }
     }

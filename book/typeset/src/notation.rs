@@ -22,10 +22,7 @@ pub fn words(cell: &str) -> String {
     let mut at = 0;
     while at < tokens.len() {
         let end = formula_end(&tokens[at..]);
-        let tex: String = tokens[at..at + end]
-            .iter()
-            .map(|t| t.tex.as_str())
-            .collect();
+        let tex: String = tokens[at..at + end].iter().map(|t| t.tex.as_str()).collect();
         match maths::mathml(tex.trim(), false) {
             Ok(mathml) if end > 0 => {
                 at += end;
@@ -66,12 +63,8 @@ pub fn symbols(cell: &str) -> String {
 
 /// How many tokens from the first on are a formula; 0 if none.
 fn formula_end(tokens: &[Token]) -> usize {
-    let begins = |kind: Kind| {
-        matches!(
-            kind,
-            Kind::Symbol | Kind::Function | Kind::Number | Kind::Open
-        )
-    };
+    let begins =
+        |kind: Kind| matches!(kind, Kind::Symbol | Kind::Function | Kind::Number | Kind::Open);
     let starts = |token: &Token| match token.kind {
         kind if begins(kind) => true,
         Kind::Sign => token.tex == "-" && tokens.get(1).is_some_and(|t| begins(t.kind)),
@@ -123,15 +116,9 @@ mod tests {
     fn formulas_are_told_from_prose() {
         let cases = [
             ("m g l/L_z", "|mgl/L_z|"),
-            (
-                "level at 1e4 rad/s: m g l/L_z",
-                "level at 10<sup>4</sup> rad/s: |mgl/L_z|",
-            ),
+            ("level at 1e4 rad/s: m g l/L_z", "level at 10<sup>4</sup> rad/s: |mgl/L_z|"),
             ("t_release/s", "|t_\\mathrmrelease|/s"),
-            (
-                "c/a = 1e-6: over c/sqrt(a)",
-                "|c/a=10^-6|: over |c/\\sqrta|",
-            ),
+            ("c/a = 1e-6: over c/sqrt(a)", "|c/a=10^-6|: over |c/\\sqrta|"),
             ("a thin disc, a = 2: a nod", "a thin disc, |a=2|: a nod"),
             (
                 "A disc: rate of gear A, if A: a disc at A",
@@ -142,25 +129,13 @@ mod tests {
             ("theta0 -> 0, a < b^2", "|\\theta_0\\to0|, |a<b^2|"),
             ("b to -b, one-sided, U''", "|b| to |-b|, one-sided, |U''|"),
             ("(b - cos(theta))/c", "|(b-\\cos(\\theta))/c|"),
-            (
-                "I_fork / I1 sin^2 theta",
-                "|I_\\mathrmfork/I_1\\sin^2\\theta|",
-            ),
+            ("I_fork / I1 sin^2 theta", "|I_\\mathrmfork/I_1\\sin^2\\theta|"),
             ("torque x turn / L_z", "torque × turn / |L_z|"),
             ("mu m g l x turn", "|\\mumgl| × turn"),
             ("pull / (m g) at the floor", "pull / |(mg)| at the floor"),
-            (
-                "ln(8/(sqrt 6 + sqrt 5)): each",
-                "|\\ln(8/(\\sqrt6+\\sqrt5))|: each",
-            ),
-            (
-                "W t_floor / sqrt(elevation)",
-                "|Wt_\\mathrmfloor/\\sqrt\\textelevation|",
-            ),
-            (
-                "Omega_E / (dphi/dt)",
-                "|\\Omega_E/(\\mathrmd\\phi/\\mathrmdt)|",
-            ),
+            ("ln(8/(sqrt 6 + sqrt 5)): each", "|\\ln(8/(\\sqrt6+\\sqrt5))|: each"),
+            ("W t_floor / sqrt(elevation)", "|Wt_\\mathrmfloor/\\sqrt\\textelevation|"),
+            ("Omega_E / (dphi/dt)", "|\\Omega_E/(\\mathrmd\\phi/\\mathrmdt)|"),
             ("E~ - U_eff in φ", "|\\widetildeE-U_\\mathrmeff| in |\\phi|"),
             ("arccos(2/3), whatever", "|\\arccos(2/3)|, whatever"),
             (
@@ -168,31 +143,19 @@ mod tests {
                 "the step’s phase lacks (angle/2)<sup>5</sup>/120",
             ),
             ("R.-C. Li, J. Phys. of L", "R.-C. Li, J. Phys. of |L|"),
-            (
-                "2^-53, below it",
-                "2<sup>\u{2212}</sup><sup>53</sup>, below it",
-            ),
-            (
-                "SRKN 14a, RK4, ABA(10,4), spin-free",
-                "SRKN 14a, RK4, ABA(10,4), spin-free",
-            ),
+            ("2^-53, below it", "2<sup>\u{2212}</sup><sup>53</sup>, below it"),
+            ("SRKN 14a, RK4, ABA(10,4), spin-free", "SRKN 14a, RK4, ABA(10,4), spin-free"),
             ("4 kg/m, 100 s, 1.0 to -2", "4 kg/m, 100 s, 1.0 to −2"),
             (
                 "1e-46 kg m^2, is 5e29 J, m = 2",
                 "10<sup>−46</sup> kg m<sup>2</sup>, is 5\u{202f}×\u{202f}10<sup>29</sup> J, |m=2|",
             ),
             ("a tanh of 0.1 m/s, 3 m/n", "a tanh of 0.1 m/s, |3m/n|"),
-            (
-                "-(1 + b)/c, -2 cos(a), -3 at",
-                "|-(1+b)/c|, |-2\\cos(a)|, −3 at",
-            ),
+            ("-(1 + b)/c, -2 cos(a), -3 at", "|-(1+b)/c|, |-2\\cos(a)|, −3 at"),
             ("at the end 2. Then (b", "at the end 2. Then (|b|"),
             ("heavy_top: x < 5", "heavy_top: |x<5|"),
             ("a_full_disk of a_disk", "a_full_disk of |a_\\mathrmdisk|"),
-            (
-                "--csv put a file (--half-angle)",
-                "--csv put a file (--half-angle)",
-            ),
+            ("--csv put a file (--half-angle)", "--csv put a file (--half-angle)"),
             ("b) + (c", "|b|) + (|c|"),
             ("4-5 to 6, a = 2. Then", "4-5 to 6, |a=2|. Then"),
         ];
@@ -218,22 +181,13 @@ mod tests {
     #[test]
     fn formulas_of_cells_are_understood() {
         let html = words("no weight: over c/sqrt(a), sin^2(theta) of 1e6");
-        assert!(
-            html.starts_with("no weight: over <span class=\"glued\"><math>"),
-            "{html}"
-        );
-        assert!(
-            html.contains("<msqrt>") && html.contains("θ</mi>"),
-            "{html}"
-        );
+        assert!(html.starts_with("no weight: over <span class=\"glued\"><math>"), "{html}");
+        assert!(html.contains("<msqrt>") && html.contains("θ</mi>"), "{html}");
         assert!(html.ends_with("</math> of 10<sup>6</sup>"), "{html}");
         // Bars belong to what is between them.
         for bars in ["3 |I3 - I1| g/b", "|mu'|/lambda", "|L|"] {
             let html = words(bars);
-            assert!(
-                html.starts_with("<math>") && html.ends_with("</math>"),
-                "{html}"
-            );
+            assert!(html.starts_with("<math>") && html.ends_with("</math>"), "{html}");
         }
         let html = words("year/|Omega|, |F_h| / mu N of |x");
         assert!(
@@ -245,9 +199,6 @@ mod tests {
         let html = words("sqrt 6 b");
         assert!(html.contains("<mn>6</mn></msqrt>"), "{html}");
         let html = words("torque / m g l");
-        assert!(
-            html.starts_with("torque <span class=\"glued\">/\u{a0}<math>"),
-            "{html}"
-        );
+        assert!(html.starts_with("torque <span class=\"glued\">/\u{a0}<math>"), "{html}");
     }
 }

@@ -108,9 +108,7 @@ pub fn raised(html: &str) -> String {
     let mut pieces = html.split('^');
     let mut done = pieces.next().unwrap_or("").to_owned();
     for piece in pieces {
-        let end = piece
-            .find(|c: char| !(c.is_ascii_digit() || c == '-'))
-            .unwrap_or(piece.len());
+        let end = piece.find(|c: char| !(c.is_ascii_digit() || c == '-')).unwrap_or(piece.len());
         let exponent = piece[..end].replace('-', "\u{2212}");
         let _ = write!(done, "<sup>{exponent}</sup>{}", &piece[end..]);
     }

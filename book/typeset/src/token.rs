@@ -29,17 +29,12 @@ const GREEK: [(&str, char); 23] = [
     ("Omega", 'Ω'),
 ];
 
-const FUNCTIONS: [&str; 9] = [
-    "sin", "cos", "tan", "ln", "exp", "arcsin", "arccos", "arctan", "sqrt",
-];
+const FUNCTIONS: [&str; 9] =
+    ["sin", "cos", "tan", "ln", "exp", "arcsin", "arccos", "arctan", "sqrt"];
 
 /// Signs of more than one character, and `x` between spaces, with their shape and their TeX.
-const SIGNS: [(&str, &str, &str); 4] = [
-    ("->", "→", "\\to "),
-    ("<=", "≤", "\\le "),
-    (">=", "≥", "\\ge "),
-    ("x ", "× ", "\\times "),
-];
+const SIGNS: [(&str, &str, &str); 4] =
+    [("->", "→", "\\to "), ("<=", "≤", "\\le "), (">=", "≥", "\\ge "), ("x ", "× ", "\\times ")];
 
 /// What a token may be part of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -148,11 +143,7 @@ pub fn tokens(cell: &str, first: Kind) -> Vec<Token> {
 }
 
 fn token(kind: Kind, tex: &str, html: String) -> Token {
-    Token {
-        kind,
-        tex: tex.to_owned(),
-        html,
-    }
+    Token { kind, tex: tex.to_owned(), html }
 }
 
 /// The flag of a program with which `text` begins: `--csv`.
@@ -194,9 +185,7 @@ fn number(text: &str) -> (Token, usize) {
 /// The word with which `text` begins, and what belongs to it; `inside` a sentence, as it stands
 /// after a word or a minus.
 fn name(text: &str, before: Kind, inside: bool) -> (Token, usize) {
-    let letters = text
-        .find(|c: char| !c.is_alphabetic())
-        .unwrap_or(text.len());
+    let letters = text.find(|c: char| !c.is_alphabetic()).unwrap_or(text.len());
     let (word, after) = text.split_at(letters);
     // What has two strokes is the name of a test: `a_full_disk`.
     let end = text.find(|c: char| !c.is_alphanumeric() && c != '_');
@@ -283,9 +272,7 @@ fn letter(word: &str, after: &str, before: Kind, inside: bool) -> Option<String>
         "A" => beside || inside,
         _ => letters == 1 && word.is_ascii(),
     };
-    greek(word)
-        .or_else(differential)
-        .or_else(|| alone.then(|| word.to_owned()))
+    greek(word).or_else(differential).or_else(|| alone.then(|| word.to_owned()))
 }
 
 /// A function's name, a root with what is under it.
@@ -304,10 +291,7 @@ fn function(word: &str, after: &str) -> (Token, usize) {
             let inside = after.trim_start();
             let end = inside.find(|c: char| !c.is_alphanumeric());
             let inside = &inside[..end.unwrap_or(inside.len())];
-            (
-                inside,
-                after.len() - after.trim_start().len() + inside.len(),
-            )
+            (inside, after.len() - after.trim_start().len() + inside.len())
         }
     };
     let under: String = tokens(inside, Kind::Open)

@@ -14,10 +14,7 @@ use crate::scene::Scene;
 
 /// Runs are compared at so many places at most, one for every so many radians that the
 /// body turns.
-const ALONG: Places = Places::Along {
-    most: 128,
-    apart: 3.0,
-};
+const ALONG: Places = Places::Along { most: 128, apart: 3.0 };
 
 /// A stretch between two known states is stepped in parts of so many steps of the run, of which every
 /// state between them is found from the last before it.
@@ -130,12 +127,7 @@ fn along<'s>(
         let (name, unit) = invariant.name_and_unit();
         Kept::new(name, unit, scene.value(invariant, start))
     });
-    Ok(SolvedMotion {
-        given,
-        solved: answer.solved,
-        form: answer.form,
-        kept: kept.collect(),
-    })
+    Ok(SolvedMotion { given, solved: answer.solved, form: answer.form, kept: kept.collect() })
 }
 
 /// [`Scene::solve_at`].
@@ -147,11 +139,7 @@ pub(in crate::accuracy) fn at(
     limits: &Limits,
 ) -> Result<Vec<State>> {
     let Some(&t_end) = times.last() else {
-        return Err(Error::Lengths {
-            name: "times",
-            found: 0,
-            expected: 1,
-        });
+        return Err(Error::Lengths { name: "times", found: 0, expected: 1 });
     };
     in_order(limits.t_start, times)?;
     along(scene, start, t_end, tolerance, limits)?.try_states(times)
@@ -237,11 +225,7 @@ impl SolvedMotion<'_> {
         let [from, to] = self.span();
         let (first, last) = (from.min(to), from.max(to));
         if !(first..=last).contains(&t) {
-            return Err(Error::OutsideRun {
-                t,
-                start: first,
-                end: last,
-            });
+            return Err(Error::OutsideRun { t, start: first, end: last });
         }
         Ok(())
     }
@@ -290,13 +274,9 @@ impl SolvedMotion<'_> {
         let (method, level, precision, passed, steps) = match &self.form {
             Form::Still(state) => return Ok(*state),
             Form::Exact(motion) => return motion.at(t - from),
-            Form::Stepped {
-                method,
-                level,
-                precision,
-                passed,
-                steps,
-            } => (*method, *level, *precision, passed, steps),
+            Form::Stepped { method, level, precision, passed, steps } => {
+                (*method, *level, *precision, passed, steps)
+            }
         };
         let is_after = |other: f64| if to < from { other < t } else { other > t };
         let piece = passed.partition_point(|(at, _)| !is_after(*at)) - 1;
@@ -310,10 +290,7 @@ impl SolvedMotion<'_> {
         let at = |part: u64| begun + part as f64 / parts as f64 * (end - begun);
         if here.piece != piece {
             (here.piece, here.part) = (piece, 0);
-            here.stop = Stop {
-                on_body: None,
-                ..stop.clone()
-            };
+            here.stop = Stop { on_body: None, ..stop.clone() };
         }
         let problem = self.given.problem();
         let mut fewest = steps[piece];
@@ -331,12 +308,7 @@ impl SolvedMotion<'_> {
             if budget == 0 {
                 return Err(over);
             }
-            let fine = Fine {
-                level,
-                fewest: &[fewest],
-                precision,
-                budget,
-            };
+            let fine = Fine { level, fewest: &[fewest], precision, budget };
             let mut runs = Runs::default();
             let passed = method.run(&problem, [from, to], here.stop.clone(), fine, &mut runs);
             here.work += runs.work;

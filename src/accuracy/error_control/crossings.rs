@@ -82,12 +82,7 @@ impl SolvedMotion<'_> {
         name: &str,
         function: impl Fn(f64, &State) -> f64,
     ) -> Result<Vec<Crossing>> {
-        let search = Search {
-            motion: self,
-            name,
-            function: &function,
-            work: Work::default(),
-        };
+        let search = Search { motion: self, name, function: &function, work: Work::default() };
         search.crossings()
     }
 }
@@ -133,10 +128,7 @@ impl Search<'_, '_> {
         Err(Error::of_function(
             format!("function of the crossing \"{}\"", self.name),
             t,
-            (
-                "attitude and angular momentum",
-                vec![w, x, y, z, lx, ly, lz],
-            ),
+            ("attitude and angular momentum", vec![w, x, y, z, lx, ly, lz]),
             &[value],
             FINITE,
         ))
@@ -150,13 +142,7 @@ impl Search<'_, '_> {
             None => 0.0,
         };
         let rate = self.motion.body().angular_velocity(&state).norm();
-        Ok(Look {
-            t,
-            value,
-            side,
-            here,
-            rate,
-        })
+        Ok(Look { t, value, side, here, rate })
     }
 
     /// The look after this one, unless that is the last.
@@ -174,11 +160,7 @@ impl Search<'_, '_> {
         loop {
             apart = apart.max(8.0 * EPS * last.t.abs());
             let is_last = (to - last.t).abs() <= apart;
-            let t = if is_last {
-                to
-            } else {
-                last.t + apart.copysign(to - from)
-            };
+            let t = if is_last { to } else { last.t + apart.copysign(to - from) };
             let next = self.look(Some(last), t, &last.here)?;
             // It has begun to turn faster.
             if next.rate * apart <= 2.0 * LOOK || apart <= 16.0 * EPS * last.t.abs() {
@@ -257,11 +239,7 @@ impl Search<'_, '_> {
         let (least, most) = ((begin + by).min(end - by), (begin + by).max(end - by));
         let middle = t.clamp(least, most);
         // Rounding may lead beyond an end, where there is no motion.
-        let mut at = |t: f64| {
-            Ok(self
-                .go(&from.here, t.clamp(begin.min(end), begin.max(end)))?
-                .2)
-        };
+        let mut at = |t: f64| Ok(self.go(&from.here, t.clamp(begin.min(end), begin.max(end)))?.2);
         let (before, here, after) = (at(middle - by)?, at(middle)?, at(middle + by)?);
         let slope = ((after - before) / (2.0 * by)).abs();
         let curvature = ((after - here) - (here - before)).abs() / (by * by);
@@ -274,12 +252,7 @@ impl Search<'_, '_> {
         } else {
             f64::INFINITY
         };
-        Ok(Crossing {
-            t,
-            state,
-            rising,
-            t_estimate,
-        })
+        Ok(Crossing { t, state, rising, t_estimate })
     }
 
     /// How far the function of a state may be off, by what the state may be.

@@ -17,11 +17,7 @@ pub struct ExactMotion {
 impl ExactMotion {
     /// The motion with this name and this state at a time.
     pub fn new(name: &'static str, at: impl Fn(f64) -> Result<State> + 'static) -> Self {
-        Self {
-            name,
-            near_separatrix: false,
-            at: Box::new(at),
-        }
+        Self { name, near_separatrix: false, at: Box::new(at) }
     }
 
     /// The motion of this body from `start` at t = 0 under what is `known`, if it has a
@@ -72,9 +68,7 @@ fn free(body: &RigidBody, start: &State) -> Option<ExactMotion> {
     let momenta = [0, 1, 2].map(|i| moments[i] * omega[i]);
     let square: f64 = momenta.iter().map(|l| l * l).sum();
     let middle = moments[order_of_three(moments)[1]];
-    let off: f64 = (moments.iter().zip(omega))
-        .map(|(i, w)| i * (middle - i) * w * w)
-        .sum();
+    let off: f64 = (moments.iter().zip(omega)).map(|(i, w)| i * (middle - i) * w * w).sum();
     Some(ExactMotion {
         name: "closed form of the free body",
         near_separatrix: off.abs() < NEAR * square,

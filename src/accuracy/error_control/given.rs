@@ -95,9 +95,7 @@ impl<'s> Given<'s> {
             limits: *limits,
             acting: Acting::of(effects),
             damping: 0.0,
-            torque: effects
-                .torque_scale(limits.t_start, body, start)
-                .max(checked.at_start()),
+            torque: effects.torque_scale(limits.t_start, body, start).max(checked.at_start()),
             breaks: limits.breaks(effects, t_end),
             varies: false,
             longest_step: limits.longest_step,
@@ -107,10 +105,7 @@ impl<'s> Given<'s> {
         };
         finite("kinetic energy of the start", body.kinetic_energy(start))?;
         let properties = effects.properties();
-        finite(
-            "the fastest rate that the energy allows",
-            given.problem().fastest(),
-        )?;
+        finite("the fastest rate that the energy allows", given.problem().fastest())?;
         let seen = if properties.on_time && t_end != limits.t_start {
             given.checked.looked(LOOKS as usize)
         } else {
@@ -134,10 +129,8 @@ impl<'s> Given<'s> {
             let problem = given.problem();
             let near = NEAR / LOOKS * (t_end - limits.t_start).abs();
             let apart = |cut: &f64| given.breaks.iter().all(|t| (t - cut).abs() > near);
-            let cuts: Vec<f64> = (1..cuts)
-                .map(|n| problem.time_at(n, cuts))
-                .filter(apart)
-                .collect();
+            let cuts: Vec<f64> =
+                (1..cuts).map(|n| problem.time_at(n, cuts)).filter(apart).collect();
             given.breaks = limits.sorted([given.breaks, cuts].concat(), t_end);
         }
         if let Acting::Anything(effects) = given.acting
@@ -202,14 +195,9 @@ impl<'s> Given<'s> {
         if !step && let Some(motion) = problem.exact_motion() {
             match by_closed_form(&problem, &motion, self.tolerance, places) {
                 // At the edge of what a closed form can do: neighbours have none.
-                Err(Error::NotDelivered {
-                    condition: None, ..
-                }) => {}
+                Err(Error::NotDelivered { condition: None, .. }) => {}
                 solved => {
-                    return Ok(Answer {
-                        solved: solved?,
-                        form: Form::Exact(motion),
-                    });
+                    return Ok(Answer { solved: solved?, form: Form::Exact(motion) });
                 }
             }
         }
@@ -276,10 +264,7 @@ impl Given<'_> {
         }
         let effect = || self.effects.names().join(" and ");
         if let Some(t) = self.problem().slides(self.limits.budget) {
-            return Error::Sliding {
-                effect: effect(),
-                t,
-            };
+            return Error::Sliding { effect: effect(), t };
         }
         if let Error::StepUnderflow { t, .. } = error
             && !self.jumps_at(t)
@@ -294,12 +279,7 @@ impl Given<'_> {
             Some(every)
                 if !self.effects.properties().smooth && (limit.is_none() || self.varies) =>
             {
-                Error::Unseen {
-                    effect: effect(),
-                    requested: self.tolerance,
-                    every,
-                    limit,
-                }
+                Error::Unseen { effect: effect(), requested: self.tolerance, every, limit }
             }
             _ => error,
         }
@@ -336,15 +316,10 @@ fn by_closed_form(
     places: usize,
 ) -> Result<Solved> {
     let on_the_way = |motion: &ExactMotion, changed: &Problem| -> Result<Vec<State>> {
-        (1..=places)
-            .map(|n| motion.at(changed.time_at(n, places) - changed.t_start))
-            .collect()
+        (1..=places).map(|n| motion.at(changed.time_at(n, places) - changed.t_start)).collect()
     };
     let states = on_the_way(motion, problem)?;
-    let mut work = Work {
-        samples: 1,
-        ..Work::default()
-    };
+    let mut work = Work { samples: 1, ..Work::default() };
     let run = work;
     let neighbour = |row, by| {
         let changed = problem.changed(row, by)?;
@@ -355,11 +330,7 @@ fn by_closed_form(
         })?;
         on_the_way(&motion, &changed)
     };
-    let probe = if motion.is_near_separatrix() {
-        Probe::STEEP
-    } else {
-        Probe::EXACT
-    };
+    let probe = if motion.is_near_separatrix() { Probe::STEEP } else { Probe::EXACT };
     let condition: Distances = problem.condition(&probe, |by| {
         work.samples += ALL_ROWS as u64;
         let changed = (0..ALL_ROWS).map(|row| neighbour(row, by));
@@ -379,10 +350,7 @@ fn by_closed_form(
         method: motion.name(),
         run,
         work,
-        probes: Work {
-            samples: work.samples - 1,
-            ..Work::default()
-        },
+        probes: Work { samples: work.samples - 1, ..Work::default() },
         price: work.samples as f64,
         estimate,
         momentum_estimate,

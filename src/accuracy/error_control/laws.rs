@@ -65,12 +65,7 @@ pub(super) fn carried(
                 .collect();
             let used = work.steps + work.rejected - begun;
             if used >= limit {
-                return Err(Error::LimitReached {
-                    what: "steps",
-                    t: now,
-                    t_end,
-                    limit,
-                });
+                return Err(Error::LimitReached { what: "steps", t: now, t_end, limit });
             }
             let method = method
                 .with_longest_step(longest.min((to - now).abs() / least as f64))?
@@ -90,24 +85,14 @@ pub(super) fn carried(
         is_sample &= is_there;
         now = if is_there { to } else { there };
         for (n, law) in met {
-            back_at_once[n] = if s.abs() <= AT_ONCE * step {
-                back_at_once[n] + 1
-            } else {
-                0
-            };
+            back_at_once[n] = if s.abs() <= AT_ONCE * step { back_at_once[n] + 1 } else { 0 };
             if back_at_once[n] >= SLIDES {
-                return Err(Error::Sliding {
-                    effect: holding.name_of(n),
-                    t: now,
-                });
+                return Err(Error::Sliding { effect: holding.name_of(n), t: now });
             }
             holding.held[n] = law.beyond(holding.held[n], now, body, &state);
         }
     }
-    Ok(Stop {
-        held: holding.held,
-        ..Stop::at(state)
-    })
+    Ok(Stop { held: holding.held, ..Stop::at(state) })
 }
 
 /// The event that the margin of a law falls below 0. At the start of the piece it counts as above,
@@ -125,11 +110,7 @@ fn margin<'l>(
         let t = (from + s).max(first).min(last);
         let margin = |state: State| law.margin(held, t, &problem.body, &state);
         let margin = scene::state(y).map_or(f64::NAN, margin);
-        if margin == 0.0 || s == 0.0 && margin < 0.0 {
-            f64::MIN_POSITIVE
-        } else {
-            margin
-        }
+        if margin == 0.0 || s == 0.0 && margin < 0.0 { f64::MIN_POSITIVE } else { margin }
     };
     let name = holding.first_name(part);
     Event::falling(name, function).terminal()

@@ -68,17 +68,9 @@ impl Limits<'_> {
         }
         crate::effects::rising("break point", self.break_points)?;
         let (first, last) = (self.t_start.min(t_end), self.t_start.max(t_end));
-        match self
-            .break_points
-            .iter()
-            .find(|t| !(first..=last).contains(t))
-        {
+        match self.break_points.iter().find(|t| !(first..=last).contains(t)) {
             None => Ok(()),
-            Some(&t) => Err(Error::OutsideRun {
-                t,
-                start: first,
-                end: last,
-            }),
+            Some(&t) => Err(Error::OutsideRun { t, start: first, end: last }),
         }
     }
 

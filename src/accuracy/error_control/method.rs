@@ -116,12 +116,7 @@ impl Method {
             Resisted14 => [-3.7, 0.85, 1.0, 1.2],
             Adaptive => [-3.2, 0.0, 0.7, 1.0],
         };
-        Model {
-            first,
-            with_torque,
-            falls,
-            cost,
-        }
+        Model { first, with_torque, falls, cost }
     }
 
     /// By how many levels the error falls with each.
@@ -134,19 +129,11 @@ impl Method {
     pub(super) fn level_for(self, problem: &Problem, error: f64) -> f64 {
         let model = self.model();
         let energy = problem.body.kinetic_energy(&problem.start);
-        let weight = if energy > 0.0 {
-            problem.torque / energy
-        } else {
-            1e3
-        };
+        let weight = if energy > 0.0 { problem.torque / energy } else { 1e3 };
         let torque = log(weight.clamp(1e-6, 1e3)) / LEVEL;
         let turns = self.turned(problem, problem.span()) / core::f64::consts::TAU;
         let turns = turns.max(1.0);
-        let grown = if self.is_adaptive() {
-            turns * turns
-        } else {
-            turns
-        };
+        let grown = if self.is_adaptive() { turns * turns } else { turns };
         let levels = model.first + model.with_torque * torque - log(error / grown) / LEVEL;
         (levels / model.falls).clamp(self.coarsest(), self.finest() - 1.0)
     }
@@ -158,10 +145,7 @@ impl Method {
             Gauss | Adaptive => 24.0,
             FreeGauss | SpinFreeGauss | BodyGauss | Resisted6 | Resisted14 => 8.0,
         };
-        stepped
-            + problem
-                .slender
-                .map_or(0.0, |slender| slender.held + slender.brought)
+        stepped + problem.slender.map_or(0.0, |slender| slender.held + slender.brought)
     }
 
     /// True if its steps are solved by sweeps, which leave something.
@@ -223,11 +207,7 @@ impl Method {
         match self {
             SpinFreeGauss => of_axis(),
             Resisted6 | Resisted14 => {
-                let rate = if moments.is_symmetric() {
-                    of_axis()
-                } else {
-                    problem.fastest()
-                };
+                let rate = if moments.is_symmetric() { of_axis() } else { problem.fastest() };
                 // Nor are steps in their order that take most of the momentum at once.
                 rate.max(self.angle() * problem.damping)
             }
@@ -272,25 +252,15 @@ impl Method {
         runs: &mut Runs,
     ) -> Result<Passed> {
         let times = problem.pieces([t, t_end]);
-        let mut passed = Passed {
-            stop: start,
-            work: Work::default(),
-            level: f64::INFINITY,
-            longest_step: 0.0,
-        };
+        let mut passed =
+            Passed { stop: start, work: Work::default(), level: f64::INFINITY, longest_step: 0.0 };
         for (n, piece) in times.windows(2).enumerate() {
-            let now = Fine {
-                budget: fine.budget.saturating_sub(passed.work.torques()),
-                ..fine
-            };
+            let now = Fine { budget: fine.budget.saturating_sub(passed.work.torques()), ..fine };
             let span = [piece[0], piece[1]];
             let fewest = fine.fewest.get(n).copied().unwrap_or(Steps::ONE);
             let start = &passed.stop;
             let more = self.run_piece(problem, span, start, now, fewest, &mut runs.work)?;
-            runs.pieces.push(Steps {
-                made: more.work.steps,
-                ..fewest
-            });
+            runs.pieces.push(Steps { made: more.work.steps, ..fewest });
             runs.passed.push((piece[1], more.stop.clone()));
             passed.stop = more.stop;
             passed.work += more.work;
@@ -310,12 +280,7 @@ impl Method {
         spent: &mut Work,
     ) -> Result<Passed> {
         let span = (t_end - t).abs();
-        let over = Error::LimitReached {
-            what: "torques",
-            t,
-            t_end,
-            limit: fine.budget,
-        };
+        let over = Error::LimitReached { what: "torques", t, t_end, limit: fine.budget };
         let mut fewest = span / problem.longest_step;
         if self.is_adaptive() {
             // Finer runs take shorter steps also where none may be longer: runs that took
@@ -347,21 +312,11 @@ impl Method {
             }
             (Some(_), Stepper::Dop853(dop853)) if self == Adaptive => {
                 let (start, on_body) = (&start.state, start.on_body);
-                slender::carried(problem, &dop853, [t, t_end], start, on_body, &mut work).map(
-                    |(state, on_body)| Stop {
-                        on_body: Some(on_body),
-                        ..Stop::at(state)
-                    },
-                )
+                slender::carried(problem, &dop853, [t, t_end], start, on_body, &mut work)
+                    .map(|(state, on_body)| Stop { on_body: Some(on_body), ..Stop::at(state) })
             }
-            _ => (problem.carried(
-                &stepper,
-                self.variables(),
-                [t, t_end],
-                &start.state,
-                &mut work,
-            ))
-            .map(Stop::at),
+            _ => (problem.carried(&stepper, self.variables(), [t, t_end], &start.state, &mut work))
+                .map(Stop::at),
         };
         *spent += work;
         // A piece has its own time, from 0.
@@ -376,12 +331,7 @@ impl Method {
             let steps = work.steps as f64;
             (self.level_of(problem, t_end - t, steps), span / steps)
         };
-        Ok(Passed {
-            stop,
-            work,
-            level,
-            longest_step,
-        })
+        Ok(Passed { stop, work, level, longest_step })
     }
 }
 
@@ -414,12 +364,7 @@ const FEW: f64 = 8.0;
 
 impl Steps {
     /// Nothing is asked for.
-    pub(super) const ONE: Self = Self {
-        made: 0,
-        fewest: 1,
-        asked: 1.0,
-        sampled: 1.0,
-    };
+    pub(super) const ONE: Self = Self { made: 0, fewest: 1, asked: 1.0, sampled: 1.0 };
 
     /// So many steps at least from each sample to the next: runs that crossed all of them in one
     /// would agree.
@@ -429,25 +374,14 @@ impl Steps {
 
     /// The steps of another run in the same steps; an adaptive method takes its own.
     pub(super) fn again(self, method: Method) -> Self {
-        Self {
-            fewest: if method.is_adaptive() {
-                self.fewest
-            } else {
-                self.made
-            },
-            ..self
-        }
+        Self { fewest: if method.is_adaptive() { self.fewest } else { self.made }, ..self }
     }
 
     /// The steps of a run that is finer by so many levels, on every piece. Runs that took the same
     /// steps over one of them would agree on it, and say nothing of its error.
     pub(super) fn finer(self, method: Method, levels: f64) -> Self {
         let asked = self.asked.max(FEW.min(self.made as f64)) * method.more_steps(levels);
-        let fewest = if method.is_adaptive() {
-            asked.ceil() as u64
-        } else {
-            1
-        };
+        let fewest = if method.is_adaptive() { asked.ceil() as u64 } else { 1 };
         Self {
             made: 0,
             fewest: fewest.max(self.made + 1),
@@ -491,11 +425,7 @@ pub(super) struct Stop {
 
 impl Stop {
     pub(super) const fn at(state: State) -> Self {
-        Self {
-            state,
-            on_body: None,
-            held: Vec::new(),
-        }
+        Self { state, on_body: None, held: Vec::new() }
     }
 }
 

@@ -182,22 +182,13 @@ pub(super) struct Probe {
 
 impl Probe {
     /// For closed forms, whose rounding is all that blurs a small change.
-    pub(super) const EXACT: Self = Self {
-        changes: &[1e-9, 1e-12, 8.0 * EPS],
-        linear: 1e-4,
-        again: None,
-    };
+    pub(super) const EXACT: Self =
+        Self { changes: &[1e-9, 1e-12, 8.0 * EPS], linear: 1e-4, again: None };
     /// The same near a separatrix.
-    pub(super) const STEEP: Self = Self {
-        again: Some(16.0 * EPS),
-        ..Self::EXACT
-    };
+    pub(super) const STEEP: Self = Self { again: Some(16.0 * EPS), ..Self::EXACT };
     /// For stepping.
-    pub(super) const STEPPED: Self = Self {
-        changes: &[1e-6, 1e-9, 1e-12, 64.0 * EPS],
-        linear: 3e-3,
-        again: None,
-    };
+    pub(super) const STEPPED: Self =
+        Self { changes: &[1e-6, 1e-9, 1e-12, 64.0 * EPS], linear: 3e-3, again: None };
 
     fn smallest(&self) -> f64 {
         self.changes.last().copied().unwrap_or(0.0)
@@ -417,11 +408,7 @@ impl<'e> Problem<'e> {
     /// (rad), and the differences of momentum and rates as parts of their scales.
     pub(super) fn apart(&self, a: &State, b: &State) -> Distances {
         let ratio = |difference: f64, scale: f64| {
-            if difference == 0.0 {
-                0.0
-            } else {
-                difference / scale
-            }
+            if difference == 0.0 { 0.0 } else { difference / scale }
         };
         let momentum = (a.angular_momentum - b.angular_momentum).norm();
         let (rates, others) = (self.body.angular_velocity(a), self.body.angular_velocity(b));
@@ -464,11 +451,7 @@ impl<'e> Problem<'e> {
             // A symmetric body stays one.
             let s2 = if old.is_symmetric() { s1 } else { s2 };
             let [i1, i2, i3] = old.to_array();
-            PrincipalMoments::new(
-                i1 * (1.0 + s1 * by),
-                i2 * (1.0 + s2 * by),
-                i3 * (1.0 + s3 * by),
-            )
+            PrincipalMoments::new(i1 * (1.0 + s1 * by), i2 * (1.0 + s2 * by), i3 * (1.0 + s3 * by))
         };
         // A flat body has no neighbours on one side, a thin one hardly any but larger and
         // smaller ones. Those of a slender body count as exact: a change by eps of moments that
@@ -582,9 +565,8 @@ impl<'e> Problem<'e> {
             let smallest = by <= probe.smallest();
             if farthest <= probe.linear {
                 let unsure = waiting.is_none();
-                let slopes = waiting.map_or(slopes, |waiting| {
-                    [0, 1, 2].map(|i| larger(slopes[i], waiting[i]))
-                });
+                let slopes = waiting
+                    .map_or(slopes, |waiting| [0, 1, 2].map(|i| larger(slopes[i], waiting[i])));
                 if let Some((before, _, went)) = coarser
                     && unsure
                     && went > FAR
@@ -602,11 +584,7 @@ impl<'e> Problem<'e> {
                 };
                 // Near a separatrix a change may carry the motion past its own steepness.
                 let (finer, _) = slopes_of(again)?;
-                return Ok(if finer[0] > BLURRED * slopes[0] {
-                    finer
-                } else {
-                    slopes
-                });
+                return Ok(if finer[0] > BLURRED * slopes[0] { finer } else { slopes });
             }
             if smallest {
                 // A slope, if it is the same as that of a larger change.

@@ -176,10 +176,7 @@ impl<'p> Refinement<'p> {
     /// that are.
     fn affordable(&self, methods: &[Method]) -> Result<()> {
         let problem = self.problem;
-        let samples = problem
-            .checked
-            .holding()
-            .samples([problem.t_start, problem.t_end]);
+        let samples = problem.checked.holding().samples([problem.t_start, problem.t_end]);
         let steps = (problem.span() / problem.longest_step).abs().max(samples);
         let cheapest = (methods.iter()).map(|method| method.torques());
         let cheapest = cheapest.fold(f64::INFINITY, f64::min);
@@ -206,11 +203,7 @@ impl<'p> Refinement<'p> {
         let mut precision = self.first_precision(method);
         let mut coarse = self.first(method, change, precision)?;
         // Where steps are short for another reason than the rotation, their order begins later.
-        let later = if method.is_adaptive() {
-            0.0
-        } else {
-            coarse.level + LATER
-        };
+        let later = if method.is_adaptive() { 0.0 } else { coarse.level + LATER };
         let finest = method.finest().max(later);
         let (mut condition, mut before): (Option<Distances>, Option<Distances>) = (None, None);
         let (mut ahead, mut stuck) = (1.0, 0);
@@ -247,11 +240,7 @@ impl<'p> Refinement<'p> {
             let loosely = precision > 2.0 * kept;
             precision = precision.min(kept);
             let is_nearer = apart[0] <= 0.5 * nearest;
-            stuck = if is_nearer || apart[0] > APART {
-                0
-            } else {
-                stuck + 1
-            };
+            stuck = if is_nearer || apart[0] > APART { 0 } else { stuck + 1 };
             nearest = nearest.min(apart[0]);
             if stuck > 2 && precision > 0.0 {
                 // It may be the sweeps that differ.
@@ -307,11 +296,7 @@ impl<'p> Refinement<'p> {
             return Err(self.beyond(floor, condition[0]));
         }
         let steps = run.work.steps as f64;
-        let rounded = if method.adds_rounding() {
-            ROUNDED * EPS * steps
-        } else {
-            0.0
-        };
+        let rounded = if method.adds_rounding() { ROUNDED * EPS * steps } else { 0.0 };
         let swept = precision * self.swept(steps);
         Ok(condition
             .map(|condition| self.floor(method, condition) + swept * (1.0 + condition) + rounded))
@@ -361,9 +346,7 @@ impl<'p> Refinement<'p> {
     /// True if two runs are so near that a changed one in the steps of the coarser shows a slope.
     fn is_near(&self, method: Method, apart: f64) -> bool {
         let most = if method.is_adaptive() {
-            (NEARER * CHANGE_ADAPTIVE)
-                .max(0.5 * self.tolerance)
-                .min(LINEAR)
+            (NEARER * CHANGE_ADAPTIVE).max(0.5 * self.tolerance).min(LINEAR)
         } else {
             LINEAR
         };
@@ -422,11 +405,7 @@ impl<'p> Refinement<'p> {
         while by > 64.0 * EPS {
             let asked = Asked {
                 // Coarser by as much as the changed problem may seem to turn faster.
-                level: if method.is_adaptive() {
-                    run.level
-                } else {
-                    run.level - 0.1
-                },
+                level: if method.is_adaptive() { run.level } else { run.level - 0.1 },
                 fewest: &fewest,
                 precision: if method.sweeps() { NEARER * by } else { 0.0 },
             };
@@ -453,11 +432,7 @@ impl<'p> Refinement<'p> {
     fn slopes_with_care(&mut self, method: Method, run: &Run) -> Result<Distances> {
         let problem = self.problem;
         // DOP853 answers a small change with a small jump, of its error: at level 5 of some 1e-11 a step.
-        let level = if method.is_adaptive() {
-            run.level.max(5.0)
-        } else {
-            run.level
-        };
+        let level = if method.is_adaptive() { run.level.max(5.0) } else { run.level };
         // Every two radians at most: what passes a saddle must be moved on its way there.
         let intervals =
             (0.5 * method.turned(problem, problem.span())).clamp(1.0, INTERVALS) as usize;
@@ -475,10 +450,7 @@ impl<'p> Refinement<'p> {
                             precision,
                             budget: this.limits.left(this.work.torques() + all.work.torques())?,
                         };
-                        let start = Stop {
-                            held: core::mem::take(&mut held),
-                            ..Stop::at(*state)
-                        };
+                        let start = Stop { held: core::mem::take(&mut held), ..Stop::at(*state) };
                         let passed = method.run(changed, [t, t_end], start, fine, &mut all);
                         let stop = passed.map_err(|error| this.of_whole_span(error))?.stop;
                         if everywhere {
@@ -532,11 +504,7 @@ impl<'p> Refinement<'p> {
     }
 
     fn not_delivered(&self, reached: f64) -> Error {
-        Error::NotDelivered {
-            requested: self.tolerance,
-            best: reached,
-            condition: None,
-        }
+        Error::NotDelivered { requested: self.tolerance, best: reached, condition: None }
     }
 
     fn beyond(&self, attainable: f64, condition: f64) -> Error {
@@ -568,20 +536,14 @@ impl<'p> Refinement<'p> {
     /// first finer level that comes to its end.
     fn first(&mut self, method: Method, change: Option<f64>, precision: f64) -> Result<Run> {
         let problem = match change {
-            Some(by) => &self
-                .problem
-                .changed(self.problem.most_sensitive_row()?, by)?,
+            Some(by) => &self.problem.changed(self.problem.most_sensitive_row()?, by)?,
             None => self.problem,
         };
         let most = method.finest() - if self.may_have_kinks() { 2.0 } else { 1.0 };
         let level = method.level_for(self.problem, self.tolerance / SAFETY);
         let mut level = level.min(most);
         loop {
-            let asked = Asked {
-                level,
-                fewest: &[],
-                precision,
-            };
+            let asked = Asked { level, fewest: &[], precision };
             match self.run(problem, method, asked) {
                 Err(error) if !stops(&error) && level + 1.0 < method.finest() => level += 1.0,
                 run => return run,
@@ -592,17 +554,10 @@ impl<'p> Refinement<'p> {
     /// A run finer by so many levels, and by one step at least on every piece.
     fn finer(&mut self, method: Method, coarse: &Run, ahead: f64, precision: f64) -> Result<Run> {
         let finer = |interval: &Vec<Steps>| {
-            interval
-                .iter()
-                .map(|steps| steps.finer(method, ahead))
-                .collect()
+            interval.iter().map(|steps| steps.finer(method, ahead)).collect()
         };
         let fewest: Vec<Vec<Steps>> = coarse.steps.iter().map(finer).collect();
-        let asked = Asked {
-            level: coarse.level + ahead,
-            fewest: &fewest,
-            precision,
-        };
+        let asked = Asked { level: coarse.level + ahead, fewest: &fewest, precision };
         self.run(self.problem, method, asked)
     }
 
@@ -659,9 +614,6 @@ pub(super) const fn stops(error: &Error) -> bool {
         Error::Cancelled { .. }
             | Error::Contradiction { .. }
             | Error::LimitReached { .. }
-            | Error::NotDelivered {
-                condition: Some(_),
-                ..
-            }
+            | Error::NotDelivered { condition: Some(_), .. }
     )
 }

@@ -49,12 +49,7 @@ fn a_symmetric_body_stays_one() {
         slender: None,
     };
     for row in 0..12 {
-        let [i1, i2, i3] = problem
-            .changed(row, 1e-6)
-            .expect("a body")
-            .body
-            .moments()
-            .to_array();
+        let [i1, i2, i3] = problem.changed(row, 1e-6).expect("a body").body.moments().to_array();
         assert_eq!(i1, i2);
         for part in [i1, i3 / 0.5] {
             assert!(((part - 1.0).abs() - 1e-6).abs() < 1e-15, "{part}");

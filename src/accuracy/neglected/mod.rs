@@ -236,10 +236,7 @@ impl<E: Effect> NeglectedEffects<'_, E> {
     /// A number that is NaN; a fault that [`check`] finds in the effect; a refusal of the stepping.
     pub fn predict<C: Effect>(&self, effect: &C, number: f64) -> Result<PredictedError> {
         if number.is_nan() {
-            return Err(Error::NotFinite {
-                name: "dimensionless number",
-                value: number,
-            });
+            return Err(Error::NotFinite { name: "dimensionless number", value: number });
         }
         let asked = &self.asked;
         let span = [asked.limits.t_start, asked.t_end];
@@ -305,18 +302,9 @@ impl Asked<'_> {
         &self,
         without: &Scene<dyn AnyEffect + '_>,
         with: &Scene<dyn AnyEffect + '_>,
-        &PredictedError {
-            predicted, time, ..
-        }: &PredictedError,
+        &PredictedError { predicted, time, .. }: &PredictedError,
     ) -> Result<Measured> {
-        let Asked {
-            start,
-            t_end,
-            tolerance,
-            limits,
-            apart,
-            ..
-        } = self;
+        let Asked { start, t_end, tolerance, limits, apart, .. } = self;
         let (from, span) = (limits.t_start, t_end - limits.t_start);
         let times = (1..=COMPARED).map(|n| from + span * (f64::from(n) / f64::from(COMPARED)));
         let mut times: Vec<f64> = times.collect();
@@ -330,9 +318,7 @@ impl Asked<'_> {
         let [a, b] = loop {
             match motions(fine) {
                 // As close as doubles allow.
-                Err(Error::NotDelivered {
-                    condition: Some(_), ..
-                }) if fine < 1e-6 => fine *= 10.0,
+                Err(Error::NotDelivered { condition: Some(_), .. }) if fine < 1e-6 => fine *= 10.0,
                 motions => break motions?,
             }
         };

@@ -40,11 +40,7 @@ pub(super) struct AnyScene<'s> {
 
 impl<'s, E: Effect> From<&'s Scene<E>> for AnyScene<'s> {
     fn from(scene: &'s Scene<E>) -> Self {
-        Self {
-            body: scene.body(),
-            effects: scene.effects(),
-            motion: scene,
-        }
+        Self { body: scene.body(), effects: scene.effects(), motion: scene }
     }
 }
 
@@ -90,10 +86,7 @@ impl Variation<'_> {
 }
 
 fn halves(y: &[f64; 14]) -> ([f64; 7], [f64; 7]) {
-    (
-        core::array::from_fn(|i| y[i]),
-        core::array::from_fn(|i| y[7 + i]),
-    )
+    (core::array::from_fn(|i| y[i]), core::array::from_fn(|i| y[7 + i]))
 }
 
 impl Ode<14> for Variation<'_> {
@@ -109,9 +102,7 @@ impl Ode<14> for Variation<'_> {
         if size > 0.0 {
             let by = CHANGE / size;
             let moved = |by: f64| {
-                self.scene
-                    .motion
-                    .derivative(t, &core::array::from_fn(|i| y[i] + by * d[i]))
+                self.scene.motion.derivative(t, &core::array::from_fn(|i| y[i] + by * d[i]))
             };
             let (ahead, behind) = (moved(by), moved(-by));
             for i in 0..7 {

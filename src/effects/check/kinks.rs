@@ -44,10 +44,8 @@ impl Piece {
     fn first_half(&self, torque: impl Fn(f64) -> SpaceVector) -> Option<Self> {
         let ([a, m, _], [low, middle, _]) = (self.times, self.torques);
         let before = 0.5 * (a + m);
-        (before != a && before != m).then(|| Self {
-            times: [a, before, m],
-            torques: [low, torque(before), middle],
-        })
+        (before != a && before != m)
+            .then(|| Self { times: [a, before, m], torques: [low, torque(before), middle] })
     }
 
     /// Of its two halves, and the one in its middle, that which is bent most; none where doubles
@@ -55,10 +53,7 @@ impl Piece {
     fn most_bent(&self, torque: impl Fn(f64) -> SpaceVector) -> Option<Self> {
         let backwards = |piece: &Self| {
             let ([a, m, b], [low, middle, high]) = (piece.times, piece.torques);
-            Self {
-                times: [b, m, a],
-                torques: [high, middle, low],
-            }
+            Self { times: [b, m, a], torques: [high, middle, low] }
         };
         let before = self.first_half(&torque)?;
         let after = backwards(&backwards(self).first_half(&torque)?);
@@ -110,11 +105,7 @@ impl Checked<'_> {
             torques: looked.map(|n| seen[n]),
         };
         let bend = |n: usize| {
-            if (1..looks).contains(&n) {
-                piece([n - 1, n, n + 1]).bend()
-            } else {
-                0.0
-            }
+            if (1..looks).contains(&n) { piece([n - 1, n, n + 1]).bend() } else { 0.0 }
         };
         // A kink is bent with what is around it, or against it.
         let extreme = |n: &usize| {
@@ -177,9 +168,7 @@ mod tests {
                 let t1 = SPAN * f64::from(n) / 40.0;
                 for wave in [0.0, 1.0] {
                     let found = kinks(|t| pow((t - t1).abs(), power) + wave * sin(3.0 * t));
-                    let [kink] = found[..] else {
-                        panic!("{power} {t1} {wave}: {found:?}")
-                    };
+                    let [kink] = found[..] else { panic!("{power} {t1} {wave}: {found:?}") };
                     off.push_at(kink - t1, (power, t1));
                 }
             }

@@ -13,10 +13,7 @@ impl Effect for Stronger {
     const PROPERTIES: Properties = Properties {
         on_rates: false,
         on_time: false,
-        conserved: Conserved {
-            energy: true,
-            ..Conserved::NONE
-        },
+        conserved: Conserved { energy: true, ..Conserved::NONE },
         ..Properties::ANYTHING
     };
 
@@ -40,9 +37,7 @@ fn a_power_may_be_off_by_what_is_said() {
     let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 0.5).expect("a body"));
     let gravity = GravityAtLever::new(2.0, 0.4).expect("a weight");
     let tilted = Attitude::from_rotation_vector(SpaceVector::new(0.9, 0.0, 0.0)).expect("finite");
-    let start = body
-        .state(tilted, BodyVector::new(1.3, 0.0, 0.0))
-        .expect("a state");
+    let start = body.state(tilted, BodyVector::new(1.3, 0.0, 0.0)).expect("a state");
     let held = |off: f64| {
         let effect = Stronger(gravity, off);
         // So long a span that the step in time is no shorter than that of the turn.

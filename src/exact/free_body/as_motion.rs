@@ -25,10 +25,7 @@ impl Motion for FreeBody {
         self.kinematics_at(times, &mut samples)
             .map_err(|reason| first_bad(times, self.latest(), reason))?;
         let angular_momentum = self.angular_momentum();
-        let state = |sample: Kinematics| State {
-            attitude: sample.attitude,
-            angular_momentum,
-        };
+        let state = |sample: Kinematics| State { attitude: sample.attitude, angular_momentum };
         Ok(samples.into_iter().map(state).collect())
     }
 
@@ -82,11 +79,7 @@ fn with(mut numbers: [f64; 3], i: usize, value: f64) -> [f64; 3] {
 pub(crate) fn first_bad(times: &[f64], latest: f64, reason: Error) -> Error {
     let bad = |(index, t): (usize, &f64)| known(*t, latest).err().map(|error| (index, error));
     match times.iter().enumerate().find_map(bad) {
-        Some((index, error)) => Error::AtIndex {
-            name: "times",
-            index,
-            reason: Box::new(error),
-        },
+        Some((index, error)) => Error::AtIndex { name: "times", index, reason: Box::new(error) },
         None => reason,
     }
 }

@@ -62,11 +62,8 @@ impl Asymmetric {
 
         let j = order.map(|i| moments[i]);
         let (j1, j2, j3) = (Dd::from(j[0]), Dd::from(j[1]), Dd::from(j[2]));
-        let (j31, j32, j21) = (
-            difference(three, one),
-            difference(three, two),
-            difference(two, one),
-        );
+        let (j31, j32, j21) =
+            (difference(three, one), difference(three, two), difference(two, one));
         // In units of the square of `across.unit`; below in those of `unit`.
         let a = weighted(across.rates[0], one, j31) + weighted(across.rates[1], two, j32);
         let b = weighted(omega[two], two, j21) + weighted(omega[three], three, j31);
@@ -112,9 +109,8 @@ impl Asymmetric {
         let half_period = (m1 > 0.0).then(|| quarter.scaled(2.0) / p);
         // phi = arg alpha + arg beta; arg theta_1 falls by pi over each half period.
         let gained = half_period.map(|half| local * half + winding * sense);
-        let precession = gained.map_or(f64::INFINITY, |gained| {
-            (gained.scaled(4.0) - Dd::TWO_PI * sense).to_f64()
-        });
+        let precession = gained
+            .map_or(f64::INFINITY, |gained| (gained.scaled(4.0) - Dd::TWO_PI * sense).to_f64());
         let rates = Rates {
             rate: [0, 1, 2].map(|r| sign[r] * unit * (momentum / j[r]).to_f64()),
             place: invert(order),
@@ -144,11 +140,7 @@ impl Asymmetric {
             ),
             Form::Hyperbolic(late) => Form::Hyperbolic(late.seen(outer, inner)),
         };
-        Self {
-            half_period,
-            precession,
-            form,
-        }
+        Self { half_period, precession, form }
     }
 
     /// The greatest |t| at which the phases are known.
@@ -198,10 +190,7 @@ struct Small {
 impl Small {
     fn new(omega: [f64; 3], [i, j]: [usize; 2]) -> Self {
         let ([first, second, _], unit) = near_one([omega[i], omega[j], 0.0]);
-        Self {
-            rates: [first, second],
-            unit,
-        }
+        Self { rates: [first, second], unit }
     }
 
     /// True if 1 - m, as the square of such a rate, is near the end of the range of doubles.
@@ -233,11 +222,7 @@ fn invert(order: [usize; 3]) -> [usize; 3] {
 
 /// +1 for an even permutation of (0, 1, 2), -1 for an odd one.
 fn permutation_sign([a, b, c]: [usize; 3]) -> f64 {
-    if (a < b) ^ (b < c) ^ (a < c) {
-        1.0
-    } else {
-        -1.0
-    }
+    if (a < b) ^ (b < c) ^ (a < c) { 1.0 } else { -1.0 }
 }
 
 /// The rotation whose matrix has `sign[r]` in row `r`, column `order[r]`.
@@ -254,13 +239,8 @@ fn signed_permutation(order: [usize; 3], sign: [f64; 3]) -> [f64; 4] {
         [xz - zx, xy + yx, 1.0 - xx + yy - zz, yz + zy],
         [yx - xy, xz + zx, yz + zy, 1.0 - xx - yy + zz],
     ];
-    let largest = (0..4).fold(0, |best, i| {
-        if products[i][i] > products[best][best] {
-            i
-        } else {
-            best
-        }
-    });
+    let largest =
+        (0..4).fold(0, |best, i| if products[i][i] > products[best][best] { i } else { best });
     let scale = 2.0 * products[largest][largest].sqrt();
     products[largest].map(|q| q / scale)
 }

@@ -99,10 +99,7 @@ impl<'a> FreeBodies<'a> {
         known(t, self.latest)?;
         let near = |number: usize, [w, x, y, z, p, q, r]: [f64; 7]| {
             let rates = placed(self.places[number], [p, q, r]);
-            Kinematics::new(
-                Attitude::from_unit([w, x, y, z]),
-                BodyVector::from_array(rates),
-            )
+            Kinematics::new(Attitude::from_unit([w, x, y, z]), BodyVector::from_array(rates))
         };
         let far = |number: usize| self.bodies[number].kinematics(t);
         self.symmetric.fill(t, states, near, far);

@@ -72,11 +72,7 @@ impl FreeFlow {
         });
         let [a, b, c] = inverse.map(|[inverse, _]| inverse);
         let spread = a.max(b).max(c) - a.min(b).min(c);
-        Self {
-            moments,
-            inverse,
-            spread,
-        }
+        Self { moments, inverse, spread }
     }
 
     /// The rotation during the time `dt` (s), on the body's axes before it:
@@ -91,10 +87,7 @@ impl FreeFlow {
     /// Cost: as 1.3 derivatives of a [`Scene`](crate::scene::Scene) up to 0.6 rad of (1/I_min -
     /// 1/I_max) |L| dt, of 2 up to 2.4 rad.
     pub fn turn(&self, momentum: BodyVector, dt: f64) -> Attitude {
-        let fastest = self
-            .inverse
-            .iter()
-            .fold(0.0, |most, [rate, _]| larger(most, *rate));
+        let fastest = self.inverse.iter().fold(0.0, |most, [rate, _]| larger(most, *rate));
         let turned = (fastest * momentum.norm() * dt).abs();
         if turned.is_nan() || turned > MOST_TURNS * TAU {
             return Attitude::from_unit(LOST.0);
@@ -157,11 +150,7 @@ impl FreeFlow {
         if square == 0.0 {
             return [0.0; 4];
         }
-        let h = if doublings == 0 {
-            0.5 * dt
-        } else {
-            0.5 * dt / f64::from(1_u32 << doublings)
-        };
+        let h = if doublings == 0 { 0.5 * dt } else { 0.5 * dt / f64::from(1_u32 << doublings) };
         let per_length = 1.0 / square.sqrt();
         let (squares1, squares2, squares3) = (l1 * l1, l2 * l2, l3 * l3);
         let [a1, a2, a3] = self.inverse.map(|[a, rest]| h * a + h * rest);

@@ -54,10 +54,7 @@ impl Late {
             None => (series.rate.scaled(1.0 / ENDLESS), ENDLESS),
         };
         let local = quarters(local);
-        let clocks = [
-            Clock::new(per, per * start),
-            Clock::new(local, reduced(local * start)),
-        ];
+        let clocks = [Clock::new(per, per * start), Clock::new(local, reduced(local * start))];
         let until = clocks[1].until().min(0.25 * clocks[0].until());
         let [alpha, beta] = [&series.alpha, &series.beta];
         let signed = |p: &[f64; 4], sign: f64| p.map(|c| sign * c);
@@ -77,10 +74,7 @@ impl Late {
 
     /// The same seen from space, on the body's axes: the frames on either side.
     pub(super) fn seen(self, outer: [f64; 4], inner: [f64; 4]) -> Self {
-        Self {
-            columns: columns(|quaternion| product(product(outer, quaternion), inner)),
-            ..self
-        }
+        Self { columns: columns(|quaternion| product(product(outer, quaternion), inner)), ..self }
     }
 
     /// The attitude alone costs less.
@@ -100,10 +94,7 @@ impl<V: Constant> Late<V> {
         let ((rest, phase_rest), (whole, phase_whole)) =
             (clocks.rest.parts(), clocks.whole.parts());
         let half = Reduced { rest, whole };
-        let phase = Reduced {
-            rest: phase_rest,
-            whole: phase_whole,
-        };
+        let phase = Reduced { rest: phase_rest, whole: phase_whole };
         let lag = self.lag.at(&Time::new(half.count()), first);
         self.sample(half, phase.less(&lag), first)
     }
@@ -133,10 +124,7 @@ impl<V: Constant> Branchless<V> for Late<V> {
     #[inline(always)]
     fn all<L: Phased>(&self, t: L, first: usize) -> ([L; 4], [L; 3]) {
         let sample = self.near(t, first);
-        (
-            sample.quaternion(&self.columns, first),
-            sample.rates(&self.rates, first),
-        )
+        (sample.quaternion(&self.columns, first), sample.rates(&self.rates, first))
     }
 }
 
@@ -154,9 +142,7 @@ impl Gathered for Late {
             im: Gathered::gathered(each.map(|of| of.im)),
             columns: Gathered::gathered(each.map(|of| of.columns)),
             rates: Gathered::gathered(each.map(|of| of.rates)),
-            until: each
-                .iter()
-                .fold(f64::INFINITY, |until, of| until.min(of.until)),
+            until: each.iter().fold(f64::INFINITY, |until, of| until.min(of.until)),
         }
     }
 }

@@ -112,10 +112,7 @@ impl FreeBody {
         let moments = moments.to_array();
         let omega = angular_velocity.to_array();
         if let Some(&value) = omega.iter().find(|w| !w.is_finite()) {
-            return Err(Error::NotFinite {
-                name: "angular_velocity",
-                value,
-            });
+            return Err(Error::NotFinite { name: "angular_velocity", value });
         }
         let fastest = omega.iter().fold(0.0_f64, |most, w| most.max(w.abs()));
         if fastest > 0.0 && !(1e-230..=1e230).contains(&fastest) {
@@ -146,12 +143,7 @@ impl FreeBody {
             }
             Motion::Asymmetric(Box::new(Asymmetric::new(moments, omega, attitude)))
         };
-        let made = Self {
-            moments,
-            angular_velocity,
-            attitude,
-            motion,
-        };
+        let made = Self { moments, angular_velocity, attitude, motion };
         // Three moments within their range are held: only a needle of two can be too thin.
         if least / most < 1e-120 && !made.kinematics(0.0).is_finite() {
             return Err(Error::out_of_range(
@@ -227,10 +219,7 @@ impl FreeBody {
     ///
     /// The attitude is NaN at a time that [`FreeBody::try_state`] refuses.
     pub fn state(&self, t: f64) -> State {
-        State {
-            attitude: self.attitude(t),
-            angular_momentum: self.angular_momentum(),
-        }
+        State { attitude: self.attitude(t), angular_momentum: self.angular_momentum() }
     }
 
     /// The same as [`FreeBody::state`].
@@ -278,15 +267,12 @@ impl FreeBody {
 
     /// The angular momentum (kg m^2/s), the same at all times.
     pub fn angular_momentum(&self) -> SpaceVector {
-        self.attitude
-            .to_space(self.body_momentum(self.angular_velocity))
+        self.attitude.to_space(self.body_momentum(self.angular_velocity))
     }
 
     /// The kinetic energy (J).
     pub fn kinetic_energy(&self) -> f64 {
-        0.5 * self
-            .body_momentum(self.angular_velocity)
-            .dot(&self.angular_velocity)
+        0.5 * self.body_momentum(self.angular_velocity).dot(&self.angular_velocity)
     }
 
     /// The period of the body rates (s); infinite on the separatrix and for steady rotation.
@@ -294,9 +280,9 @@ impl FreeBody {
         match &self.motion {
             Motion::Steady(_) => f64::INFINITY,
             Motion::Symmetric(motion) => core::f64::consts::TAU / motion.body_rate.abs(),
-            Motion::Asymmetric(motion) => motion
-                .half_period
-                .map_or(f64::INFINITY, |half| 2.0 * half.to_f64()),
+            Motion::Asymmetric(motion) => {
+                motion.half_period.map_or(f64::INFINITY, |half| 2.0 * half.to_f64())
+            }
         }
     }
 

@@ -8,11 +8,7 @@ impl Periods {
     /// F of the amplitude with sin : cos = `sin` : `cos`, in (-2K, 2K].
     pub(crate) fn first_kind(&self, sin: Dd, cos: Dd) -> Dd {
         let (beyond, distance) = self.nearer_end(sin.square(), cos.square());
-        let f = if beyond {
-            self.quarter - distance
-        } else {
-            distance
-        };
+        let f = if beyond { self.quarter - distance } else { distance };
         self.unfolded(f, sin, cos)
     }
 
@@ -38,11 +34,7 @@ impl Periods {
         } else {
             (Dd::from(16.0) / m1).ln().scaled(0.5) - ln_unit
         };
-        let periods = Self {
-            quarter,
-            nome,
-            hyperbolic: true,
-        };
+        let periods = Self { quarter, nome, hyperbolic: true };
         let (s, c) = (sin.square(), cos.square());
         let f = if m1 == 0.0 {
             (s.scaled(4.0) / c).ln().scaled(0.5) - ln_unit

@@ -58,11 +58,8 @@ impl<V: Constant> Rates<V> {
         let square = l1 * self.m_over_l1.lane::<L>(first) * l1;
         let l3 = (square + self.m1.lane::<L>(first)).sqrt() * self.c.lane::<L>(first);
         let [one, two, three] = &self.rate;
-        let ordered = [
-            l1 * one.lane::<L>(first),
-            l2 * two.lane::<L>(first),
-            l3 * three.lane::<L>(first),
-        ];
+        let ordered =
+            [l1 * one.lane::<L>(first), l2 * two.lane::<L>(first), l3 * three.lane::<L>(first)];
         placed(self.place, ordered)
     }
 }
@@ -96,9 +93,7 @@ impl Gathered for Sampler {
             im: Gathered::gathered(each.map(|of| of.im)),
             columns: Gathered::gathered(each.map(|of| of.columns)),
             rates: Gathered::gathered(each.map(|of| of.rates)),
-            until: each
-                .iter()
-                .fold(f64::INFINITY, |until, of| until.min(of.until)),
+            until: each.iter().fold(f64::INFINITY, |until, of| until.min(of.until)),
         }
     }
 }
@@ -140,10 +135,7 @@ impl Sampler {
 
     /// The same between other frames: `turned` is what becomes of a quaternion.
     pub(super) fn seen(self, turned: impl Fn([f64; 4]) -> [f64; 4]) -> Self {
-        Self {
-            columns: columns(turned),
-            ..self
-        }
+        Self { columns: columns(turned), ..self }
     }
 
     /// The attitude alone costs less.
@@ -165,9 +157,7 @@ impl<V: Constant> Sampler<V> {
         let square = sin * sin;
         let re = L::Pair::new(L::of(1.0), sin) * horner(&self.re, square, first);
         let im = L::Pair::new(sin * cos, cos) * horner(&self.im, square, first);
-        Sample::new([re, im], [phase_sin, phase_cos], |_, scale| {
-            scale * scale * 2.0
-        })
+        Sample::new([re, im], [phase_sin, phase_cos], |_, scale| scale * scale * 2.0)
     }
 
     #[inline(always)]
@@ -222,10 +212,7 @@ impl<V: Constant> Branchless<V> for Sampler<V> {
     #[inline(always)]
     fn all<L: Phased>(&self, t: L, first: usize) -> ([L; 4], [L; 3]) {
         let sample = self.sample::<L>(self.clocks.both_at(&Time::new(t), first), first);
-        (
-            self.quaternion_of(&sample, first),
-            sample.rates(&self.rates, first),
-        )
+        (self.quaternion_of(&sample, first), sample.rates(&self.rates, first))
     }
 }
 
@@ -255,10 +242,7 @@ fn times<L: Phased, V: Constant>(
     first: usize,
 ) -> (L::Pair, L::Pair) {
     let both = L::Pair::new(part, part);
-    (
-        both * V::pair::<L>(start, first),
-        both * V::pair::<L>(end, first),
-    )
+    (both * V::pair::<L>(start, first), both * V::pair::<L>(end, first))
 }
 
 /// A phase in quarters less whole turns.

@@ -95,12 +95,8 @@ impl Series {
         sums[0] = sums[0] + small;
         sums[1] = sums[1] + small_slope;
         // nome^(n^2) up^n.
-        let weights = [
-            1.0,
-            h * up.hi(),
-            step * step * up2.hi(),
-            sixth.hi() * h * step * up2.hi() * up.hi(),
-        ];
+        let weights =
+            [1.0, h * up.hi(), step * step * up2.hi(), sixth.hi() * h * step * up2.hi() * up.hi()];
         let e = zero.decay.hi();
         let mut geometric = 1.0;
         let mut power = e;
@@ -163,10 +159,7 @@ impl Series {
             rate: Dd::PI * p / k1.scaled(4.0),
             nome: nome.to_f64(),
             alpha: [per_cosh(cos, nome.hi()), per_sinh(sin, nome.hi())],
-            beta: [
-                per_sinh(scaled(cos), nome.hi()),
-                per_cosh(scaled(sin), nome.hi()),
-            ],
+            beta: [per_sinh(scaled(cos), nome.hi()), per_cosh(scaled(sin), nome.hi())],
         });
         let rate = Dd::PI * p / k1.scaled(4.0) * (sums[1] / sums[0]);
         (series, rate, angle)
@@ -176,22 +169,12 @@ impl Series {
 /// sum c_n q^n sinh((2n+1) w)/sinh w in powers of k = 2 q cosh 2w, its constant rounded once.
 fn per_sinh([c0, c1, c2, c3]: [Dd; 4], q: f64) -> [f64; 4] {
     let [b, c, d] = [c1, c2, c3].map(Dd::hi);
-    [
-        (c0 + q * (b - q * (c + q * d))).to_f64(),
-        b + q * (c - 2.0 * q * d),
-        c + q * d,
-        d,
-    ]
+    [(c0 + q * (b - q * (c + q * d))).to_f64(), b + q * (c - 2.0 * q * d), c + q * d, d]
 }
 
 /// The same of cosh((2n+1) w)/cosh w.
 fn per_cosh(c: [Dd; 4], q: f64) -> [f64; 4] {
     let [c0, c1, c2, c3] = c;
     let [b, c, d] = [c1, c2, c3].map(Dd::hi);
-    [
-        (c0 - q * (b + q * (c - q * d))).to_f64(),
-        b - q * (c + 2.0 * q * d),
-        c - q * d,
-        d,
-    ]
+    [(c0 - q * (b + q * (c - q * d))).to_f64(), b - q * (c + 2.0 * q * d), c - q * d, d]
 }

@@ -52,22 +52,14 @@ impl Symmetric {
         attitude: Attitude,
     ) -> Self {
         let rate = norm3(precession);
-        let direction = if rate == 0.0 {
-            [0.0; 3]
-        } else {
-            precession.map(|c| (c / rate).to_f64())
-        };
+        let direction =
+            if rate == 0.0 { [0.0; 3] } else { precession.map(|c| (c / rate).to_f64()) };
         // exp(t L/I1) acts in space; moved to the right of R0 it acts on body components.
         let start = attitude.quaternion();
         let about_momentum = product(start, [0.0, direction[0], direction[1], direction[2]]);
         let mut own = [0.0; 4];
         own[1 + axis] = 1.0;
-        let columns = [
-            start,
-            about_momentum,
-            product(start, own),
-            product(about_momentum, own),
-        ];
+        let columns = [start, about_momentum, product(start, own), product(about_momentum, own)];
         let clocks = [rate, spin].map(|rate| Clock::new(rate / Dd::PI, Dd::ZERO));
         Self {
             precession_rate: rate.to_f64(),
@@ -97,13 +89,7 @@ impl<V: Constant> Symmetric<V> {
         let cos = L::of(1.0) - sin_s * sin_s * 2.0;
         let [p, q, r] = &self.omega;
         let (p, q) = (p.lane::<L>(first), q.lane::<L>(first));
-        (
-            quaternion,
-            placed(
-                self.place,
-                [cos * p + sin * q, cos * q - sin * p, r.lane(first)],
-            ),
-        )
+        (quaternion, placed(self.place, [cos * p + sin * q, cos * q - sin * p, r.lane(first)]))
     }
 }
 
@@ -131,9 +117,7 @@ impl Gathered for Symmetric {
             columns: Gathered::gathered(each.map(|of| of.columns)),
             omega: Gathered::gathered(each.map(|of| of.omega)),
             place: [0, 1, 2],
-            until: each
-                .iter()
-                .fold(f64::INFINITY, |until, of| until.min(of.until)),
+            until: each.iter().fold(f64::INFINITY, |until, of| until.min(of.until)),
         }
     }
 }

@@ -27,19 +27,12 @@ impl Motion for HeavyTop {
         let mut samples = vec![Kinematics::REST; times.len()];
         self.kinematics_at(times, &mut samples)
             .map_err(|reason| first_bad(times, self.latest, reason))?;
-        Ok(samples
-            .into_iter()
-            .map(|now| self.with_momentum(now))
-            .collect())
+        Ok(samples.into_iter().map(|now| self.with_momentum(now)).collect())
     }
 
     fn kept(&self) -> Vec<Kept> {
         let (vertical, own) = self.momenta();
-        let (momentum, energy) = if self.body.is_some() {
-            ("kg m^2/s", "J")
-        } else {
-            ("", "")
-        };
+        let (momentum, energy) = if self.body.is_some() { ("kg m^2/s", "J") } else { ("", "") };
         vec![
             Kept::new("L_Z", momentum, vertical),
             Kept::new("L_z", momentum, own),
@@ -59,11 +52,7 @@ impl Motion for HeavyTop {
                     Self::from_energy(top, energy, start, self.phi0, self.zeta0)
                 })?
             }
-            Given::Angles {
-                top,
-                theta0,
-                theta_rate0,
-            } => {
+            Given::Angles { top, theta0, theta_rate0 } => {
                 let inputs = [top.a(), top.b(), top.c(), theta0, theta_rate0];
                 2.0 + self.of_numbers(inputs, t, |[a, b, c, theta0, rate]| {
                     let top = ReducedTop::formal(a, b, c)?;
@@ -84,9 +73,7 @@ impl HeavyTop {
         make: impl Fn([f64; N]) -> Result<Self>,
     ) -> Result<f64> {
         let here = self.try_attitude(t)?;
-        condition_of_each(0.0, inputs, |inputs| {
-            Ok(make(inputs)?.try_attitude(t)?.angle_to(&here))
-        })
+        condition_of_each(0.0, inputs, |inputs| Ok(make(inputs)?.try_attitude(t)?.angle_to(&here)))
     }
 
     /// The sum of squares over the inputs of a body.
@@ -114,18 +101,14 @@ impl HeavyTop {
                 if (other.angle_to(&start) - by.abs()).abs() > 0.1 * by.abs() {
                     return Ok(None);
                 }
-                Ok(Some(
-                    make(body, other, omega)?.try_attitude(t)?.angle_to(&here),
-                ))
+                Ok(Some(make(body, other, omega)?.try_attitude(t)?.angle_to(&here)))
             })?;
             let size = momentum / if i == 2 { body.i3() } else { body.i1() };
             let by_push = condition_by_difference(|by| match pushed(omega[i], by * size) {
                 Some(rate) if size > 0.0 => {
                     let mut omega = omega;
                     omega[i] = rate;
-                    Ok(Some(
-                        make(body, start, omega)?.try_attitude(t)?.angle_to(&here),
-                    ))
+                    Ok(Some(make(body, start, omega)?.try_attitude(t)?.angle_to(&here)))
                 }
                 _ => Ok(None),
             })?;

@@ -78,13 +78,7 @@ impl SymmetricTop {
                 "a weight is 0 or more; let the lever carry the sign",
             ));
         }
-        Ok(Self {
-            i1,
-            i3,
-            weight,
-            lever,
-            moment,
-        })
+        Ok(Self { i1, i3, weight, lever, moment })
     }
 
     /// Transverse moment of inertia about the pivot (kg m^2).

@@ -35,12 +35,7 @@ enum Beginning {
     /// At rest in theta, with this value of alpha - beta.
     Turning { excess: Dd, start: Start },
     /// At an angle, with nodal rates x = theta' and y = phi' sin(theta).
-    Angle {
-        theta: f64,
-        half_sin: Dd,
-        half_cos: Dd,
-        nodal: [Dd; 2],
-    },
+    Angle { theta: f64, half_sin: Dd, half_cos: Dd, nodal: [Dd; 2] },
 }
 
 impl HeavyTop {
@@ -112,11 +107,7 @@ impl HeavyTop {
             half_cos,
             nodal: [Dd::from(theta_rate0), nodal_y],
         };
-        let given = Given::Angles {
-            top,
-            theta0,
-            theta_rate0,
-        };
+        let given = Given::Angles { top, theta0, theta_rate0 };
         Self::reduced_problem(top, start, phi0, zeta0, given)
     }
 
@@ -159,11 +150,7 @@ impl HeavyTop {
         known_turn("phi", phi)?;
         known_turn("zeta", zeta)?;
         let (half_sin, half_cos) = half_angle(theta)?;
-        let half = HalfAngle {
-            theta,
-            sin: half_sin,
-            cos: half_cos,
-        };
+        let half = HalfAngle { theta, sin: half_sin, cos: half_cos };
         Self::of_body(body, &half, [phi, zeta], omega_body)
     }
 
@@ -181,21 +168,13 @@ impl HeavyTop {
         let [w, x, y, z] = attitude.quaternion();
         let length = |a: f64, b: f64| {
             // Scaled, because the square of a tiny component is no double.
-            let up = if a.abs().max(b.abs()) < 1e-100 {
-                UP
-            } else {
-                1.0
-            };
+            let up = if a.abs().max(b.abs()) < 1e-100 { UP } else { 1.0 };
             let square = Dd::product(a * up, a * up) + Dd::product(b * up, b * up);
             square.sqrt().scaled(1.0 / up)
         };
         let (sin, cos) = (length(x, y), length(w, z));
         let norm = (sin.square() + cos.square()).sqrt();
-        let half = HalfAngle {
-            theta,
-            sin: sin / norm,
-            cos: cos / norm,
-        };
+        let half = HalfAngle { theta, sin: sin / norm, cos: cos / norm };
         Self::of_body(body, &half, [phi, zeta], omega_body)
     }
 
@@ -205,11 +184,7 @@ impl HeavyTop {
         [phi, zeta]: [f64; 2],
         omega_body: BodyVector,
     ) -> Result<Self> {
-        let HalfAngle {
-            theta,
-            sin: half_sin,
-            cos: half_cos,
-        } = *half;
+        let HalfAngle { theta, sin: half_sin, cos: half_cos } = *half;
         for value in omega_body.to_array() {
             finite("omega_body", value)?;
         }
@@ -235,22 +210,12 @@ impl HeavyTop {
                 let fastest = x.abs().max(y.abs());
                 return Err(too_far_apart(fastest));
             }
-            start = Beginning::Angle {
-                theta,
-                half_sin,
-                half_cos,
-                nodal: [speed * out, Dd::ZERO],
-            };
+            start = Beginning::Angle { theta, half_sin, half_cos, nodal: [speed * out, Dd::ZERO] };
             // phi + zeta has a meaning at theta = 0, phi - zeta at pi.
             phi0 = (Dd::sum(phi, out * zeta) - node * out).to_f64();
             zeta0 = node.to_f64();
         } else {
-            start = Beginning::Angle {
-                theta,
-                half_sin,
-                half_cos,
-                nodal,
-            };
+            start = Beginning::Angle { theta, half_sin, half_cos, nodal };
             (phi0, zeta0) = (phi, zeta);
         }
         Self::solve(Problem {
@@ -271,13 +236,7 @@ impl HeavyTop {
     }
 
     fn solve(problem: Problem) -> Result<Self> {
-        let Problem {
-            spin,
-            difference,
-            sum,
-            gravity,
-            ..
-        } = problem;
+        let Problem { spin, difference, sum, gravity, .. } = problem;
         let flipped = gravity < 0.0;
         let flip = if flipped { -1.0 } else { 1.0 };
         let strength = gravity.abs();
@@ -285,28 +244,16 @@ impl HeavyTop {
         // alpha - beta in u, and alpha - beta and alpha + beta in v.
         let (excess, less, total, origin, theta0);
         match problem.start {
-            Beginning::Turning {
-                excess: given,
-                start,
-            } => {
+            Beginning::Turning { excess: given, start } => {
                 let upper = (start == Start::ThetaMin) != flipped;
                 origin = if upper { Origin::Upper } else { Origin::Lower };
                 theta0 = None;
                 excess = given;
                 // Exchanged by the flip.
                 let other = excess + gravity.scaled(2.0);
-                (less, total) = if flipped {
-                    (other, excess)
-                } else {
-                    (excess, other)
-                };
+                (less, total) = if flipped { (other, excess) } else { (excess, other) };
             }
-            Beginning::Angle {
-                theta,
-                half_sin,
-                half_cos,
-                nodal,
-            } => {
+            Beginning::Angle { theta, half_sin, half_cos, nodal } => {
                 let below = half_sin.square().scaled(2.0);
                 let above = half_cos.square().scaled(2.0);
                 let sin = (half_sin * half_cos).scaled(2.0);
@@ -342,14 +289,7 @@ impl HeavyTop {
                 gravity: strength,
             }
         } else {
-            Conserved {
-                spin,
-                difference,
-                sum,
-                excess: less,
-                total,
-                gravity: strength,
-            }
+            Conserved { spin, difference, sum, excess: less, total, gravity: strength }
         };
         let at_upper_pole = if flipped { core::f64::consts::PI } else { 0.0 };
         let at_lower_pole = core::f64::consts::PI - at_upper_pole;
@@ -378,13 +318,9 @@ impl HeavyTop {
                 return Err(far_apart());
             }
             if roots.x1 <= 0.0 || (homoclinic && matches!(origin, Origin::Upper)) {
-                Course::Fixed {
-                    theta: at_upper_pole,
-                }
+                Course::Fixed { theta: at_upper_pole }
             } else if roots.y2 <= 0.0 {
-                Course::Fixed {
-                    theta: at_lower_pole,
-                }
+                Course::Fixed { theta: at_lower_pole }
             } else {
                 Self::moving(&problem, flip, Motion::new(&conserved, &origin, roots))
             }
@@ -427,11 +363,7 @@ impl HeavyTop {
             return true;
         };
         let swing = gravity.to_f64().sqrt();
-        let fastest = omega_body
-            .to_array()
-            .map(f64::abs)
-            .into_iter()
-            .fold(swing, f64::max);
+        let fastest = omega_body.to_array().map(f64::abs).into_iter().fold(swing, f64::max);
         let off = (start.angular_velocity - *omega_body).to_array();
         off.into_iter().all(|off| off.abs() <= LOST * fastest)
     }
@@ -447,19 +379,12 @@ impl HeavyTop {
         let regular = start.attitude.quaternion().iter().all(|c| c.is_finite())
             && start.angular_momentum.is_finite()
             && motion.rate.is_finite()
-            && [
-                motion.roots.x1,
-                motion.roots.x2,
-                motion.roots.y1,
-                motion.roots.y2,
-            ]
-            .iter()
-            .all(|c| c.is_finite());
-        let phases = turns.iter().all(|turn| {
-            [turn.rate, turn.lag, turn.start]
+            && [motion.roots.x1, motion.roots.x2, motion.roots.y1, motion.roots.y2]
                 .iter()
-                .all(|c| c.is_finite())
-        });
+                .all(|c| c.is_finite());
+        let phases = turns
+            .iter()
+            .all(|turn| [turn.rate, turn.lag, turn.start].iter().all(|c| c.is_finite()));
         let periodic = period > 0.0 && (period.is_finite() || motion.m1 == 0.0);
         // Nearer to the separatrix, squares of the series leave the range.
         let apart = motion.m1 == 0.0 || motion.m1 > 1e-200;
@@ -475,11 +400,7 @@ impl HeavyTop {
             let start = Dd::sum(problem.phi0, problem.zeta0 * sense).scaled(0.5);
             let phase = start - channel.initial - Dd::PI * channel.initial_half_turns;
             let rate = channel.rate + problem.free_spin.scaled(0.5) * sense;
-            Turns {
-                rate: rate.turns(),
-                lag: channel.step.turns(),
-                start: phase.turns(),
-            }
+            Turns { rate: rate.turns(), lag: channel.step.turns(), start: phase.turns() }
         });
         let spin = problem.omega3.to_f64();
         let form = match &motion.rates {
@@ -490,11 +411,7 @@ impl HeavyTop {
                 Form::Hyperbolic(Box::new(Late::new(&motion, ripple, &turns, flip, spin)))
             }
         };
-        Course::Moving {
-            motion,
-            turns,
-            form,
-        }
+        Course::Moving { motion, turns, form }
     }
 }
 
@@ -516,11 +433,7 @@ fn known_turn(name: &'static str, angle: f64) -> Result<f64> {
     if finite(name, angle)?.abs() <= 1e15 {
         Ok(angle)
     } else {
-        Err(Error::out_of_range(
-            name,
-            angle,
-            "its size must not exceed 1e15 rad",
-        ))
+        Err(Error::out_of_range(name, angle, "its size must not exceed 1e15 rad"))
     }
 }
 
@@ -537,9 +450,7 @@ fn half_angle(theta: f64) -> Result<(Dd, Dd)> {
 /// difference.
 fn below(energy: f64, minimum: f64) -> Error {
     let short = format!("{minimum:.6}");
-    let off = short
-        .parse::<f64>()
-        .map_or(f64::NAN, |m| (m - minimum).abs());
+    let off = short.parse::<f64>().map_or(f64::NAN, |m| (m - minimum).abs());
     let said = match off < 0.1 * (minimum - energy) && short.len() < 16 {
         true => short,
         false => plain(minimum),

@@ -77,10 +77,7 @@ impl Late {
     ) -> Self {
         let periodic = !motion.homoclinic;
         let (per, width) = if periodic {
-            (
-                motion.half_period.recip(),
-                (motion.rate * motion.half_period).to_f64(),
-            )
+            (motion.half_period.recip(), (motion.rate * motion.half_period).to_f64())
         } else {
             (motion.rate.scaled(1.0 / ENDLESS), ENDLESS)
         };
@@ -96,9 +93,8 @@ impl Late {
             let lag = turn.lag - turn.lag.round();
             Clock::new(lag.scaled(4.0), Dd::ZERO)
         });
-        let mut until = phases.iter().fold(0.25 * halves.until(), |until, phase| {
-            until.min(phase.until())
-        });
+        let mut until =
+            phases.iter().fold(0.25 * halves.until(), |until, phase| until.min(phase.until()));
         if !periodic {
             let steep = STEEPEST / motion.rate.to_f64() - motion.offset.abs().to_f64();
             until = until.min(steep);
@@ -106,11 +102,8 @@ impl Late {
         // In v. Gravity turned, alpha and beta are exchanged and the transverse rate becomes
         // minus its conjugate; the upper turning point stands first, half a turn further.
         let [lower, upper] = &motion.series.sides;
-        let (even, odd, sign) = if flipped == 0.0 {
-            (lower, upper, 1.0)
-        } else {
-            (upper, lower, -1.0)
-        };
+        let (even, odd, sign) =
+            if flipped == 0.0 { (lower, upper, 1.0) } else { (upper, lower, -1.0) };
         let times = |p: &[f64; 4], factor: f64| p.map(|c| factor * c);
         // q' 2 sinh 2w = 4 q' sinh w cosh w.
         let nome = motion.series.nome;
@@ -130,10 +123,7 @@ impl Late {
                 cubics(&times(&odd[1].im, four), &odd[0].im),
             ],
             rate: [
-                cubics(
-                    &times(&around_lower.re, sign),
-                    &times(&around_lower.im, four),
-                ),
+                cubics(&times(&around_lower.re, sign), &times(&around_lower.im, four)),
                 cubics(&times(&around_upper.re, sign), &around_upper.im),
             ],
             flipped,
@@ -152,11 +142,7 @@ impl Late {
     }
 
     pub(super) fn attitude(&self, t: f64) -> Attitude {
-        Attitude::from_unit(if t.abs() <= self.until {
-            self.quaternion(t)
-        } else {
-            self.far(t).0
-        })
+        Attitude::from_unit(if t.abs() <= self.until { self.quaternion(t) } else { self.far(t).0 })
     }
 
     /// The unit quaternion at time `t`.
@@ -172,13 +158,7 @@ impl<V: Constant> Late<V> {
     fn place<L: Phased>(&self, t: L, first: usize) -> Place<L> {
         let (w, whole, phases) = self.time(t, first);
         let (sinh, cosh) = sinh_cosh_of(w);
-        Place {
-            sinh,
-            cosh,
-            one: L::of(1.0),
-            whole,
-            phases,
-        }
+        Place { sinh, cosh, one: L::of(1.0), whole, phases }
     }
 
     /// w at time `t`, the parity of the half periods until then, and the phases.
@@ -194,13 +174,7 @@ impl<V: Constant> Late<V> {
     /// The axis, sinh w cosh w, and k.
     #[inline(always)]
     fn axis<L: Phased>(&self, place: &Place<L>, first: usize) -> (Axis<L>, L, L) {
-        let Place {
-            sinh,
-            cosh,
-            one,
-            whole,
-            phases,
-        } = *place;
+        let Place { sinh, cosh, one, whole, phases } = *place;
         let [twice, four] = &self.nome;
         let k = twice.lane::<L>(first) + sinh * four.lane::<L>(first) * sinh;
         let both = sinh * cosh;
@@ -216,10 +190,8 @@ impl<V: Constant> Late<V> {
         let (axis, both, k) = self.axis(place, first);
         let upper = place.whole + self.flipped.lane::<L>(first);
         let rate = either(&self.rate, upper, k, first);
-        let factor = L::Pair::new(place.one, both).or_if_odd(
-            L::Pair::new(place.cosh, place.sinh),
-            L::Pair::new(upper, upper),
-        );
+        let factor = L::Pair::new(place.one, both)
+            .or_if_odd(L::Pair::new(place.cosh, place.sinh), L::Pair::new(upper, upper));
         let (re, im) = (factor * rate).parts();
         let [p, q] = axis.transverse(re, im);
         (axis.quaternion(), [p, q, self.spin.lane(first)])
@@ -269,9 +241,7 @@ impl Gathered for Late {
             flipped: each.map(|of| of.flipped),
             spin: each.map(|of| of.spin),
             periodic: each.iter().all(|of| of.periodic),
-            until: each
-                .iter()
-                .fold(f64::INFINITY, |until, of| until.min(of.until)),
+            until: each.iter().fold(f64::INFINITY, |until, of| until.min(of.until)),
         }
     }
 }

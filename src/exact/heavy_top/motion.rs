@@ -90,10 +90,7 @@ impl Motion {
         // The phase rates are matched where they do not cancel: that of a at the upper
         // turning point, (A+B)/2(1+v2), that of b at the lower one, (A-B)/2(1-v1).
         let turning = [conserved.sum / roots.y2, conserved.difference / roots.x1];
-        let reached = [
-            conserved.sum == 0.0,
-            conserved.difference == 0.0 && roots.x2 == 0.0,
-        ];
+        let reached = [conserved.sum == 0.0, conserved.difference == 0.0 && roots.x2 == 0.0];
         let channels = [0, 1].map(|i| Channel {
             rate: turning[i].scaled(0.5) - rate * matched.slopes[i],
             step: step[i],
@@ -170,12 +167,7 @@ impl Motion {
             (count + more, (rest - self.half_period * more).hi())
         };
         let index = (count as i64).saturating_add(self.first);
-        Place {
-            count,
-            period: index >> 1,
-            upper: index & 1 == 1,
-            x: rest * self.rate.hi(),
-        }
+        Place { count, period: index >> 1, upper: index & 1 == 1, x: rest * self.rate.hi() }
     }
 
     /// Both series there.
@@ -196,11 +188,7 @@ impl Motion {
         let argument = |value: Complex<f64>, channel: &Channel| {
             if channel.reached {
                 // A signed real factor: a half turn at each passage.
-                if value.re < 0.0 {
-                    -core::f64::consts::PI
-                } else {
-                    0.0
-                }
+                if value.re < 0.0 { -core::f64::consts::PI } else { 0.0 }
             } else {
                 math::atan2(value.im, value.re)
             }
@@ -216,10 +204,7 @@ impl Motion {
     /// Half turns of the arguments at a place, beyond [`Self::arguments`].
     pub(super) fn half_turns(&self, place: &Place) -> [f64; 2] {
         let [a, b] = &self.channels;
-        [
-            place.period as f64 * a.sign,
-            (place.period + i64::from(place.upper)) as f64 * b.sign,
-        ]
+        [place.period as f64 * a.sign, (place.period + i64::from(place.upper)) as f64 * b.sign]
     }
 }
 
@@ -228,11 +213,7 @@ impl Motion {
 #[inline]
 pub(super) fn nearest(x: f64) -> f64 {
     const SHIFT: f64 = 6_755_399_441_055_744.0;
-    if x.abs() < 2_251_799_813_685_248.0 {
-        (x + SHIFT) - SHIFT
-    } else {
-        x.round()
-    }
+    if x.abs() < 2_251_799_813_685_248.0 { (x + SHIFT) - SHIFT } else { x.round() }
 }
 
 /// The zeros of both parameters: sc^2(eta_a|m1) = (1+v1)/(v2-v1) and
@@ -243,19 +224,11 @@ fn zeros(conserved: &Conserved, roots: &Roots, span: Dd, periods: &Periods) -> [
     let near = roots.outer / span;
     let Roots { x2, y1, gap, .. } = *roots;
     let sign = |value: Dd| if value < 0.0 { -1.0 } else { 1.0 };
-    let [of_a, of_b] = periods.zeros([
-        [(y1, gap), (Dd::ONE, kappa * y1)],
-        [(x2, gap * near), (near, kappa * x2)],
-    ]);
+    let [of_a, of_b] =
+        periods.zeros([[(y1, gap), (Dd::ONE, kappa * y1)], [(x2, gap * near), (near, kappa * x2)]]);
     [
-        Zero {
-            sign: sign(conserved.sum),
-            place: of_a,
-        },
-        Zero {
-            sign: sign(conserved.difference),
-            place: of_b,
-        },
+        Zero { sign: sign(conserved.sum), place: of_a },
+        Zero { sign: sign(conserved.difference), place: of_b },
     ]
 }
 
@@ -300,12 +273,9 @@ mod tests {
     /// both are one.
     #[test]
     fn angles_count_half_periods_as_clocks_do() {
-        for (top, theta, rate) in [
-            (TOPS[0], 0.7, 0.1),
-            (TOPS[0], 0.3, -0.2),
-            (TOPS[1], 0.02, 0.0),
-            (TOPS[1], 0.9, 0.4),
-        ] {
+        for (top, theta, rate) in
+            [(TOPS[0], 0.7, 0.1), (TOPS[0], 0.3, -0.2), (TOPS[1], 0.02, 0.0), (TOPS[1], 0.9, 0.4)]
+        {
             let motion = made(top, theta, rate);
             for k in -40..=40 {
                 let t = 0.77 * f64::from(k);
@@ -321,10 +291,7 @@ mod tests {
     #[test]
     fn a_start_half_way_is_the_start() {
         let mut starts = 0;
-        for (top, k) in TOPS
-            .into_iter()
-            .flat_map(|top| (1..=20).map(move |k| (top, k)))
-        {
+        for (top, k) in TOPS.into_iter().flat_map(|top| (1..=20).map(move |k| (top, k))) {
             let rate = 0.02 * f64::from(k);
             let first = |theta: f64| match made(top, theta, rate).course {
                 Course::Moving { motion, .. } => {

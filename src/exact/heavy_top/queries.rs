@@ -23,11 +23,7 @@ impl HeavyTop {
     /// Source: the notes, 16.2 (4)-(6), solved.
     pub fn angles(&self, t: f64) -> EulerAngles {
         if !self.is_known(t) {
-            return EulerAngles {
-                phi: f64::NAN,
-                theta: f64::NAN,
-                zeta: f64::NAN,
-            };
+            return EulerAngles { phi: f64::NAN, theta: f64::NAN, zeta: f64::NAN };
         }
         let motion = match &self.course {
             Course::Fixed { theta } => {
@@ -54,11 +50,7 @@ impl HeavyTop {
         let phi = (a.0 + b.0) + (a.1 + b.1) + self.phi0;
         let difference = ((a.0 - b.0) + (a.1 - b.1)) * self.flip;
         let zeta = difference + self.free_spin * t + self.zeta0;
-        EulerAngles {
-            phi: phi.to_f64(),
-            theta,
-            zeta: zeta.to_f64(),
-        }
+        EulerAngles { phi: phi.to_f64(), theta, zeta: zeta.to_f64() }
     }
 
     /// The same as [`HeavyTop::angles`].
@@ -214,16 +206,10 @@ impl HeavyTop {
     }
 
     pub(super) fn with_momentum(&self, now: Kinematics) -> State {
-        let Kinematics {
-            attitude,
-            angular_velocity: omega,
-        } = now;
+        let Kinematics { attitude, angular_velocity: omega } = now;
         let [i1, i3] = self.moments;
         let own = BodyVector::new(i1 * omega.x(), i1 * omega.y(), i3 * omega.z());
-        State {
-            attitude,
-            angular_momentum: attitude.to_space(own),
-        }
+        State { attitude, angular_momentum: attitude.to_space(own) }
     }
 
     /// The same as [`HeavyTop::state`].
@@ -245,11 +231,7 @@ impl HeavyTop {
     /// omega_3 t.
     fn spun(&self, t: f64) -> Dd {
         // So late a time leaves the range of pairs, however slow the spin.
-        if t.abs() > 1e250 {
-            self.omega3.scaled(UP) * (t / UP)
-        } else {
-            self.omega3 * t
-        }
+        if t.abs() > 1e250 { self.omega3.scaled(UP) * (t / UP) } else { self.omega3 * t }
     }
 
     fn fixed_attitude(&self, t: f64) -> Attitude {
@@ -262,11 +244,7 @@ impl HeavyTop {
         let (sin, cos) = math::sincos(0.5 * theta);
         // Exactly at a pole the zero component stays zero.
         let sin = if theta == 0.0 { 0.0 } else { sin };
-        let cos = if theta == core::f64::consts::PI {
-            0.0
-        } else {
-            cos
-        };
+        let cos = if theta == core::f64::consts::PI { 0.0 } else { cos };
         let (sin_sum, cos_sum) = (zeta + phi).scaled(0.5).sin_cos();
         let (sin_difference, cos_difference) = (-zeta + phi).scaled(0.5).sin_cos();
         Attitude::from_unit([
@@ -291,11 +269,7 @@ impl HeavyTop {
         let (alpha, beta) = (alpha / norm, beta / norm);
         let spin = 2.0 * self.spin.to_f64();
         let per = |momentum: f64, part: f64| {
-            if momentum == 0.0 {
-                0.0
-            } else {
-                momentum / part
-            }
+            if momentum == 0.0 { 0.0 } else { momentum / part }
         };
         if beta <= alpha {
             (per(self.difference.to_f64(), beta) + spin) / (4.0 * alpha)
@@ -307,11 +281,7 @@ impl HeavyTop {
     /// alpha and beta from the parameters in v.
     #[inline]
     fn ordered(&self, pair: Pair) -> (Complex<f64>, Complex<f64>) {
-        if self.flip > 0.0 {
-            (pair.a, pair.b)
-        } else {
-            (pair.b, pair.a)
-        }
+        if self.flip > 0.0 { (pair.a, pair.b) } else { (pair.b, pair.a) }
     }
 
     /// Before the phases: alpha, beta, and omega_1 + i omega_2 times |alpha|^2 + |beta|^2.

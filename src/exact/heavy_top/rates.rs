@@ -33,21 +33,11 @@ impl RateRipple {
         let sin = b.sin * a.cos * sign_b - b.cos * a.sin * sign_a;
         let cos = b.cos * a.cos + b.sin * a.sin * (sign_a * sign_b);
         // theta_3(d) = theta_4(d - pi/2).
-        let angle = Angle {
-            z: b.z * sign_b - a.z * sign_a - Dd::FRAC_PI_2,
-            sin: -cos,
-            cos: sin,
-        };
+        let angle = Angle { z: b.z * sign_b - a.z * sign_a - Dd::FRAC_PI_2, sin: -cos, cos: sin };
         let ripple = Ripple::new(1.0, angle, nome);
         let scale = size / ripple.at_zero;
         let upper = ripple.h(scale * nome.q.sqrt().scaled(4.0));
-        Self([
-            ripple.h1(scale),
-            Factor {
-                re: upper.im,
-                im: upper.re.map(|c| -c),
-            },
-        ])
+        Self([ripple.h1(scale), Factor { re: upper.im, im: upper.re.map(|c| -c) }])
     }
 }
 
@@ -57,10 +47,7 @@ impl RateWave {
         let (sense, zero) = zero(a, b);
         let wave = Wave::new(&zero.across(), nome);
         let terms = wave.times(size / wave.at_zero);
-        Self {
-            sense,
-            factor: terms.h1(zero.sign),
-        }
+        Self { sense, factor: terms.h1(zero.sign) }
     }
 }
 

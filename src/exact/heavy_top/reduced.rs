@@ -53,11 +53,7 @@ impl ReducedTop {
     /// A parameter that is not finite; a <= 0;
     /// [`Error::OutOfRange`] for parameters whose squares leave the range of doubles.
     pub fn formal(a: f64, b: f64, c: f64) -> Result<Self> {
-        let top = Self {
-            a: positive("a", a)?,
-            b: finite("b", b)?,
-            c: finite("c", c)?,
-        };
+        let top = Self { a: positive("a", a)?, b: finite("b", b)?, c: finite("c", c)? };
         let moderate = |x: f64| x == 0.0 || (1e-40..1e40).contains(&x.abs());
         if [a, b - 1.0, b + 1.0, c].into_iter().all(moderate) {
             return Ok(top);
@@ -104,11 +100,7 @@ impl ReducedTop {
         let Self { a, b, c } = *self;
         // dU/dtheta = (a/8)((b+1)^2 s/c^3 - (b-1)^2 c/s^3) - 2 c s c.
         let ratio = |factor: f64, over: f64, under: f64| {
-            if factor == 0.0 {
-                0.0
-            } else {
-                factor * factor * over / (under * under * under)
-            }
+            if factor == 0.0 { 0.0 } else { factor * factor * over / (under * under * under) }
         };
         2.0 * c * sin * cos - a / 8.0 * (ratio(b + 1.0, sin, cos) - ratio(b - 1.0, cos, sin))
     }
@@ -122,11 +114,7 @@ impl ReducedTop {
     /// (b - cos)/sin from the sine and cosine of theta/2.
     fn half_ratio(&self, sin: f64, cos: f64) -> f64 {
         let part = |factor: f64, over: f64, under: f64| {
-            if factor == 0.0 {
-                0.0
-            } else {
-                factor * over / under
-            }
+            if factor == 0.0 { 0.0 } else { factor * over / under }
         };
         0.5 * (part(self.b + 1.0, sin, cos) + part(self.b - 1.0, cos, sin))
     }
@@ -145,11 +133,8 @@ impl ReducedTop {
     /// finding the minimum to its last digit.
     pub(super) fn is_well_above_minimum(&self, energy: f64) -> bool {
         let eighth = 0.125 * self.a;
-        let (left, right) = if self.c >= 0.0 {
-            (self.b - 1.0, self.b + 1.0)
-        } else {
-            (self.b + 1.0, self.b - 1.0)
-        };
+        let (left, right) =
+            if self.c >= 0.0 { (self.b - 1.0, self.b + 1.0) } else { (self.b + 1.0, self.b - 1.0) };
         let (p, q) = (eighth * left * left, eighth * right * right);
         let r = 2.0 * self.c.abs();
         // U at any place is at least U_min: where its slope begins to be sought is often enough.
@@ -158,11 +143,7 @@ impl ReducedTop {
             let (left, right) = (left / t, right * t);
             let rotational = eighth * (left + right) * (left + right);
             let fall = place * r / (place + 1.0);
-            let here = if self.c >= 0.0 {
-                rotational - fall
-            } else {
-                rotational + (r - fall)
-            };
+            let here = if self.c >= 0.0 { rotational - fall } else { rotational + (r - fall) };
             let size = eighth * (left.abs() + right.abs()) * (left.abs() + right.abs()) + r;
             energy - here > 64.0 * EPS * size
         };
@@ -175,11 +156,7 @@ impl ReducedTop {
         let a = Dd::from(self.a);
         let upper = Dd::sum(self.b, -1.0);
         let lower = Dd::sum(self.b, 1.0);
-        let (p, q) = if self.c >= 0.0 {
-            (upper, lower)
-        } else {
-            (lower, upper)
-        };
+        let (p, q) = if self.c >= 0.0 { (upper, lower) } else { (lower, upper) };
         let eighth = a.scaled(0.125);
         let p = eighth * p.square();
         let q = eighth * q.square();
@@ -187,11 +164,7 @@ impl ReducedTop {
         // Minimum of p/T + q T - r T/(1+T) over T >= 0. With |b^2 - 1| a/4 = 2 sqrt(pq) the
         // rotational part is a square: (a/8) (left/t + right t)^2, t^2 = T, no difference
         // of large terms.
-        let (left, right) = if self.c >= 0.0 {
-            (upper, lower)
-        } else {
-            (lower, upper)
-        };
+        let (left, right) = if self.c >= 0.0 { (upper, lower) } else { (lower, upper) };
         let (theta, rotational, fall) = match convex_minimum(p, q, r) {
             None => (Dd::PI, Dd::ZERO, Dd::from(r)),
             Some(place) => {

@@ -26,19 +26,14 @@ pub(super) struct Ripple {
 
 impl Ripple {
     pub(super) fn new(sign: f64, y: Angle, nome: &Nome) -> Self {
-        let (sin2, cos2) = (
-            (y.sin * y.cos).scaled(2.0),
-            1.0 - y.sin.square().scaled(2.0),
-        );
+        let (sin2, cos2) = ((y.sin * y.cos).scaled(2.0), 1.0 - y.sin.square().scaled(2.0));
         let (sin4, cos4) = ((sin2 * cos2).scaled(2.0), cos2.square().scaled(2.0) - 1.0);
         let (s2, c2, s4, c4) = (sin2.hi(), cos2.hi(), sin4.hi(), cos4.hi());
         let (s6, c6) = (s2 * (1.0 + 2.0 * c4), c2 * (2.0 * c4 - 1.0));
         let (s8, c8) = (2.0 * s4 * c4, 2.0 * c4 * c4 - 1.0);
         let q9 = nome.q9.hi();
         let second = nome.q4 * cos4;
-        let at_zero = Dd::ONE
-            .corrected((nome.q * cos2).scaled(-2.0))
-            .corrected(second.scaled(2.0))
+        let at_zero = Dd::ONE.corrected((nome.q * cos2).scaled(-2.0)).corrected(second.scaled(2.0))
             - 2.0 * (q9 * c6 - nome.q16 * c8);
         let slopes = (nome.q * sin2).corrected((nome.q4 * sin4).scaled(-2.0))
             + (3.0 * q9 * s6 - 4.0 * nome.q16 * s8);

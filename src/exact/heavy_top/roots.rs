@@ -94,14 +94,7 @@ impl Roots {
     /// The roots. Inner roots that rounding has made a complex pair are taken as
     /// equal; that the energy allows a motion is the caller's to check.
     pub(super) fn new(conserved: &Conserved, origin: &Origin) -> Self {
-        let Conserved {
-            spin,
-            difference,
-            sum,
-            excess,
-            total,
-            gravity,
-        } = *conserved;
+        let Conserved { spin, difference, sum, excess, total, gravity } = *conserved;
         // F(1 - x) = -d^2 + c1 x + c2 x^2 - beta x^3
         let c1 = (excess - difference * spin).scaled(2.0);
         let c1_size = 2.0 * (excess.hi().abs() + (difference * spin).hi().abs());
@@ -110,11 +103,7 @@ impl Roots {
         let far = outer + gravity.scaled(2.0);
 
         // X1 X2 = d^2 / (beta (v3 - 1)), Y1 Y2 = s^2 / (beta (v3 + 1)).
-        let product_x = if outer > 0.0 {
-            difference.square() / outer
-        } else {
-            -c1 / gravity
-        };
+        let product_x = if outer > 0.0 { difference.square() / outer } else { -c1 / gravity };
         let product_y = sum.square() / far;
 
         let other = |product: Dd, root: Dd| if root > 0.0 { product / root } else { Dd::ZERO };
@@ -150,24 +139,12 @@ impl Roots {
                     let x1 = 2.0 - y1;
                     (x1, other(product_x, x1), y1, y2, root)
                 };
-                let start = if matches!(origin, Origin::Lower) {
-                    (Dd::ZERO, gap)
-                } else {
-                    (gap, Dd::ZERO)
-                };
+                let start =
+                    if matches!(origin, Origin::Lower) { (Dd::ZERO, gap) } else { (gap, Dd::ZERO) };
                 (x1, x2, y1, y2, gap, start)
             }
         };
-        Self {
-            x1,
-            x2: x2.max(Dd::ZERO),
-            y1,
-            y2,
-            gap,
-            outer,
-            gravity,
-            start,
-        }
+        Self { x1, x2: x2.max(Dd::ZERO), y1, y2, gap, outer, gravity, start }
     }
 
     /// beta (v3 - v1), four times the square of the rate p of the argument.
@@ -178,10 +155,7 @@ impl Roots {
     /// The parameter m = (v2 - v1)/(v3 - v1), and 1 - m = (v3 - v2)/(v3 - v1): a sum of gaps,
     /// nothing cancels. `span` is the span of the roots.
     pub(super) fn parameters(&self, span: Dd) -> [Dd; 2] {
-        [
-            self.gravity * self.gap / span,
-            (self.outer + self.gravity * self.x2) / span,
-        ]
+        [self.gravity * self.gap / span, (self.outer + self.gravity * self.x2) / span]
     }
 }
 
@@ -223,12 +197,7 @@ fn outer_root(gravity: Dd, difference: Dd, c1: Dd, c2: Dd) -> Dd {
     let largest = gravity.hi().max(c2.hi().abs()).max(f64::MIN_POSITIVE);
     let unit = ldexp(1.0, -(ilogb(largest) / 2));
     let squared = |x: Dd| x.scaled(unit).scaled(unit);
-    let root = cubic_root(
-        squared(gravity),
-        difference.scaled(unit),
-        squared(c1),
-        squared(c2),
-    );
+    let root = cubic_root(squared(gravity), difference.scaled(unit), squared(c1), squared(c2));
     root.scaled(1.0 / unit).scaled(1.0 / unit)
 }
 
@@ -267,18 +236,11 @@ fn cubic_root(gravity: Dd, difference: Dd, c1: Dd, c2: Dd) -> Dd {
 
 /// Newton's method from above, where it falls monotonically onto the largest root.
 fn outer_root_guess(c2: f64, linear: f64, constant: f64) -> f64 {
-    let size = c2
-        .abs()
-        .max(linear.abs().sqrt())
-        .max(crate::math::cbrt(constant));
+    let size = c2.abs().max(linear.abs().sqrt()).max(crate::math::cbrt(constant));
     let bound = if c2 > 0.0 {
         // Without s^3 >= 0 the root only grows: an upper bound, near if s is small.
         let root = (linear * linear + 4.0 * c2 * constant).sqrt();
-        if linear >= 0.0 {
-            (linear + root) / (2.0 * c2)
-        } else {
-            2.0 * constant / (root - linear)
-        }
+        if linear >= 0.0 { (linear + root) / (2.0 * c2) } else { 2.0 * constant / (root - linear) }
     } else {
         // s^2 + c2 s - linear = constant/s, and s is at least the root for a constant of none.
         let root = |linear: f64| 0.5 * ((c2 * c2 + 4.0 * linear).sqrt() - c2);
@@ -305,9 +267,5 @@ fn outer_root_guess(c2: f64, linear: f64, constant: f64) -> f64 {
 /// The positive root of s^2 + b s - c, c > 0.
 fn positive_root(b: Dd, c: Dd) -> Dd {
     let root = (b.square() + c.scaled(4.0)).sqrt();
-    if b <= 0.0 {
-        (root - b).scaled(0.5)
-    } else {
-        c.scaled(2.0) / (b + root)
-    }
+    if b <= 0.0 { (root - b).scaled(0.5) } else { c.scaled(2.0) / (b + root) }
 }

@@ -79,10 +79,7 @@ impl<L: Phased> Axis<L> {
         let ((sin_a, sin_b), (cos_a, cos_b)) = (phase_sin.parts(), phase_cos.parts());
         let cos = cos_a * cos_b + sin_a * sin_b;
         let sin = cos_a * sin_b - sin_a * cos_b;
-        [
-            (re * cos - im * sin) * self.scale,
-            (re * sin + im * cos) * self.scale,
-        ]
+        [(re * cos - im * sin) * self.scale, (re * sin + im * cos) * self.scale]
     }
 }
 
@@ -105,9 +102,7 @@ impl Sampler {
             let start = turn.start - turn.start.round();
             Clock::new(turn.rate.scaled(4.0), start.scaled(4.0))
         });
-        let until = phases
-            .iter()
-            .fold(nutation.until(), |until, phase| until.min(phase.until()));
+        let until = phases.iter().fold(nutation.until(), |until, phase| until.min(phase.until()));
         let (sides, sense, rate) = oriented(a, b, wave, flipped);
         Self {
             nutation,
@@ -122,11 +117,7 @@ impl Sampler {
     }
 
     pub(super) fn attitude(&self, t: f64) -> Attitude {
-        Attitude::from_unit(if t.abs() <= self.until {
-            self.quaternion(t)
-        } else {
-            LOST.0
-        })
+        Attitude::from_unit(if t.abs() <= self.until { self.quaternion(t) } else { LOST.0 })
     }
 
     /// The unit quaternion at time `t`.
@@ -141,10 +132,7 @@ impl<V: Constant> Sampler<V> {
     #[inline(always)]
     fn phases<L: Phased>(&self, t: L, first: usize) -> (Reduced<L>, Reduced<L::Pair>) {
         let time = Time::new(t);
-        (
-            self.nutation.at(&time, first),
-            self.phases.both_at(&time, first),
-        )
+        (self.nutation.at(&time, first), self.phases.both_at(&time, first))
     }
 
     /// The axis, sine and cosine of z, and k.
@@ -202,9 +190,7 @@ impl Gathered for Sampler {
             rate: Gathered::gathered(each.map(|of| of.rate)),
             sense: each.map(|of| of.sense),
             spin: each.map(|of| of.spin),
-            until: each
-                .iter()
-                .fold(f64::INFINITY, |until, of| until.min(of.until)),
+            until: each.iter().fold(f64::INFINITY, |until, of| until.min(of.until)),
         }
     }
 }
@@ -220,18 +206,9 @@ fn oriented(a: &Factor, b: &Factor, wave: &RateWave, flipped: bool) -> ([Factor;
     if !flipped {
         return ([*a, *b], wave.sense, rate);
     }
-    let first = Factor {
-        re: mirrored(&b.re, 1.0),
-        im: mirrored(&b.im, -1.0),
-    };
-    let second = Factor {
-        re: mirrored(&a.re, -1.0),
-        im: mirrored(&a.im, 1.0),
-    };
-    let rate = Factor {
-        re: mirrored(&rate.im, wave.sense),
-        im: mirrored(&rate.re, -wave.sense),
-    };
+    let first = Factor { re: mirrored(&b.re, 1.0), im: mirrored(&b.im, -1.0) };
+    let second = Factor { re: mirrored(&a.re, -1.0), im: mirrored(&a.im, 1.0) };
+    let rate = Factor { re: mirrored(&rate.im, wave.sense), im: mirrored(&rate.re, -wave.sense) };
     ([first, second], -wave.sense, rate)
 }
 

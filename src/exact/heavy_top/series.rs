@@ -61,17 +61,7 @@ impl Series {
         };
         let first = Complex::new(odd * horner(&h.re, k), even * horner(&h.im, k));
         let second = Complex::new(re1 * horner(&h1.re, k), im1 * horner(&h1.im, k));
-        if upper {
-            Pair {
-                a: second,
-                b: first,
-            }
-        } else {
-            Pair {
-                a: first,
-                b: second,
-            }
-        }
+        if upper { Pair { a: second, b: first } } else { Pair { a: first, b: second } }
     }
 
     /// The same with the derivatives by `x`.
@@ -107,27 +97,9 @@ impl Series {
         let d_first = Complex::new(d_first_re, d_first_im);
         let d_second = Complex::new(d_second_re, d_second_im);
         if upper {
-            (
-                Pair {
-                    a: second,
-                    b: first,
-                },
-                Pair {
-                    a: d_second,
-                    b: d_first,
-                },
-            )
+            (Pair { a: second, b: first }, Pair { a: d_second, b: d_first })
         } else {
-            (
-                Pair {
-                    a: first,
-                    b: second,
-                },
-                Pair {
-                    a: d_first,
-                    b: d_second,
-                },
-            )
+            (Pair { a: first, b: second }, Pair { a: d_first, b: d_second })
         }
     }
 

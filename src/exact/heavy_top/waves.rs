@@ -53,15 +53,9 @@ impl Series {
         let series = Self {
             hyperbolic: false,
             nome: nome.q.to_f64(),
-            sides: [
-                [a.h(sign_a, 1.0), b.h1(sign_b)],
-                [b.h(sign_b, -1.0), a.h1(sign_a)],
-            ],
+            sides: [[a.h(sign_a, 1.0), b.h1(sign_b)], [b.h(sign_b, -1.0), a.h1(sign_a)]],
         };
-        Matched {
-            series,
-            slopes: [slope_a.scaled(sign_a), slope_b.scaled(sign_b)],
-        }
+        Matched { series, slopes: [slope_a.scaled(sign_a), slope_b.scaled(sign_b)] }
     }
 
     fn hyperbolic(nome: &Nome, waves: &[Ripple; 2], size_a: Dd, size_b: Dd) -> Matched {
@@ -76,10 +70,7 @@ impl Series {
                 [waves[1].h(-scale_upper), waves[0].h1(scale_a)],
             ],
         };
-        Matched {
-            series,
-            slopes: [waves[0].slope, waves[1].slope],
-        }
+        Matched { series, slopes: [waves[0].slope, waves[1].slope] }
     }
 }
 
@@ -88,11 +79,7 @@ impl Zero {
     pub(super) fn across(&self) -> Across {
         match self.place {
             theta::Zero::Across(across) => across,
-            theta::Zero::Along(_) => Across {
-                decay: Dd::ZERO,
-                fall: Dd::ONE,
-                rest: Dd::ZERO,
-            },
+            theta::Zero::Along(_) => Across { decay: Dd::ZERO, fall: Dd::ONE, rest: Dd::ZERO },
         }
     }
 }
@@ -169,10 +156,7 @@ impl<L: Exact> Wave<L> {
             first: first * scale,
             rest: [b, c, d].map(|term| term.hi() * factor),
         };
-        Terms {
-            cosh: terms(self.cosh),
-            sinh: terms(self.sinh),
-        }
+        Terms { cosh: terms(self.cosh), sinh: terms(self.sinh) }
     }
 }
 
@@ -194,13 +178,7 @@ impl Terms<Two> {
     #[inline]
     fn parts(self) -> [Terms; 2] {
         let ([cosh, other_cosh], [sinh, other_sinh]) = (self.cosh.parts(), self.sinh.parts());
-        [
-            Terms { cosh, sinh },
-            Terms {
-                cosh: other_cosh,
-                sinh: other_sinh,
-            },
-        ]
+        [Terms { cosh, sinh }, Terms { cosh: other_cosh, sinh: other_sinh }]
     }
 }
 
@@ -250,14 +228,8 @@ impl Leading<Two> {
         let first = self.first.parts();
         let rest = self.rest.map(Pair::parts);
         [
-            Leading {
-                first: first[0],
-                rest: rest.map(|(one, _)| one),
-            },
-            Leading {
-                first: first[1],
-                rest: rest.map(|(_, other)| other),
-            },
+            Leading { first: first[0], rest: rest.map(|(one, _)| one) },
+            Leading { first: first[1], rest: rest.map(|(_, other)| other) },
         ]
     }
 }
@@ -265,21 +237,11 @@ impl Leading<Two> {
 /// sum c_n sin((2n+1)z)/sin z in powers of k = 2 cos 2z.
 #[inline]
 fn odd_polynomial(c: [f64; 4]) -> [f64; 4] {
-    [
-        c[0] + c[1] - c[2] - c[3],
-        c[1] + c[2] - (c[3] + c[3]),
-        c[2] + c[3],
-        c[3],
-    ]
+    [c[0] + c[1] - c[2] - c[3], c[1] + c[2] - (c[3] + c[3]), c[2] + c[3], c[3]]
 }
 
 /// sum c_n cos((2n+1)z)/cos z in powers of k = 2 cos 2z.
 #[inline]
 fn even_polynomial(c: [f64; 4]) -> [f64; 4] {
-    [
-        c[0] - c[1] - c[2] + c[3],
-        c[1] - c[2] - (c[3] + c[3]),
-        c[2] - c[3],
-        c[3],
-    ]
+    [c[0] - c[1] - c[2] + c[3], c[1] - c[2] - (c[3] + c[3]), c[2] - c[3], c[3]]
 }

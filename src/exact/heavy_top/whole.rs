@@ -51,16 +51,9 @@ impl HeavyTop {
         let (difference, sum) = self.in_v();
         let spin = self.spin * self.flip;
         let precession = |x: Dd, y: Dd| {
-            if x <= y {
-                difference + spin * x
-            } else {
-                sum - spin * y
-            }
+            if x <= y { difference + spin * x } else { sum - spin * y }
         };
-        let at = [
-            precession(roots.x1, roots.y1).to_f64(),
-            precession(roots.x2, roots.y2).to_f64(),
-        ];
+        let at = [precession(roots.x1, roots.y1).to_f64(), precession(roots.x2, roots.y2).to_f64()];
         let rounding = 32.0 * EPS * (sum.abs() + difference.abs()).to_f64();
         if at.iter().any(|rate| rate.abs() <= rounding) {
             Regime::Cusps
@@ -134,9 +127,8 @@ impl HeavyTop {
             return [Dd::ZERO; 2];
         }
         let period = motion.half_period.scaled(2.0);
-        let [a, b] = motion
-            .channels
-            .map(|c| c.rate * period - c.step.scaled(2.0) + Dd::PI * c.sign);
+        let [a, b] =
+            motion.channels.map(|c| c.rate * period - c.step.scaled(2.0) + Dd::PI * c.sign);
         [a + b, (a - b) * self.flip + self.free_spin * period]
     }
 
@@ -225,10 +217,6 @@ impl HeavyTop {
 
     /// A - B and A + B in v.
     fn in_v(&self) -> (Dd, Dd) {
-        if self.flip > 0.0 {
-            (self.difference, self.sum)
-        } else {
-            (self.sum, self.difference)
-        }
+        if self.flip > 0.0 { (self.difference, self.sum) } else { (self.sum, self.difference) }
     }
 }

@@ -163,11 +163,7 @@ impl Dop853 {
         };
         let span = (t_end - t).abs();
         let (n0, n1) = (norm(y), norm(first));
-        let guess = if n0 > 1e-10 && n1 > 1e-10 {
-            0.01 * n0 / n1
-        } else {
-            1e-3 * span
-        };
+        let guess = if n0 > 1e-10 && n1 > 1e-10 { 0.01 * n0 / n1 } else { 1e-3 * span };
         let guess = guess.min(span).min(self.longest_step);
         let h = guess.copysign(t_end - t);
         let mut euler = *y;

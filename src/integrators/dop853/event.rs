@@ -107,20 +107,14 @@ impl<'f, const N: usize> Event<'f, N> {
     /// The same event, but the run ends where it happens.
     #[must_use]
     pub fn terminal(self) -> Self {
-        Self {
-            terminal: true,
-            ..self
-        }
+        Self { terminal: true, ..self }
     }
 
     /// The same event at the place nearest to zero, on either side: for a run that knows from which
     /// event it goes on.
     #[must_use]
     pub(crate) fn nearest(self) -> Self {
-        Self {
-            nearest: true,
-            ..self
-        }
+        Self { nearest: true, ..self }
     }
 
     /// The same event of a function whose values err by up to `round_off(t, y)`: a change of sign
@@ -130,10 +124,7 @@ impl<'f, const N: usize> Event<'f, N> {
     /// sign is round-off for a while.
     #[must_use]
     pub fn beyond(self, round_off: impl Fn(f64, &[f64; N]) -> f64 + 'f) -> Self {
-        Self {
-            round_off: Some(Box::new(round_off)),
-            ..self
-        }
+        Self { round_off: Some(Box::new(round_off)), ..self }
     }
 
     fn value(&self, t: f64, y: &[f64; N]) -> Result<f64> {
@@ -215,15 +206,8 @@ type Met<const N: usize> = (Vec<LocatedEvent<N>>, Option<Trial<N>>);
 
 impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
     pub(super) fn new(events: &'e [Event<'f, N>], t: f64, y: &[f64; N]) -> Result<Self> {
-        let values = events
-            .iter()
-            .map(|e| e.value(t, y))
-            .collect::<Result<_>>()?;
-        Ok(Self {
-            events,
-            values,
-            start: t,
-        })
+        let values = events.iter().map(|e| e.value(t, y)).collect::<Result<_>>()?;
+        Ok(Self { events, values, start: t })
     }
 
     /// The events within an accepted step, in the order in which they happen,
@@ -282,9 +266,7 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
         }
         let since_start = |e: &LocatedEvent<N>| (e.t - step.t).abs();
         sort_by_number(&mut found, |(e, _)| since_start(e));
-        let terminal = found
-            .iter()
-            .position(|(e, _)| self.events[e.index].terminal);
+        let terminal = found.iter().position(|(e, _)| self.events[e.index].terminal);
         let later = terminal.map_or_else(Vec::new, |last| found.split_off(last + 1));
         let stopped = terminal.and_then(|_| found.pop());
         let mut met: Vec<_> = found.into_iter().map(|(e, _)| e).collect();
@@ -295,11 +277,7 @@ impl<'e, 'f, const N: usize> Watch<'e, 'f, N> {
         for (other, _) in later {
             let value = self.events[other.index].value(end.t, &end.state)?;
             let here = is_round_off(step, end.t, other.t) && !is_before(value, other.rising);
-            met.extend(here.then_some(LocatedEvent {
-                t: end.t,
-                state: end.state,
-                ..other
-            }));
+            met.extend(here.then_some(LocatedEvent { t: end.t, state: end.state, ..other }));
         }
         met.push(end);
         Ok((met, Some(stopped)))
@@ -363,11 +341,7 @@ fn polish<const N: usize>(
 ) -> Result<Trial<N>> {
     let within = |t: f64| t.clamp(step.t.min(step.t_end), step.t.max(step.t_end));
     let mut real = |t: f64| -> Result<(Trial<N>, f64)> {
-        let there = if t == step.t_end {
-            *step
-        } else {
-            step.shortened(ode, t, work)?
-        };
+        let there = if t == step.t_end { *step } else { step.shortened(ode, t, work)? };
         let value = event.value(t, &there.end.value)?;
         Ok((there, value))
     };
@@ -375,10 +349,7 @@ fn polish<const N: usize>(
     // The slope of the function along the interpolant is good enough to start with.
     let about = 1e-3 * (step.t_end - step.t);
     let (t_a, t_b) = (within(guess - about), within(guess + about));
-    let (a, b) = (
-        event.value(t_a, &segment.at(t_a))?,
-        event.value(t_b, &segment.at(t_b))?,
-    );
+    let (a, b) = (event.value(t_a, &segment.at(t_a))?, event.value(t_b, &segment.at(t_b))?);
     let mut slope = (b - a) / (t_b - t_a);
     for _ in 0..CORRECTIONS {
         let t = within(best.t_end - value / slope);

@@ -100,18 +100,9 @@ impl Dop853 {
     pub fn new(tolerance: f64) -> Result<Self> {
         finite("tolerance", tolerance)?;
         if !(Self::SMALLEST_TOLERANCE..=Self::LARGEST_TOLERANCE).contains(&tolerance) {
-            return Err(Error::out_of_range(
-                "tolerance",
-                tolerance,
-                "from 1e-15 to 0.1",
-            ));
+            return Err(Error::out_of_range("tolerance", tolerance, "from 1e-15 to 0.1"));
         }
-        Ok(Self {
-            tolerance,
-            longest_step: f64::INFINITY,
-            step_limit: 1_000_000,
-            first_step: 0.0,
-        })
+        Ok(Self { tolerance, longest_step: f64::INFINITY, step_limit: 1_000_000, first_step: 0.0 })
     }
 
     /// The same method with no step longer than this (time units of the system).
@@ -120,10 +111,7 @@ impl Dop853 {
     /// Errors: a length that is not positive and finite.
     pub fn with_longest_step(self, longest_step: f64) -> Result<Self> {
         positive("longest step", longest_step)?;
-        Ok(Self {
-            longest_step,
-            ..self
-        })
+        Ok(Self { longest_step, ..self })
     }
 
     /// The same method that gives up after this many steps, rejected ones
@@ -223,28 +211,21 @@ impl Dop853 {
         let mut done = Work::default();
         let (mut to, mut all, mut longest) = (t_end, Vec::new(), 0.0_f64);
         let mut watch = event::Watch::new(events, t, start)?;
-        let end = self.drive(
-            &ode,
-            t,
-            start,
-            t_end,
-            &mut done,
-            &mut |trial, last, work| {
-                longest = longest.max((trial.t_end - trial.t).abs());
-                if events.is_empty() {
-                    return Ok(ControlFlow::Continue(()));
+        let end = self.drive(&ode, t, start, t_end, &mut done, &mut |trial, last, work| {
+            longest = longest.max((trial.t_end - trial.t).abs());
+            if events.is_empty() {
+                return Ok(ControlFlow::Continue(()));
+            }
+            let segment = trial.segment(&ode, last, work)?;
+            let (met, stopped) = watch.crossings(&ode, trial, &segment, work)?;
+            Ok(match stopped {
+                None => ControlFlow::Continue(()),
+                Some(stopped) => {
+                    (to, all) = (stopped.t_end, met);
+                    ControlFlow::Break(stopped.end.value)
                 }
-                let segment = trial.segment(&ode, last, work)?;
-                let (met, stopped) = watch.crossings(&ode, trial, &segment, work)?;
-                Ok(match stopped {
-                    None => ControlFlow::Continue(()),
-                    Some(stopped) => {
-                        (to, all) = (stopped.t_end, met);
-                        ControlFlow::Break(stopped.end.value)
-                    }
-                })
-            },
-        );
+            })
+        });
         *work += done;
         let (end, next) = end?;
         Ok((to, end, all, longest.max(next)))
@@ -260,17 +241,10 @@ impl Dop853 {
         mut seen: impl FnMut(&[f64; N]),
     ) -> Result<[f64; N]> {
         let mut done = Work::default();
-        let end = self.drive(
-            &ByRef(ode),
-            t,
-            start,
-            t_end,
-            &mut done,
-            &mut |trial, _, _| {
-                seen(&trial.end.value);
-                Ok(ControlFlow::Continue(()))
-            },
-        );
+        let end = self.drive(&ByRef(ode), t, start, t_end, &mut done, &mut |trial, _, _| {
+            seen(&trial.end.value);
+            Ok(ControlFlow::Continue(()))
+        });
         *work += done;
         Ok(end?.0)
     }

@@ -81,19 +81,13 @@ impl Dop853 {
         // Longer than any step is: the run ends at `t_end`, unless time comes to a stand.
         let far = 1e12 * left / positive("pace", pace(start))?;
         let paced = &ByRef(&Paced { ode, pace });
-        let ends = [Event::rising("end time", |_, y: &[f64; N]| {
-            (y[N - 1] - t_end) * left.signum()
-        })
-        .terminal()
-        .nearest()];
+        let ends =
+            [Event::rising("end time", |_, y: &[f64; N]| (y[N - 1] - t_end) * left.signum())
+                .terminal()
+                .nearest()];
         let mut reached = false;
-        let (end, _) = self.drive(
-            paced,
-            0.0,
-            start,
-            far,
-            &mut work,
-            &mut |trial, last, work| {
+        let (end, _) =
+            self.drive(paced, 0.0, start, far, &mut work, &mut |trial, last, work| {
                 if (trial.end.value[N - 1] - t_end) * left < 0.0 {
                     return Ok(ControlFlow::Continue(()));
                 }
@@ -103,16 +97,12 @@ impl Dop853 {
                 let (_, stopped) = watch.crossings(paced, trial, &segment, work)?;
                 let shortened = stopped.as_ref().unwrap_or(trial);
                 Ok(ControlFlow::Break(shortened.end.value))
-            },
-        )?;
+            })?;
         if reached {
             Ok((end, work))
         } else {
             let name = "end time";
-            Err(Error::NotReached {
-                name,
-                until: end[N - 1],
-            })
+            Err(Error::NotReached { name, until: end[N - 1] })
         }
     }
 }

@@ -30,14 +30,7 @@ impl<const N: usize> Solution<N> {
             end: start,
             events: Vec::new(),
             stopped: false,
-            work: Work {
-                derivatives: 0,
-                steps: 0,
-                rejected: 0,
-                flows: 0,
-                kicks: 0,
-                samples: 0,
-            },
+            work: Work { derivatives: 0, steps: 0, rejected: 0, flows: 0, kicks: 0, samples: 0 },
         }
     }
 

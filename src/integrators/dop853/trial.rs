@@ -33,16 +33,7 @@ impl<const N: usize> Trial<N> {
         let start = Compensated::new(start);
         let mut k = [[0.0; N]; STAGES];
         k[0] = first;
-        Self {
-            t,
-            t_end: t,
-            start,
-            end: start,
-            k,
-            made: [0.0; N],
-            back: None,
-            within,
-        }
+        Self { t, t_end: t, start, end: start, k, made: [0.0; N], back: None, within }
     }
 
     /// The step to `t_end`. Eleven derivatives.
@@ -172,11 +163,9 @@ pub(super) fn sizes<const N: usize>(ode: &dyn System<N>, y: &[f64; N]) -> Result
     let sizes = ode.scale(y);
     match sizes.iter().find(|s| s.is_nan() || **s <= 0.0) {
         None => Ok(sizes),
-        Some(&value) => Err(Error::out_of_range(
-            "scale of a component",
-            value,
-            "it must be greater than 0",
-        )),
+        Some(&value) => {
+            Err(Error::out_of_range("scale of a component", value, "it must be greater than 0"))
+        }
     }
 }
 

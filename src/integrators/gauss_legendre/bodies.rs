@@ -46,11 +46,7 @@ pub(crate) struct SideBySide<'s, E: ?Sized> {
 impl<'s, E: AnyEffect + ?Sized> SideBySide<'s, E> {
     /// The scene; of effects that may slip, whether they do.
     pub(crate) fn new(scene: &'s Scene<E>, slips: bool) -> Self {
-        Self {
-            scene,
-            inverse: inverse_moments(scene.body()),
-            slips,
-        }
+        Self { scene, inverse: inverse_moments(scene.body()), slips }
     }
 }
 
@@ -164,11 +160,8 @@ impl<E: Effect> Precession<'_, E> {
     #[inline(always)]
     fn rates<L: Lane>(&self, quaternion: [L; 4], momentum: [L; 3]) -> ([L; 4], [L; 3]) {
         let [w, x, y, z] = quaternion;
-        let axis = [
-            (x * z + w * y) * 2.0,
-            (y * z - w * x) * 2.0,
-            (w * w + z * z) - (x * x + y * y),
-        ];
+        let axis =
+            [(x * z + w * y) * 2.0, (y * z - w * x) * 2.0, (w * w + z * z) - (x * x + y * y)];
         let [a, b, c] = (self.scene.effects()).torques_on_axis(self.scene.body(), axis);
         let torque = [a * self.half, b * self.half, c * self.half];
         (vector_times(momentum, quaternion), torque)
@@ -220,10 +213,7 @@ impl<'s, E: Effect, const STEADY: bool> Integrator<SpinFree<'s, E>, State>
         }
         let twice = 2.0 * problem.scene().body().moments().i1();
         let [w, x, y1, z, ..] = y;
-        let [p, q, r] = start
-            .angular_momentum
-            .to_array()
-            .map(|l| DoubleDouble::from(l) / twice);
+        let [p, q, r] = start.angular_momentum.to_array().map(|l| DoubleDouble::from(l) / twice);
         let scale = Ode::scale(problem, &y);
         let precession = Precession {
             scene: problem.scene(),
@@ -328,11 +318,8 @@ impl<'s, E: Effect> BodyAxes<'s, E> {
     #[inline(always)]
     fn rates<L: Lane>(&self, y7: &[L; 7]) -> [L; 7] {
         let [w, x, y, z, ..] = *y7;
-        let axis = [
-            (x * z + w * y) * 2.0,
-            (y * z - w * x) * 2.0,
-            (w * w + z * z) - (x * x + y * y),
-        ];
+        let axis =
+            [(x * z + w * y) * 2.0, (y * z - w * x) * 2.0, (w * w + z * z) - (x * x + y * y)];
         let [a, b, c] = (self.scene.effects()).torques_on_axis(self.scene.body(), axis);
         let [w1, x1, y1, z1, l1, l2, l3] = rates(&self.inverse, y7);
         // The torque has no component along e3.

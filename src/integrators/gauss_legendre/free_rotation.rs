@@ -67,10 +67,7 @@ pub struct FreeRotation {
 impl FreeRotation {
     /// The scene's free rotation.
     pub fn new(scene: &Scene<()>) -> Self {
-        Self {
-            body: *scene.body(),
-            inverse: inverse_moments(scene.body()),
-        }
+        Self { body: *scene.body(), inverse: inverse_moments(scene.body()) }
     }
 
     /// The body.
@@ -88,9 +85,7 @@ impl FreeRotation {
 
 /// 1/I in two parts.
 pub(in crate::integrators) fn inverse_moments(body: &RigidBody) -> [[f64; 2]; 3] {
-    body.moments()
-        .to_array()
-        .map(|i| parts(Dd::from(i).recip()))
+    body.moments().to_array().map(|i| parts(Dd::from(i).recip()))
 }
 
 fn parts(x: Dd) -> [f64; 2] {
@@ -104,11 +99,7 @@ pub(in crate::integrators) fn rates_of<L: Lane>(
     [l1, l2, l3]: [L; 3],
 ) -> [L; 3] {
     let [[a, a_rest], [b, b_rest], [c, c_rest]] = *inverse;
-    [
-        l1 * a + l1 * a_rest,
-        l2 * b + l2 * b_rest,
-        l3 * c + l3 * c_rest,
-    ]
+    [l1 * a + l1 * a_rest, l2 * b + l2 * b_rest, l3 * c + l3 * c_rest]
 }
 
 /// q' and l' of a body with these 1/I, all on its own axes.
@@ -203,11 +194,7 @@ impl Units {
         } else {
             [2, 0, 1]
         };
-        let third = if (axes[0] + 1) % 3 == axes[1] {
-            1.0
-        } else {
-            -1.0
-        };
+        let third = if (axes[0] + 1) % 3 == axes[1] { 1.0 } else { -1.0 };
         let on_body = momentum_on_body(state, momentum);
         let own = axes.map(|i| on_body[i]);
         let own = [own[0], own[1], own[2] * third];
@@ -262,15 +249,10 @@ impl Units {
         span: f64,
         work: &mut Work,
     ) -> Result<([f64; 3], Quaternion)> {
-        let mut turn = Turn {
-            rate: self.rate,
-            direction: self.direction,
-            turned: [1.0, 0.0, 0.0, 0.0],
-        };
-        let start = Compensated {
-            value: self.start.map(|l| l.hi()),
-            carry: self.start.map(|l| l.lo()),
-        };
+        let mut turn =
+            Turn { rate: self.rate, direction: self.direction, turned: [1.0, 0.0, 0.0, 0.0] };
+        let start =
+            Compensated { value: self.start.map(|l| l.hi()), carry: self.start.map(|l| l.lo()) };
         let scale = self.direction.map(|[n, _]| 1.0 / n.abs());
         let (k, last) = (self.k, if self.symmetric { 0.0 } else { 1.0 });
         let euler = Euler { k, last, scale };
@@ -281,10 +263,7 @@ impl Units {
 
 /// L on the body's axes in units of two to the `exponent`, to twice the digits.
 pub(in crate::integrators) fn momentum_on_body(state: &State, exponent: i32) -> [Dd; 3] {
-    let l = state
-        .angular_momentum
-        .to_array()
-        .map(|l| Dd::from(ldexp(l, -exponent)));
+    let l = state.angular_momentum.to_array().map(|l| Dd::from(ldexp(l, -exponent)));
     let [w, x, y, z] = state.attitude.quaternion().map(Dd::from);
     let v = [-x, -y, -z];
     let square = v.iter().fold(Dd::ZERO, |sum, c| sum + c.square());
@@ -339,10 +318,8 @@ impl Companion<3> for Turn {
         let angle = h * mean + h_rest * mean;
         let (s, c) = sincos_turns(angle * HALF_TURNS[0] + angle * HALF_TURNS[1]);
         let about = [c, s * u[0], s * u[1], s * u[2]];
-        let turn = product(
-            product(shortest(u, self.along(from)), about),
-            shortest(self.along(to), u),
-        );
+        let turn =
+            product(product(shortest(u, self.along(from)), about), shortest(self.along(to), u));
         self.turned = product(self.turned, unit_quaternion(turn));
     }
 }
@@ -373,12 +350,7 @@ fn scaled([x, y, z]: [f64; 3], by: f64) -> [f64; 3] {
 #[inline(always)]
 fn shortest(from: [f64; 3], to: [f64; 3]) -> Quaternion {
     let ([a, b, c], [d, e, f]) = (from, to);
-    [
-        1.0 + dot(from, to),
-        b * f - c * e,
-        c * d - a * f,
-        a * e - b * d,
-    ]
+    [1.0 + dot(from, to), b * f - c * e, c * d - a * f, a * e - b * d]
 }
 
 #[inline(always)]
@@ -405,16 +377,9 @@ impl<const STEADY: bool> Integrator<FreeRotation, State> for GaussLegendre<STEAD
         }
         let units = Units::new(&problem.body, start)?;
         let exponent = units.momentum - units.moment;
-        let span = finite(
-            "end time - start time in units of I/|L|",
-            ldexp(t_end - t, exponent),
-        )?;
+        let span = finite("end time - start time in units of I/|L|", ldexp(t_end - t, exponent))?;
         let (end, turned) = units.carry(self, span, work).map_err(|error| match error {
-            Error::NoConvergence {
-                t: since,
-                h,
-                change,
-            } => Error::NoConvergence {
+            Error::NoConvergence { t: since, h, change } => Error::NoConvergence {
                 t: t + ldexp(since, -exponent),
                 h: ldexp(h, -exponent),
                 change,

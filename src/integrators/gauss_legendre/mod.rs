@@ -169,27 +169,15 @@ impl GaussLegendre {
                 "it must lie between 0 and 0.1",
             ));
         }
-        Ok(Self {
-            steps,
-            precision: precision.max(0.5 * EPS),
-            registers: Registers::Avx512,
-        })
+        Ok(Self { steps, precision: precision.max(0.5 * EPS), registers: Registers::Avx512 })
     }
 
     /// The same where each step needs about as many sweeps as the one before, to a precision above
     /// 1e-15. Its sweeps are cheaper; it takes 0 to 2 in a hundred more of them on long steps, up
     /// to 15 in a hundred more on short ones.
     pub const fn steady(self) -> GaussLegendre<true> {
-        let Self {
-            steps,
-            precision,
-            registers,
-        } = self;
-        GaussLegendre {
-            steps,
-            precision,
-            registers,
-        }
+        let Self { steps, precision, registers } = self;
+        GaussLegendre { steps, precision, registers }
     }
 }
 

@@ -72,11 +72,7 @@ impl Tableau {
                 }
             }
         }
-        Self {
-            stages,
-            rest,
-            continued,
-        }
+        Self { stages, rest, continued }
     }
 }
 
@@ -164,15 +160,9 @@ impl<const STEADY: bool> GaussLegendre<STEADY> {
         work.derivatives += 8;
         store(&first, &mut slopes);
         finite_derivative(t, &y.value, slopes.0.map(|s| s[0]))?;
-        let equations = Equations {
-            tableau: Tableau::new(step),
-            weight,
-            precision: self.precision,
-        };
-        let mut pace = Pace {
-            sweeps: 0,
-            gain: 1.0,
-        };
+        let equations =
+            Equations { tableau: Tableau::new(step), weight, precision: self.precision };
+        let mut pace = Pace { sweeps: 0, gain: 1.0 };
         for step in 0..self.steps {
             let here = node(t, t_end, step, self.steps);
             let times = L::load(&NODES) * h + here;

@@ -40,9 +40,7 @@ impl BodyPoint {
     /// The point of this state.
     pub(super) fn new(body: &RigidBody, state: &State) -> Self {
         let free = if body.moments().is_symmetric() {
-            Free::Symmetric {
-                spin: spin_rate(body, state),
-            }
+            Free::Symmetric { spin: spin_rate(body, state) }
         } else {
             Free::Asymmetric(FreeFlow::new(body.moments()))
         };

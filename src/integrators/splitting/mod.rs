@@ -147,11 +147,7 @@ impl<P: Separable> Integrator<P, P::State> for Splitting {
         outer(*first, &mut point);
         for step in 1..=self.steps {
             // The outer operation that ends this step begins the next as well.
-            let end = if step == self.steps {
-                *last
-            } else {
-                first + last
-            };
+            let end = if step == self.steps { *last } else { first + last };
             let after = between.iter().chain(core::iter::once(&end));
             for (inside, outside) in self.scheme.inner_parts.iter().zip(after) {
                 inner(*inside, &mut point);
@@ -167,12 +163,7 @@ impl<P: Separable> Integrator<P, P::State> for Splitting {
             Outer::Flow => (outers, inners),
             Outer::Kick => (inners, outers),
         };
-        *work += Work {
-            steps: self.steps,
-            flows,
-            kicks,
-            ..Work::default()
-        };
+        *work += Work { steps: self.steps, flows, kicks, ..Work::default() };
         problem.leave(&point, span)
     }
 }

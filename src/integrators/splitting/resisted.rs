@@ -124,11 +124,7 @@ impl<E: Effect> Separable for Resisted<'_, E> {
 
     /// The momentum changes as it does at a fixed attitude; nothing moves.
     fn kick(&self, point: &mut ResistedPoint, dt: f64) {
-        let BodyPoint {
-            quaternion,
-            momentum,
-            ..
-        } = &mut point.point;
+        let BodyPoint { quaternion, momentum, .. } = &mut point.point;
         let attitude = Attitude::from_unit(quaternion.value);
         let axis = attitude.axis().to_array();
         let torque = (self.scene.effects()).torques_on_axis(self.scene.body(), axis);

@@ -33,11 +33,7 @@ fn probed<'a, S: Sampler<6>>(
     times: &'a [f64],
     found: &'a mut Vec<Bits>,
 ) -> impl Work + 'a {
-    EachTime::<_, _, 6> {
-        sampler,
-        times,
-        put: |sample| found.push(bits(sample)),
-    }
+    EachTime::<_, _, 6> { sampler, times, put: |sample| found.push(bits(sample)) }
 }
 
 fn in_lanes<L: Phased>(sampler: &impl Sampler<6>, times: &[f64]) -> Vec<Bits> {
@@ -54,10 +50,7 @@ fn in_each_width(sampler: &impl Sampler<6>, times: &[f64]) -> Vec<Vec<Bits>> {
         in_lanes::<Two>(sampler, times),
         in_lanes::<CommonEight>(sampler, times),
     ];
-    common
-        .into_iter()
-        .chain(in_wider_registers(sampler, times))
-        .collect()
+    common.into_iter().chain(in_wider_registers(sampler, times)).collect()
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -121,16 +114,7 @@ impl Sampler<6> for Kept {
 fn no_number_stays_none_within_bounds() {
     let mut compared = 0;
     for place in 0..8 {
-        let mut times = [
-            -2.5,
-            0.0,
-            -0.0,
-            0.7,
-            f64::INFINITY,
-            f64::NEG_INFINITY,
-            1e9,
-            -0.5,
-        ];
+        let mut times = [-2.5, 0.0, -0.0, 0.7, f64::INFINITY, f64::NEG_INFINITY, 1e9, -0.5];
         times[place] = f64::NAN;
         for found in in_each_width(&Kept, &times) {
             for (t, kept) in times.iter().zip(found) {

@@ -125,10 +125,7 @@ impl Pair<f64> for Two {
     }
     #[inline(always)]
     fn parts(self) -> (f64, f64) {
-        (
-            f64x2_extract_lane::<0>(self.0),
-            f64x2_extract_lane::<1>(self.0),
-        )
+        (f64x2_extract_lane::<0>(self.0), f64x2_extract_lane::<1>(self.0))
     }
     #[inline(always)]
     fn swapped(self) -> Self {

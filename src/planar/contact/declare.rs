@@ -84,11 +84,7 @@ pub struct Row<const N: usize> {
 impl<const N: usize> Row<N> {
     /// A row for a surface at rest.
     pub const fn new(along: [f64; N], bias: f64) -> Self {
-        Self {
-            along,
-            bias,
-            surface: 0.0,
-        }
+        Self { along, bias, surface: 0.0 }
     }
 
     /// `along . v - surface`.
@@ -143,10 +139,7 @@ impl<const N: usize> Contact<N> {
             gap,
             normal: Row::new(gradient, bias),
             tangent: Row::new([0.0; N], 0.0),
-            friction: Friction {
-                kinetic: 0.0,
-                holding: 0.0,
-            },
+            friction: Friction { kinetic: 0.0, holding: 0.0 },
             restitution: 0.0,
             press: Press::OneSided,
         }
@@ -154,36 +147,24 @@ impl<const N: usize> Contact<N> {
 
     /// A contact that also pulls: the gap stays 0.
     pub const fn joint(name: &'static str, gap: f64, gradient: [f64; N], bias: f64) -> Self {
-        Self {
-            press: Press::TwoSided,
-            ..Self::new(name, gap, gradient, bias)
-        }
+        Self { press: Press::TwoSided, ..Self::new(name, gap, gradient, bias) }
     }
 
     /// Surfaces pressed together with a given `force` >= 0, whatever moves: a brake, a pair of discs.
     pub const fn pressed(name: &'static str, force: f64) -> Self {
-        Self {
-            press: Press::Given(force),
-            ..Self::new(name, 0.0, [0.0; N], 0.0)
-        }
+        Self { press: Press::Given(force), ..Self::new(name, 0.0, [0.0; N], 0.0) }
     }
 
     /// A resistance that rides on another contact: pressed with the normal force of the contact
     /// at the place `by` in the list, and open where that is open. Its `tangent` is the rate that
     /// it resists; see [`rolling`](Contact::rolling).
     pub const fn pressed_by(name: &'static str, by: usize) -> Self {
-        Self {
-            press: Press::By(by),
-            ..Self::new(name, 0.0, [0.0; N], 0.0)
-        }
+        Self { press: Press::By(by), ..Self::new(name, 0.0, [0.0; N], 0.0) }
     }
 
     /// The same contact, whose slip speed is `along . v`, with its rate at constant velocities.
     pub const fn tangent(self, along: [f64; N], bias: f64) -> Self {
-        Self {
-            tangent: Row::new(along, bias),
-            ..self
-        }
+        Self { tangent: Row::new(along, bias), ..self }
     }
 
     /// The same contact with the friction `mu`, slipping or not.
@@ -193,10 +174,7 @@ impl<const N: usize> Contact<N> {
 
     /// The same contact with one coefficient for slipping and a larger one for holding.
     pub const fn frictions(self, kinetic: f64, holding: f64) -> Self {
-        Self {
-            friction: Friction { kinetic, holding },
-            ..self
-        }
+        Self { friction: Friction { kinetic, holding }, ..self }
     }
 
     /// The same contact, whose surface moves along the tangent with this constant speed.
@@ -214,10 +192,7 @@ impl<const N: usize> Contact<N> {
 
     /// The same contact, which returns this part of the normal velocity, from 0 to 1.
     pub const fn restitution(self, restitution: f64) -> Self {
-        Self {
-            restitution,
-            ..self
-        }
+        Self { restitution, ..self }
     }
 }
 
@@ -231,15 +206,9 @@ pub struct Surface {
 
 impl Surface {
     /// y = 0, the body above; slip to the right is positive.
-    pub const FLOOR: Self = Self {
-        normal: [0.0, 1.0],
-        offset: 0.0,
-    };
+    pub const FLOOR: Self = Self { normal: [0.0, 1.0], offset: 0.0 };
     /// x = 0, the body to the right; slip downward is positive.
-    pub const WALL: Self = Self {
-        normal: [1.0, 0.0],
-        offset: 0.0,
-    };
+    pub const WALL: Self = Self { normal: [1.0, 0.0], offset: 0.0 };
 
     const fn tangent(self) -> [f64; 2] {
         [self.normal[1], -self.normal[0]]
@@ -320,9 +289,7 @@ impl Contact<3> {
     /// Source: K. L. Johnson, *Contact Mechanics* (1985), 9; as a set-valued torque F.
     /// Pfeiffer, C. Glocker, cited with [this module](super).
     pub const fn rolling(name: &'static str, by: usize, radius: f64, coefficient: f64) -> Self {
-        Self::pressed_by(name, by)
-            .tangent([0.0, 0.0, radius], 0.0)
-            .friction(coefficient)
+        Self::pressed_by(name, by).tangent([0.0, 0.0, radius], 0.0).friction(coefficient)
     }
 
     /// The rim of a disc or ball of this radius about the centre, on a surface.

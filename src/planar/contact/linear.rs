@@ -22,11 +22,7 @@ pub(super) struct Root {
 
 impl Equations {
     pub(super) const fn new(n: usize) -> Self {
-        Self {
-            rows: [[0.0; SIZE]; SIZE],
-            right: [0.0; SIZE],
-            n,
-        }
+        Self { rows: [[0.0; SIZE]; SIZE], right: [0.0; SIZE], n }
     }
 
     /// The solution by Gauss-Jordan elimination with complete pivoting after scaling, which
@@ -79,10 +75,7 @@ impl Equations {
         if rank + 1 == n {
             freedom[columns[rank]] = scale[columns[rank]];
         }
-        Some(Root {
-            x,
-            freedom: (rank + 1 == n).then_some(freedom),
-        })
+        Some(Root { x, freedom: (rank + 1 == n).then_some(freedom) })
     }
 
     /// Puts the unknowns in `units`, then brings the largest coefficient of each row, then of each
@@ -105,9 +98,7 @@ impl Equations {
         }
         let factors = largest.map(reciprocal);
         for row in &mut self.rows[..n] {
-            row.iter_mut()
-                .zip(&factors)
-                .for_each(|(a, factor)| *a *= factor);
+            row.iter_mut().zip(&factors).for_each(|(a, factor)| *a *= factor);
         }
         core::array::from_fn(|j| units[j] * factors[j])
     }
@@ -156,10 +147,7 @@ mod tests {
     /// were made from.
     #[test]
     fn scaled_equations_have_their_solution() {
-        let (rows, x) = (
-            [[2.0, 1.0, 0.0], [1.0, 3.0, 1.0], [0.0, 1.0, 4.0]],
-            [1.0, -2.0, 3.0],
-        );
+        let (rows, x) = ([[2.0, 1.0, 0.0], [1.0, 3.0, 1.0], [0.0, 1.0, 4.0]], [1.0, -2.0, 3.0]);
         for sizes in [[1.0; 3], [1e-7, 3.0, 5e9], [7e3, 1e-12, 0.3]] {
             let mut equations = Equations::new(3);
             for i in 0..3 {

@@ -121,10 +121,7 @@ pub trait Mechanism<const N: usize, const C: usize> {
     /// equations want lengths from 1e-6 to 1e6 in any case; of masses only ratios count.
     fn scale(&self, state: &MechanismState<N>) -> MechanismState<N> {
         let size = |c: f64| c.abs().max(1.0);
-        MechanismState {
-            q: state.q.map(size),
-            v: state.v.map(size),
-        }
+        MechanismState { q: state.q.map(size), v: state.v.map(size) }
     }
 
     /// After how many changes of its modes a run is refused. A bounce is one: a fall from 1 m with

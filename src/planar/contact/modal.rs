@@ -51,8 +51,7 @@ impl<M: Mechanism<N, C>, const N: usize, const C: usize> Modal<M, N, C> {
         state: &MechanismState<N>,
     ) -> Option<Response<N, C>> {
         let contacts = self.0.contacts(state);
-        self.newton(state, &self.0.mass(&state.q), &contacts)
-            .respond(modes)
+        self.newton(state, &self.0.mass(&state.q), &contacts).respond(modes)
     }
 
     /// Newton's laws with the contacts.
@@ -73,12 +72,8 @@ impl<M: Mechanism<N, C>, const N: usize, const C: usize> Modal<M, N, C> {
 
     /// The forces of the contacts; NaN where the modes have none.
     pub(super) fn forces(&self, modes: &Modes<C>, state: &MechanismState<N>) -> [Force; C] {
-        let none = Force {
-            normal: f64::NAN,
-            tangential: f64::NAN,
-        };
-        self.respond(modes, state)
-            .map_or([none; C], |response| response.force)
+        let none = Force { normal: f64::NAN, tangential: f64::NAN };
+        self.respond(modes, state).map_or([none; C], |response| response.force)
     }
 
     fn contact(&self, i: usize, state: &MechanismState<N>) -> Contact<N> {
@@ -90,13 +85,7 @@ impl<M: Mechanism<N, C>, const N: usize, const C: usize> Modal<M, N, C> {
     fn has_drifted(&self, modes: &Modes<C>, state: &MechanismState<N>, within: f64) -> bool {
         let contacts = self.0.contacts(state);
         (0..C).filter(|&i| modes[i] != Mode::Open).any(|i| {
-            let Contact {
-                gap,
-                normal,
-                tangent,
-                press,
-                ..
-            } = &contacts[i];
+            let Contact { gap, normal, tangent, press, .. } = &contacts[i];
             let is_off = || {
                 gap.abs() > within * self.gap_size(i, state)
                     || normal.speed(&state.v).abs() > within * self.normal_size(i, state)
@@ -133,14 +122,8 @@ impl<M: Mechanism<N, C>, const N: usize, const S: usize, const C: usize> Phased<
 
     fn derivative(&self, modes: Modes<C>, state: &[f64; S]) -> [f64; S] {
         let state = MechanismState::from_array(state);
-        let rate = self
-            .respond(&modes, &state)
-            .map_or([f64::NAN; N], |response| response.rate);
-        MechanismState {
-            q: state.v,
-            v: rate,
-        }
-        .to_array()
+        let rate = self.respond(&modes, &state).map_or([f64::NAN; N], |response| response.rate);
+        MechanismState { q: state.v, v: rate }.to_array()
     }
 
     fn conditions(&self, modes: Modes<C>) -> Vec<Condition<'_, Modes<C>, S>> {

@@ -296,12 +296,7 @@ impl<const N: usize, const C: usize> Done<N, C> {
         let rests = transitions.filter_map(|at| rests(mechanism, &run, at.rest?));
         let mut events: Vec<_> = changes.chain(rests).collect();
         sort_by_number(&mut events, |event| event.t);
-        Self {
-            events,
-            estimate: None,
-            work: run.work(),
-            run: Box::new(run),
-        }
+        Self { events, estimate: None, work: run.work(), run: Box::new(run) }
     }
 
     fn drift(&self, mechanism: &AnyMechanism<'_, N, C>) -> Result<(f64, f64)> {

@@ -36,11 +36,7 @@ pub(super) struct Entered<const N: usize, const C: usize> {
 
 impl<const N: usize, const S: usize, const C: usize> From<Entered<N, C>> for Entry<Modes<C>, S> {
     fn from(Entered { modes, state, rest }: Entered<N, C>) -> Self {
-        Self {
-            phase: modes,
-            state: state.to_array(),
-            rest,
-        }
+        Self { phase: modes, state: state.to_array(), rest }
     }
 }
 
@@ -131,18 +127,15 @@ fn choices<M: Mechanism<N, C>, const N: usize, const C: usize>(
     let slips = slips(scene, i, contact, state).filter(|_| trigger != Some(Trigger::Slip(i)));
     let may_open = matches!(contact.press, Press::OneSided | Press::By(_));
     let all = if let Some(sense) = slips {
-        Choices::of(
-            &[Mode::Slip(sense), Mode::Open][..1 + usize::from(may_open)],
-            false,
-        )
+        Choices::of(&[Mode::Slip(sense), Mode::Open][..1 + usize::from(may_open)], false)
     } else {
         Choices::shut(contact.friction.holding > 0.0, may_open)
     };
     match trigger {
         Some(Trigger::Force(k)) if k == i => all.retain(|m| m == Mode::Open).decided(),
-        Some(Trigger::Cone(k, sense)) if k == i => all
-            .retain(|m| m == Mode::Open || m == Mode::Slip(sense))
-            .decided(),
+        Some(Trigger::Cone(k, sense)) if k == i => {
+            all.retain(|m| m == Mode::Open || m == Mode::Slip(sense)).decided()
+        }
         _ => all,
     }
 }
@@ -172,11 +165,7 @@ fn bounce<const N: usize>(
 ) -> [f64; 2] {
     let speed = contact.normal.speed(&state.v);
     let back = -dot(&contact.normal.along, rate) - contact.normal.bias;
-    if back > 0.0 {
-        [0.5 * speed * speed / back, 2.0 * speed / back]
-    } else {
-        [f64::INFINITY; 2]
-    }
+    if back > 0.0 { [0.5 * speed * speed / back, 2.0 * speed / back] } else { [f64::INFINITY; 2] }
 }
 
 /// Which contacts can act: those that did, that has just closed, or whose gap is round-off.
@@ -209,17 +198,9 @@ fn impact<M: Mechanism<N, C>, const N: usize, const C: usize>(
 ) -> Result<[f64; N]> {
     let mut contacts = scene.0.contacts(state);
     let aim = core::array::from_fn(|i| {
-        let Contact {
-            normal,
-            tangent,
-            restitution,
-            ..
-        } = &contacts[i];
-        let returned = if hits[i] && !stay[i] {
-            -restitution * normal.speed(&state.v)
-        } else {
-            0.0
-        };
+        let Contact { normal, tangent, restitution, .. } = &contacts[i];
+        let returned =
+            if hits[i] && !stay[i] { -restitution * normal.speed(&state.v) } else { 0.0 };
         [normal.surface + returned, tangent.surface]
     });
     let choices = core::array::from_fn(|i| match contacts[i].press {
@@ -245,14 +226,11 @@ fn impact<M: Mechanism<N, C>, const N: usize, const C: usize>(
         aim,
         impact: true,
     };
-    let (_, Response { rate, .. }) = problem
-        .search(&choices)
-        .map_err(|unsolved| named(unsolved, t, &contacts, state))?;
+    let (_, Response { rate, .. }) =
+        problem.search(&choices).map_err(|unsolved| named(unsolved, t, &contacts, state))?;
     let energy = |v: &[f64; N]| 0.5 * dot(v, &momentum(&mass, v));
     let (before, after) = (energy(&state.v), energy(&rate));
-    let moved = contacts
-        .iter()
-        .any(|c| c.normal.surface != 0.0 || c.tangent.surface != 0.0);
+    let moved = contacts.iter().any(|c| c.normal.surface != 0.0 || c.tangent.surface != 0.0);
     if !moved && after > before * (1.0 + 1e3 * ZERO) {
         return Err(Error::ImpactGainsEnergy { t, before, after });
     }
@@ -284,26 +262,14 @@ pub(super) fn put_on<M: Mechanism<N, C>, const N: usize, const C: usize>(
             if of_coordinates {
                 [-contact.gap, 0.0]
             } else {
-                [
-                    -contact.normal.speed(&state.v),
-                    -contact.tangent.speed(&state.v),
-                ]
+                [-contact.normal.speed(&state.v), -contact.tangent.speed(&state.v)]
             }
         });
-        let problem = Problem {
-            mass: &mass,
-            load: [0.0; N],
-            contacts: &contacts,
-            aim,
-            impact: true,
-        };
+        let problem =
+            Problem { mass: &mass, load: [0.0; N], contacts: &contacts, aim, impact: true };
         // Contacts that cannot be met together are left as they are.
         if let Some(response) = problem.respond(&modes) {
-            let moved = if of_coordinates {
-                &mut state.q
-            } else {
-                &mut state.v
-            };
+            let moved = if of_coordinates { &mut state.q } else { &mut state.v };
             for (c, more) in moved.iter_mut().zip(response.rate) {
                 *c += more;
             }
@@ -379,31 +345,16 @@ fn check_start<M: Mechanism<N, C>, const N: usize, const C: usize>(
     all_finite("velocities", &state.v)?;
     let contacts = scene.0.contacts(state);
     for (i, contact) in contacts.iter().enumerate() {
-        let Contact {
-            gap,
-            friction,
-            restitution,
-            ..
-        } = *contact;
+        let Contact { gap, friction, restitution, .. } = *contact;
         for (name, value, good, allowed) in [
-            (
-                "friction",
-                friction.kinetic,
-                friction.kinetic >= 0.0,
-                "it must not be negative",
-            ),
+            ("friction", friction.kinetic, friction.kinetic >= 0.0, "it must not be negative"),
             (
                 "friction that holds",
                 friction.holding,
                 friction.holding >= friction.kinetic,
                 "it must be at least that of slipping",
             ),
-            (
-                "restitution",
-                restitution,
-                (0.0..=1.0).contains(&restitution),
-                "from 0 to 1",
-            ),
+            ("restitution", restitution, (0.0..=1.0).contains(&restitution), "from 0 to 1"),
         ] {
             finite(name, value)?;
             if !good {
@@ -411,10 +362,8 @@ fn check_start<M: Mechanism<N, C>, const N: usize, const C: usize>(
             }
         }
         let speed = contact.normal.speed(&state.v);
-        let (no_gap, no_speed) = (
-            ZERO * scene.gap_size(i, state),
-            ZERO * scene.normal_size(i, state),
-        );
+        let (no_gap, no_speed) =
+            (ZERO * scene.gap_size(i, state), ZERO * scene.normal_size(i, state));
         // Written so that NaN does not hold.
         let holds = match contact.press {
             Press::OneSided => gap > no_gap || (gap >= -no_gap && speed >= -no_speed),
@@ -436,12 +385,7 @@ fn check_start<M: Mechanism<N, C>, const N: usize, const C: usize>(
             }
         };
         if !holds {
-            return Err(Error::CannotHold {
-                name: contact.name,
-                t,
-                value: gap,
-                rate: Some(speed),
-            });
+            return Err(Error::CannotHold { name: contact.name, t, value: gap, rate: Some(speed) });
         }
     }
     Ok(())

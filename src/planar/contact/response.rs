@@ -156,11 +156,7 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
 
     fn holding(&self, i: usize) -> f64 {
         let friction = self.contacts[i].friction;
-        if self.impact {
-            friction.kinetic
-        } else {
-            friction.holding
-        }
+        if self.impact { friction.kinetic } else { friction.holding }
     }
 
     /// The size of the forces, the measure of round-off in them.
@@ -197,13 +193,8 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
             let forces = -ZERO * self.force_size(i, response);
             let holds = self.margins(i, modes[i], normal, tangential);
             let excess = |along: &[f64; N], aim: f64| {
-                let size: f64 = (0..N)
-                    .map(|j| along[j].abs() * self.rate_size(response, j))
-                    .sum();
-                (
-                    dot(along, &response.rate) - aim,
-                    within[i] * (size + aim.abs()),
-                )
+                let size: f64 = (0..N).map(|j| along[j].abs() * self.rate_size(response, j)).sum();
+                (dot(along, &response.rate) - aim, within[i] * (size + aim.abs()))
             };
             let moves = match modes[i] {
                 Mode::Open if choices[i].shut => {
@@ -281,9 +272,7 @@ impl<const N: usize, const C: usize> Problem<'_, N, C> {
         let size = (0..N).map(|j| self.rate_size(a, j).max(self.rate_size(b, j)));
         let apart = (0..N).map(|j| (a.rate[j] - b.rate[j]).abs());
         // Other modes, other pivots: the round-off of both.
-        !size
-            .zip(apart)
-            .all(|(size, apart)| apart <= 1e3 * ZERO * size)
+        !size.zip(apart).all(|(size, apart)| apart <= 1e3 * ZERO * size)
     }
 
     /// Surfaces at rest hold with the larger friction though they could also slip with the
@@ -313,13 +302,7 @@ pub(super) struct Choices {
 impl Choices {
     /// This mode and no other, whatever its rates.
     pub(super) const fn only(mode: Mode) -> Self {
-        Self {
-            modes: [mode; 4],
-            count: 1,
-            shut: false,
-            decided: false,
-            slip_begins: false,
-        }
+        Self { modes: [mode; 4], count: 1, shut: false, decided: false, slip_begins: false }
     }
 
     /// These modes of a shut contact, in this order; where the slip begins its sense is to be found.
@@ -338,12 +321,7 @@ impl Choices {
     /// Everything that a shut contact with this friction can do.
     pub(super) fn shut(friction: bool, may_open: bool) -> Self {
         let all = if friction {
-            [
-                Mode::Stick,
-                Mode::Slip(Sense::Forward),
-                Mode::Slip(Sense::Backward),
-                Mode::Open,
-            ]
+            [Mode::Stick, Mode::Slip(Sense::Forward), Mode::Slip(Sense::Backward), Mode::Open]
         } else {
             [Mode::Smooth, Mode::Open, Mode::Open, Mode::Open]
         };
@@ -354,10 +332,7 @@ impl Choices {
     /// The same where an event has decided: the rest of the rates there is the error of the run,
     /// which was put back onto its contacts since.
     pub(super) fn decided(self) -> Self {
-        Self {
-            decided: true,
-            ..self
-        }
+        Self { decided: true, ..self }
     }
 
     /// The same without the modes that `keep` refuses.

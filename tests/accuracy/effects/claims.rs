@@ -59,12 +59,7 @@ impl Tally {
                 _ => damaged(E::PROPERTIES, lie) == E::PROPERTIES,
             };
             let name = effect.name();
-            assert_eq!(
-                verdict.is_ok(),
-                true_all_the_same,
-                "{name}, {}: {verdict:?}",
-                LIES[lie]
-            );
+            assert_eq!(verdict.is_ok(), true_all_the_same, "{name}, {}: {verdict:?}", LIES[lie]);
             if let Err(error) = verdict {
                 let told = error.to_string();
                 assert!(told.contains(&format!("\"{name}\" says")), "{told}");
@@ -184,10 +179,7 @@ fn a_resistance_that_is_overstated_is_refused() {
     ]
     .map(|verdict| verdict.expect_err("overstated").to_string());
     for told in told {
-        assert!(
-            told.contains("says what of its torque resists the rotation"),
-            "{told}"
-        );
+        assert!(told.contains("says what of its torque resists the rotation"), "{told}");
     }
 }
 
@@ -224,13 +216,7 @@ fn nothing_is_claimed_of_nothing() {
     for rates in [[0.0; 3], [0.3, 0.0, 0.0]] {
         let start = tilted(&body, rates);
         let centre = BodyVector::zero();
-        check(
-            &Gravity::new(1.0, centre).expect("gravity"),
-            &body,
-            SPAN,
-            &start,
-        )
-        .expect("gravity");
+        check(&Gravity::new(1.0, centre).expect("gravity"), &body, SPAN, &start).expect("gravity");
         let viscous = ViscousFriction::isotropic(0.0).expect("friction");
         check(&viscous, &body, SPAN, &start).expect("friction");
         let viscous = ViscousFriction::isotropic(0.1).expect("friction");
@@ -282,10 +268,7 @@ impl<E: Effect> Effect for Powered<E> {
 #[test]
 fn late_claims_are_judged_as_early_ones() {
     let body = body(20.0, 90.0, 100.0);
-    let (normal, towards) = (
-        SpaceVector::new(0.0, 0.0, 1.0),
-        SpaceVector::new(-1.0, 0.0, 0.0),
-    );
+    let (normal, towards) = (SpaceVector::new(0.0, 0.0, 1.0), SpaceVector::new(-1.0, 0.0, 0.0));
     let gradient = GravityGradient::on_orbit(1.1e-3, normal, towards).expect("an orbit");
     let planet = KeplerOrbit::about(4e14, 7e6, 0.1)
         .and_then(|orbit| orbit.oriented(0.3, 0.8, 1.9)?.turning(-2e-7, 3e-7))
@@ -319,10 +302,7 @@ fn late_claims_are_judged_as_early_ones() {
                     check(&Powered(planet, 1.0 - lie), &body, span, &start),
                 ] {
                     let told = false_power.expect_err("a lie").to_string();
-                    assert!(
-                        told.contains("at what power it changes the energy"),
-                        "{told}"
-                    );
+                    assert!(told.contains("at what power it changes the energy"), "{told}");
                     refused += 1;
                 }
             }
@@ -336,17 +316,11 @@ fn late_claims_are_judged_as_early_ones() {
 fn a_scale_that_is_not_stated_claims_nothing() {
     let body = body(20.0, 90.0, 100.0);
     let start = tilted(&body, [0.01, 0.02, 0.03]);
-    let (normal, towards) = (
-        SpaceVector::new(0.0, 0.0, 1.0),
-        SpaceVector::new(-1.0, 0.0, 0.0),
-    );
+    let (normal, towards) = (SpaceVector::new(0.0, 0.0, 1.0), SpaceVector::new(-1.0, 0.0, 0.0));
     let gradient = GravityGradient::on_orbit(1.1e-3, normal, towards).expect("an orbit");
     // Strong late, strong early, and strong at the time 0, which is no part of the span.
-    let shapes: [fn(f64) -> f64; 3] = [
-        |t| t * t,
-        |t| 1.0 / (t * t),
-        |t| if t < 0.5 { 1e9 } else { 1.0 },
-    ];
+    let shapes: [fn(f64) -> f64; 3] =
+        [|t| t * t, |t| 1.0 / (t * t), |t| if t < 0.5 { 1e9 } else { 1.0 }];
     let span = [1.0, 1e4];
     let mut ran = 0;
     for length in [1e-9, 1e-3, 0.2, 100.0] {
@@ -377,9 +351,6 @@ fn a_scale_that_is_not_stated_claims_nothing() {
     ]
     .map(|verdict| verdict.expect_err("a lie").to_string());
     for told in told {
-        assert!(
-            told.contains("a thousand times longer than torque_scale"),
-            "{told}"
-        );
+        assert!(told.contains("a thousand times longer than torque_scale"), "{told}");
     }
 }

@@ -90,12 +90,7 @@ fn run<E: Effect>(
         let [w, x, y, z, l, m, n, done] = now;
         let state = state(&[w, x, y, z, l, m, n]).expect("a state");
         let gained = scene.energy_at(t.next_down(), &state) - scene.energy_at(0.0, start);
-        all.push(Place {
-            state,
-            balance: (gained - done) / size,
-            gained: gained / size,
-            steps,
-        });
+        all.push(Place { state, balance: (gained - done) / size, gained: gained / size, steps });
     }
     all
 }
@@ -272,9 +267,8 @@ fn every_effect_keeps_what_it_says_and_does_the_work_it_says() {
     round.twin.exceed(1e-9, 10);
     brick.twin.exceed(1e-9, 9);
     // Of order 8, as the method; in some the first term is small.
-    let orders: Vec<f64> = (round.orders.iter().chain(&brick.orders))
-        .map(|(_, order)| *order)
-        .collect();
+    let orders: Vec<f64> =
+        (round.orders.iter().chain(&brick.orders)).map(|(_, order)| *order).collect();
     assert_eq!(orders.len(), 19);
     let [least, most] =
         [f64::min, f64::max].map(|f| orders.iter().copied().reduce(f).expect("some"));

@@ -48,16 +48,7 @@ fn a_list_and_a_type_give_the_same_bits() {
                 same(typed, listed(&body, vec![Box::new($effect)]), &start);
             )+};
         }
-        alone!(
-            lever(),
-            held(),
-            on_orbit(),
-            oil(),
-            air(),
-            push(),
-            creaks(),
-            motor()
-        );
+        alone!(lever(), held(), on_orbit(), oil(), air(), push(), creaks(), motor());
         let typed = said(&scene.with(lever()).with(oil()).with(motor()), &start);
         // The damaged twin: in another order the sum is rounded in another way.
         let other: Vec<BoxedEffect> = vec![Box::new(motor()), Box::new(oil()), Box::new(lever())];
@@ -71,12 +62,7 @@ fn a_list_and_a_type_give_the_same_bits() {
     }
     let round = body(1.0, 1.0, 0.6);
     let start = tilted(&round, [0.7, -0.4, 2.0]);
-    let typed = said(
-        &Scene::new(round)
-            .with(lever())
-            .with(bearing(&round, &start)),
-        &start,
-    );
+    let typed = said(&Scene::new(round).with(lever()).with(bearing(&round, &start)), &start);
     let list: Vec<BoxedEffect> = vec![Box::new(lever()), Box::new(bearing(&round, &start))];
     same(typed, listed(&round, list), &start);
     assert_eq!(ran, 2 * 11 + 1);
@@ -86,9 +72,7 @@ fn a_list_and_a_type_give_the_same_bits() {
 fn a_list_with_two_weights_is_refused() -> Result<()> {
     let anywhere = Gravity::new(0.5, BodyVector::new(0.3, -0.2, 0.7))?;
     let refused = EffectList::new(vec![Box::new(lever()), Box::new(oil()), Box::new(anywhere)]);
-    let Err(Error::Incompatible { effects, .. }) = refused else {
-        panic!("{refused:?}")
-    };
+    let Err(Error::Incompatible { effects, .. }) = refused else { panic!("{refused:?}") };
     assert_eq!(effects, "gravity, viscous friction, gravity");
     Ok(())
 }

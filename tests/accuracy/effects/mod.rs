@@ -19,11 +19,7 @@ pub fn body(i1: f64, i2: f64, i3: f64) -> RigidBody {
 
 /// This body with these rates (rad/s), tilted.
 pub fn tilted(body: &RigidBody, rates: [f64; 3]) -> State {
-    let angles = EulerAngles {
-        phi: 0.4,
-        theta: 0.9,
-        zeta: -0.3,
-    };
+    let angles = EulerAngles { phi: 0.4, theta: 0.9, zeta: -0.3 };
     let attitude = Attitude::from_euler(angles).expect("an attitude");
     let rates = BodyVector::from_array(rates);
     body.state(attitude, rates).expect("a state")

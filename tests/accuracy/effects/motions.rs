@@ -28,9 +28,7 @@ pub fn judge<E: Effect>(
     wrong: impl Fn(f64) -> Attitude,
 ) {
     for tolerance in TOLERANCES {
-        let states = scene
-            .solve_at(start, times, tolerance, &Limits::default())
-            .expect("solved");
+        let states = scene.solve_at(start, times, tolerance, &Limits::default()).expect("solved");
         for (t, state) in times.iter().zip(states) {
             let error = state.attitude.angle_to(&exact(*t));
             delivered.push_at(error / tolerance, (tolerance, t));
@@ -79,11 +77,7 @@ fn viscous_friction_slows_a_precession_like_a_clock() {
     let start = tilted(&body, [0.7, -0.4, 3.0]);
     let k = 0.15;
     let friction = ViscousFriction::new(k * 1.0, k * 0.6).expect("friction");
-    let free = FreeBody::new(
-        body.moments(),
-        start.attitude,
-        body.angular_velocity(&start),
-    );
+    let free = FreeBody::new(body.moments(), start.attitude, body.angular_velocity(&start));
     let free = free.expect("a motion");
     judge(
         [&mut delivered, &mut twin],
@@ -156,12 +150,7 @@ fn gravity_anywhere_makes_a_physical_pendulum() {
     for (tilt, rate) in [(0.4, 0.0), (2.0, 1.0), (0.5, 9.0)] {
         let start = (body.state(about_x(tilt), BodyVector::new(rate, 0.0, 0.0))).expect("a state");
         let swing = |y: f64, z: f64| {
-            let suspension = Suspension {
-                moment: 1.3,
-                mass,
-                gravity,
-                lever: hypot(y, z),
-            };
+            let suspension = Suspension { moment: 1.3, mass, gravity, lever: hypot(y, z) };
             let hanging = atan2(y, -z);
             let pendulum = Pendulum::new(suspension, tilt + hanging, rate).expect("a pendulum");
             move |t: f64| about_x(pendulum.at(t).expect("a time").theta - hanging)
@@ -299,10 +288,7 @@ impl Effect for Unnamed {
     }
 
     fn narrowest(&self) -> Option<Feature> {
-        Some(Feature {
-            time: 1e300,
-            ..Feature::WIDE
-        })
+        Some(Feature { time: 1e300, ..Feature::WIDE })
     }
 }
 
@@ -324,14 +310,10 @@ fn a_narrow_pulse_is_not_stepped_over() {
     let gained = torque * width * core::f64::consts::TAU.sqrt() / 0.5;
     let exact = spun(spin * 20.0 + gained * (20.0 - centre));
     for tolerance in TOLERANCES {
-        let solved = Scene::new(body)
-            .with(kick(1.0))
-            .solve(&start, 20.0, tolerance);
+        let solved = Scene::new(body).with(kick(1.0)).solve(&start, 20.0, tolerance);
         let error = exact.angle_to(&solved.expect("solved").state.attitude);
         delivered.push_at(error / tolerance, tolerance);
-        let solved = Scene::new(body)
-            .with(Unnamed(kick(1e3)))
-            .solve(&start, 20.0, tolerance);
+        let solved = Scene::new(body).with(Unnamed(kick(1e3))).solve(&start, 20.0, tolerance);
         let error = exact.angle_to(&solved.expect("solved").state.attitude);
         twin.push_at(error / tolerance, tolerance);
     }

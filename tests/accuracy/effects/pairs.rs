@@ -30,10 +30,7 @@ impl<E: AnyEffect> Ode<8> for WithWork<'_, E> {
 
     fn scale(&self, &[w, x, y, z, a, b, c, _]: &[f64; 8]) -> [f64; 8] {
         let y7 = [w, x, y, z, a, b, c];
-        let energy = self
-            .scene
-            .body()
-            .kinetic_energy(&state(&y7).expect("finite"));
+        let energy = self.scene.body().kinetic_energy(&state(&y7).expect("finite"));
         let [w, x, y, z, a, b, c] = self.scene.scale(&y7);
         [w, x, y, z, a, b, c, energy]
     }
@@ -102,10 +99,7 @@ impl Book {
         let y8 = [w, x, y, z, l, m, n, 0.0];
         let method = Dop853::new(1e-15).expect("a tolerance");
         let method = method.with_longest_step(0.05).expect("a step");
-        let problem = WithWork {
-            scene: &scene,
-            part: 1.0,
-        };
+        let problem = WithWork { scene: &scene, part: 1.0 };
         let (end, work) = method.advance(&problem, 0.0, &y8, END).expect("smooth");
         let [w, x, y, z, l, m, n, done] = end;
         let last = state(&[w, x, y, z, l, m, n]).expect("a state");
@@ -133,8 +127,7 @@ impl Book {
                 change / self.start.angular_momentum.norm()
             };
             if kept.contains(&quantity) {
-                self.drift
-                    .push_at(change / (EPS * steps), (names, quantity));
+                self.drift.push_at(change / (EPS * steps), (names, quantity));
                 self.kept += 1;
                 self.energy += usize::from(quantity == Invariant::Energy);
             } else {
@@ -183,10 +176,7 @@ pub(super) fn held() -> GravityGradient<true> {
 }
 
 pub(super) fn on_orbit() -> GravityGradient {
-    let (normal, towards) = (
-        SpaceVector::new(0.0, 0.6, 0.8),
-        SpaceVector::new(1.0, 0.0, 0.0),
-    );
+    let (normal, towards) = (SpaceVector::new(0.0, 0.6, 0.8), SpaceVector::new(1.0, 0.0, 0.0));
     GravityGradient::on_orbit(0.4, normal, towards).expect("gradient")
 }
 
@@ -208,10 +198,7 @@ pub(super) fn creaks() -> InternalDissipation {
 }
 
 pub(super) fn motor() -> Torque<'static, true> {
-    Torque::on_body("motor", |_t, _body, _state| {
-        BodyVector::new(0.0, 0.02, 0.05)
-    })
-    .smooth()
+    Torque::on_body("motor", |_t, _body, _state| BodyVector::new(0.0, 0.02, 0.05)).smooth()
 }
 
 pub(super) fn bearing(body: &RigidBody, start: &State) -> CoulombBearing {
@@ -253,9 +240,6 @@ fn all_pairs_keep_what_they_say_and_do_the_work_they_say() {
     assert!(round.unsaid.iter().all(of_gradients), "{:?}", round.unsaid);
     let told = round.refused.iter().chain(&brick.refused);
     for refusal in told {
-        assert!(
-            refusal.contains("acts twice") || refusal.contains("Coulomb bearing"),
-            "{refusal}"
-        );
+        assert!(refusal.contains("acts twice") || refusal.contains("Coulomb bearing"), "{refusal}");
     }
 }

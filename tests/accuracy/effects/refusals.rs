@@ -50,40 +50,19 @@ fn bad_coefficients_are_named() {
             ViscousFriction::new(-0.1, 0.0).err(),
             "transverse friction coefficient = -0.1 is not allowed: it must not be negative",
         ),
-        (
-            ViscousFriction::new(0.0, NAN).err(),
-            "axial friction coefficient = NaN",
-        ),
-        (
-            ViscousFriction::isotropic(INF).err(),
-            "transverse friction coefficient = inf",
-        ),
-        (
-            ViscousFriction::about_axis(-2.0).err(),
-            "axial friction coefficient = -2",
-        ),
-        (
-            bearing(-0.1, 0.0),
-            "friction torque = -0.1 is not allowed: it must not be negative",
-        ),
+        (ViscousFriction::new(0.0, NAN).err(), "axial friction coefficient = NaN"),
+        (ViscousFriction::isotropic(INF).err(), "transverse friction coefficient = inf"),
+        (ViscousFriction::about_axis(-2.0).err(), "axial friction coefficient = -2"),
+        (bearing(-0.1, 0.0), "friction torque = -0.1 is not allowed: it must not be negative"),
         (bearing(NAN, 0.0), "friction torque = NaN"),
         (bearing(0.1, INF), "start time = inf"),
-        (
-            drag(-0.1, 1.2, 1.5e-5, 1.0),
-            "radius = -0.1 is not allowed: it must be greater than 0",
-        ),
+        (drag(-0.1, 1.2, 1.5e-5, 1.0), "radius = -0.1 is not allowed: it must be greater than 0"),
         (drag(0.1, 0.0, 1.5e-5, 1.0), "density = 0"),
         (drag(0.1, 1.2, -1e-5, 1.0), "kinematic viscosity = -1e-5"),
         (drag(0.1, 1.2, 1.5e-5, NAN), "spin = NaN"),
-        (
-            drag(1e200, 1.2, 1.5e-5, 1.0),
-            "Reynolds number at 1 rad/s = inf",
-        ),
+        (drag(1e200, 1.2, 1.5e-5, 1.0), "Reynolds number at 1 rad/s = inf"),
         (drag(1e100, 1e300, 1e-5, 1.0), "torque at 1 rad/s = inf"),
-        (
-            steps(&[]),
-            "pieces of a profile: 0 given where there must be 1",
-        ),
+        (steps(&[]), "pieces of a profile: 0 given where there must be 1"),
         (
             steps(&[(0.0, 1.0), (0.0, 2.0)]),
             "times of a profile[1]: value = 0 is not allowed: the one before it is 0, and they must rise",
@@ -96,18 +75,9 @@ fn bad_coefficients_are_named() {
             lines(&[(0.0, 1.0), (NAN, 1.0)]),
             "times of a profile[1]: value = NaN is not a finite number",
         ),
+        (lines(&[(0.0, INF)]), "values of a profile[0]: value = inf is not a finite number"),
         (
-            lines(&[(0.0, INF)]),
-            "values of a profile[0]: value = inf is not a finite number",
-        ),
-        (
-            Profile::cubic(&[
-                (0.0, 0.0),
-                (1.0, 1.0),
-                (1.0_f64.next_up(), 1e300),
-                (2.0, 0.0),
-            ])
-            .err(),
+            Profile::cubic(&[(0.0, 0.0), (1.0, 1.0), (1.0_f64.next_up(), 1e300), (2.0, 0.0)]).err(),
             "times of a profile[1]: time to the next = 2.220446049250313e-16 is not allowed: the \
              curve from the value 1 to 1e300 in that time is beyond doubles",
         ),
@@ -134,9 +104,7 @@ fn numbers_are_what_they_are_called() {
     let body = body(1.0, 1.0, 0.5);
     let rates = BodyVector::new(0.0, 0.0, 4.0);
     let start = body.state(Attitude::IDENTITY, rates).expect("a state");
-    let rest = body
-        .state(Attitude::IDENTITY, BodyVector::zero())
-        .expect("a state");
+    let rest = body.state(Attitude::IDENTITY, BodyVector::zero()).expect("a state");
     let gravity = Gravity::new(2.0, BodyVector::new(0.3, 0.4, 0.0)).expect("gravity");
     assert_error!(gravity.number(&body, &start), 1.0 / 8.0, 0.0 eps);
     let viscous = ViscousFriction::new(0.3, 0.1).expect("friction");

@@ -50,10 +50,7 @@ impl Braked {
     fn attitude(&self, t: f64) -> Attitude {
         let ([i1, i3], [l1, l2, l3]) = (self.moments, self.momentum);
         let braked = t.min(self.stop);
-        let [now, later] = [
-            [0.0, l1 / i1, l2 / i1, l3 / i1],
-            [0.0, 0.0, 0.0, self.push / i1],
-        ];
+        let [now, later] = [[0.0, l1 / i1, l2 / i1, l3 / i1], [0.0, 0.0, 0.0, self.push / i1]];
         // q' = q (now + later t)/2.
         let (mut before, mut term) = ([0.0; 4], [1.0, 0.0, 0.0, 0.0]);
         let mut sum = term;
@@ -71,12 +68,7 @@ impl Braked {
         let l3_now = l3 + self.push * braked;
         let rate = (l1 * l1 + l2 * l2 + l3_now * l3_now).sqrt() / i1;
         let (s, c) = sincos(0.5 * rate * (t - braked));
-        let turned = [
-            c,
-            s * l1 / (i1 * rate),
-            s * l2 / (i1 * rate),
-            s * l3_now / (i1 * rate),
-        ];
+        let turned = [c, s * l1 / (i1 * rate), s * l2 / (i1 * rate), s * l3_now / (i1 * rate)];
         let spun = (1.0 / i3 - 1.0 / i1)
             * (l3 * braked + 0.5 * self.push * braked * braked + l3_now * (t - braked));
         let (s, c) = sincos(0.5 * spun);
@@ -105,11 +97,7 @@ fn a_precessing_body_stops_and_its_axis_goes_on() {
             &[2.0, 5.9, 8.0, 12.0],
             |t| exact.attitude(t),
             |t| {
-                if t < stop {
-                    free.attitude(t)
-                } else {
-                    endless.attitude(t)
-                }
+                if t < stop { free.attitude(t) } else { endless.attitude(t) }
             },
         );
     }
@@ -128,10 +116,7 @@ fn a_braked_top_stops_spinning() {
     let bearing = CoulombBearing::new(tau, &body, &start, 1.0).expect("a bearing");
     assert!((bearing.stop().expect("a stop") - 7.0).abs() < 1e-14);
     let gravity = GravityAtLever::new(1.0, 0.3).expect("gravity");
-    let limits = Limits {
-        t_start: 1.0,
-        ..Limits::default()
-    };
+    let limits = Limits { t_start: 1.0, ..Limits::default() };
     let times = [2.0, 6.999, 7.0, 7.001, 9.0];
     for tolerance in [1e-4, 1e-7, 1e-10] {
         for states in [
@@ -171,38 +156,17 @@ fn a_bearing_is_refused_where_its_stop_would_be_wrong() {
         "\"Coulomb bearing\" must be the only torque about the body's axis; here are also: ";
     let span = [0.0, 2.0];
     let cases = [
-        (
-            check(&(bearing, viscous), &body, span, &start).err(),
-            format!("{alone}viscous friction"),
-        ),
-        (
-            check(&((), (off, bearing)), &body, span, &start).err(),
-            format!("{alone}gravity"),
-        ),
-        (
-            check(&((motor, bearing), ()), &body, span, &start).err(),
-            format!("{alone}motor"),
-        ),
-        (
-            check(&(bearing, bearing), &body, span, &start).err(),
-            format!("{alone}Coulomb bearing"),
-        ),
+        (check(&(bearing, viscous), &body, span, &start).err(), format!("{alone}viscous friction")),
+        (check(&((), (off, bearing)), &body, span, &start).err(), format!("{alone}gravity")),
+        (check(&((motor, bearing), ()), &body, span, &start).err(), format!("{alone}motor")),
+        (check(&(bearing, bearing), &body, span, &start).err(), format!("{alone}Coulomb bearing")),
         (
             scene.solve(&other, 2.0, 1e-6).err(),
             "in which L_z is 2.4 at t = 0, and here it is 1.7".into(),
         ),
-        (
-            check(&bearing, &body, [1.0, 3.0], &start).err(),
-            "in which L_z is 2".into(),
-        ),
-        (
-            check(&bearing, &odd, [0.0, 3.0], &start).err(),
-            "I2 - I1 = 0.1".into(),
-        ),
-        (
-            CoulombBearing::new(0.4, &odd, &start, 0.0).err(),
-            "0, a symmetric body".into(),
-        ),
+        (check(&bearing, &body, [1.0, 3.0], &start).err(), "in which L_z is 2".into()),
+        (check(&bearing, &odd, [0.0, 3.0], &start).err(), "I2 - I1 = 0.1".into()),
+        (CoulombBearing::new(0.4, &odd, &start, 0.0).err(), "0, a symmetric body".into()),
     ];
     let mut ran = 0;
     for (error, words) in cases {

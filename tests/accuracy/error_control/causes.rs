@@ -46,9 +46,7 @@ fn runs_that_take_the_same_step_say_nothing_of_it() -> Result<()> {
     assert!(few[0] == few[1] && few[0].abs() > 1e-12, "{few:?}");
     // Finer steps would have told.
     assert!(in_steps(4)?.abs() < 1e-3 * few[0].abs());
-    let named = Torque::on_space("pulse", torque)
-        .smooth()
-        .with_break_points(&[from, to])?;
+    let named = Torque::on_space("pulse", torque).smooth().with_break_points(&[from, to])?;
     let solved = Scene::new(body).with(named).solve(&start, 1.8, 1e-12)?;
     let error = (grown(&solved.state) / exact - 1.0).abs();
     assert!(error <= 1e-13, "{error:e}");
@@ -71,10 +69,7 @@ fn jumps_without_a_name_are_found() -> Result<()> {
     let mut over = Errors::of("distance from the answer with names over the tolerance");
     let mut price = Errors::of("work over that with names");
     for (t_start, t_end) in [(0.0, 20.0), (20.0, 0.0)] {
-        let limits = Limits {
-            t_start,
-            ..Limits::default()
-        };
+        let limits = Limits { t_start, ..Limits::default() };
         let solve = |times: [f64; 3], named: bool, tolerance| {
             if named {
                 let push = push(times).smooth().with_break_points(&times)?;
@@ -85,10 +80,7 @@ fn jumps_without_a_name_are_found() -> Result<()> {
         };
         let times = [3.3, 7.1, 15.9];
         for tolerance in [1e-4, 1e-8, 1e-11] {
-            let [found, named] = [
-                solve(times, false, tolerance)?,
-                solve(times, true, tolerance)?,
-            ];
+            let [found, named] = [solve(times, false, tolerance)?, solve(times, true, tolerance)?];
             let best = solve(times, true, 1e-12)?.state.attitude;
             let apart = best.angle_to(&found.state.attitude);
             over.push_at(apart / tolerance, (t_end, tolerance));
@@ -130,11 +122,7 @@ fn kinks_without_a_name_are_found() -> Result<()> {
                 let to_go = t1 - t;
                 // Seen only on a body that has been pushed, and before its time the same.
                 let unseen = hidden && state.angular_momentum.z() < faster;
-                let size = if unseen {
-                    to_go
-                } else {
-                    pow(to_go.abs(), power)
-                };
+                let size = if unseen { to_go } else { pow(to_go.abs(), power) };
                 BodyVector::new(0.0, 0.0, amp * size)
             });
             let after = t_end - t1;
@@ -199,16 +187,7 @@ fn runs_agree_by_chance_beside_the_upright() -> Result<()> {
     let (apart, off) = (coarse.angle_to(&fine), exact.angle_to(&fine));
     assert!(apart < 0.02 && off > 1.0, "{apart:e} {off:e}");
     let refused = scene.solve_by_stepping(&start, t_end, 1e-2);
-    assert!(
-        matches!(
-            refused,
-            Err(Error::NotDelivered {
-                condition: Some(_),
-                ..
-            })
-        ),
-        "{refused:?}"
-    );
+    assert!(matches!(refused, Err(Error::NotDelivered { condition: Some(_), .. })), "{refused:?}");
     let start = thrown(1e-2)?;
     let exact = truth::attitude(&body, gravity.moment(), &start, t_end);
     let solved = scene.solve_by_stepping(&start, t_end, 1e-2)?;
@@ -244,10 +223,7 @@ fn roots_of_the_time_are_found() -> Result<()> {
             let angle = spin * t_end + 0.05 * pushed;
             let exact = Attitude::about_body_axis(BodyVector::new(0.0, 0.0, 1.0), angle)?;
             let seen = solve(false)?;
-            over.push_at(
-                exact.angle_to(&seen.state.attitude) / tolerance,
-                (power, t1),
-            );
+            over.push_at(exact.angle_to(&seen.state.attitude) / tolerance, (power, t1));
             let unseen = solve(true)?;
             let torques = [unseen, seen].map(|solved| solved.work.torques() as f64);
             costlier.push_at(torques[0] / torques[1], (power, t1));
@@ -271,11 +247,8 @@ fn states_before_a_root_are_as_good_as_others() -> Result<()> {
     let motion = scene.solve_along(&start, t_end, tolerance, &Limits::default())?;
     let mut over = Errors::of("delivered over requested");
     for n in 0..=500 {
-        let t = if n < 250 {
-            t1 - pow(10.0, 0.5 - 0.05 * f64::from(n))
-        } else {
-            0.02 * f64::from(n)
-        };
+        let t =
+            if n < 250 { t1 - pow(10.0, 0.5 - 0.05 * f64::from(n)) } else { 0.02 * f64::from(n) };
         let (past, after) = (t1.min(t), (t - t1).max(0.0));
         let left = |to_go: f64| pow(to_go, 2.5) / 3.75;
         let pushed = pow(t1, 1.5) / 1.5 * t - left(t1) + left(t1 - past) + left(after);
@@ -333,25 +306,17 @@ fn what_sweeps_leave_adds_up() -> Result<()> {
 fn work_that_came_to_nothing_is_counted() -> Result<()> {
     let moments = PrincipalMoments::new(1.0, 2.0, 2.5)?;
     let scene = Scene::new(RigidBody::new(moments));
-    let start = scene
-        .body()
-        .state(Attitude::IDENTITY, BodyVector::new(0.8, 0.4, 0.3))?;
+    let start = scene.body().state(Attitude::IDENTITY, BodyVector::new(0.8, 0.4, 0.3))?;
     let mut work = Work::default();
     let free = FreeRotation::new(&scene);
     let failed = GaussLegendre::new(3)?.advance_counting(&free, 0.0, &start, 100.0, &mut work);
-    assert!(
-        matches!(failed, Err(Error::NoConvergence { .. })),
-        "{failed:?}"
-    );
+    assert!(matches!(failed, Err(Error::NoConvergence { .. })), "{failed:?}");
     // Eight for the slope at the start, and eight for each sweep of the step that failed.
     assert!(work.derivatives > 16 && work.derivatives % 8 == 0, "{work}");
     let before = work;
     let method = Dop853::new(1e-10)?.with_step_limit(10)?;
     let failed = method.advance_counting(&scene, 0.0, &start, 100.0, &mut work);
-    assert!(
-        matches!(failed, Err(Error::LimitReached { what: "steps", .. })),
-        "{failed:?}"
-    );
+    assert!(matches!(failed, Err(Error::LimitReached { what: "steps", .. })), "{failed:?}");
     assert_eq!(work.steps + work.rejected, 10);
     assert!(work.derivatives >= before.derivatives + 10 * 11, "{work}");
     // What comes to its end counts as it says.
@@ -380,11 +345,7 @@ fn the_price_of_not_knowing_is_bounded() -> Result<()> {
         }
         Ok::<_, Error>(())
     };
-    let angles = EulerAngles {
-        phi: 0.3,
-        theta: 0.8,
-        zeta: 0.2,
-    };
+    let angles = EulerAngles { phi: 0.3, theta: 0.8, zeta: 0.2 };
     for spin in [0.5, 2.0, 8.0] {
         for weight in [0.1, 1.0] {
             let gravity = GravityAtLever::new(weight, 1.0)?;

@@ -91,9 +91,7 @@ fn a_sampled_controller_follows_its_recurrence() {
             let scene = Scene::new(body())
                 .with(ViscousFriction::about_axis(friction).expect("friction"))
                 .with(pd(gains).sampled(dt).expect("a controller"));
-            let solved = scene
-                .solve(&at([0.8, -0.4]), t_end, request)
-                .expect("granted");
+            let solved = scene.solve(&at([0.8, -0.4]), t_end, request).expect("granted");
             errors.push_at(off(&solved, [angle, rate]) / request, (t_end, request));
         }
     }
@@ -105,18 +103,10 @@ fn a_sampled_controller_follows_its_recurrence() {
 #[test]
 fn a_run_between_samples_calls_the_law_at_its_start() {
     let clock = Torque::on_body("clock", |t, _, _| about_axis(t));
-    let scene = Scene::new(body()).with(
-        (clock.sampled(1.0).expect("a rate"))
-            .with_sample_at(0.25)
-            .expect("a time"),
-    );
-    let limits = Limits {
-        t_start: 0.5,
-        ..Limits::default()
-    };
-    let solved = scene
-        .solve_with(&at([0.0, 0.0]), 3.0, 1e-10, &limits)
-        .expect("granted");
+    let scene = Scene::new(body())
+        .with((clock.sampled(1.0).expect("a rate")).with_sample_at(0.25).expect("a time"));
+    let limits = Limits { t_start: 0.5, ..Limits::default() };
+    let solved = scene.solve_with(&at([0.0, 0.0]), 3.0, 1e-10, &limits).expect("granted");
     // 0.5 from 0.5 to 1.25, 1.25 from there to 2.25, 2.25 to the end.
     let rate = (0.5 * 0.75 + 1.25 * 1.0 + 2.25 * 0.75) / MOMENT;
     let [_, found] = angle_and_rate(&body(), &solved.state);
@@ -144,9 +134,7 @@ fn a_relay_follows_its_parabolas() {
         };
         for request in [1e-4, 1e-7, 1e-10] {
             let end = quarters * quarter;
-            let solved = scene
-                .solve(&at([first, 0.0]), end, request)
-                .expect("granted");
+            let solved = scene.solve(&at([first, 0.0]), end, request).expect("granted");
             errors.push_at(off(&solved, [x, v]) / request, (quarters, request));
         }
     }
@@ -166,10 +154,7 @@ fn a_saturated_controller_follows_its_pieces() {
             if side == 0.0 {
                 let (c, s) = (cos(frequency * t), sin(frequency * t) / frequency);
                 let left = exp(-0.5 * b * t);
-                [
-                    left * (x * c + (v + 0.5 * b * x) * s),
-                    left * (v * c - (a * x + 0.5 * b * v) * s),
-                ]
+                [left * (x * c + (v + 0.5 * b * x) * s), left * (v * c - (a * x + 0.5 * b * v) * s)]
             } else {
                 let push = side * limit / MOMENT;
                 [x + v * t + 0.5 * push * t * t, v + push * t]
@@ -177,11 +162,7 @@ fn a_saturated_controller_follows_its_pieces() {
         };
         let side = |state: [f64; 2]| {
             let wanted = wanted(state);
-            if wanted.abs() <= limit {
-                0.0
-            } else {
-                wanted.signum()
-            }
+            if wanted.abs() <= limit { 0.0 } else { wanted.signum() }
         };
         let (mut now, mut t) = ([1.1, 0.5], 0.0);
         while t < t_end {
@@ -208,9 +189,7 @@ fn a_saturated_controller_follows_its_pieces() {
     let mut errors = Errors::of("error over request");
     for t_end in [1.0, 4.0, 12.0] {
         for request in [1e-4, 1e-7, 1e-10] {
-            let solved = scene
-                .solve(&at([1.1, 0.5]), t_end, request)
-                .expect("granted");
+            let solved = scene.solve(&at([1.1, 0.5]), t_end, request).expect("granted");
             errors.push_at(off(&solved, end(t_end)) / request, (t_end, request));
         }
     }
@@ -221,14 +200,7 @@ fn a_saturated_controller_follows_its_pieces() {
 /// second derivatives that go on, and none of second order at the ends. What it brings is Simpson's sum.
 #[test]
 fn a_cubic_table_is_the_natural_spline() {
-    let points = [
-        (0.3, 1.0),
-        (0.8, -0.5),
-        (2.0, 0.7),
-        (2.6, 0.9),
-        (4.1, -1.2),
-        (4.5, 0.0),
-    ];
+    let points = [(0.3, 1.0), (0.8, -0.5), (2.0, 0.7), (2.6, 0.9), (4.1, -1.2), (4.5, 0.0)];
     let profile = Profile::cubic(&points).expect("a table");
     let mut errors = Errors::of("spline");
     // Value and derivatives at both ends of a piece, of the cubic through four of its points.
@@ -271,9 +243,7 @@ fn a_cubic_table_is_the_natural_spline() {
     });
     let rate = simpson.sum::<f64>() / MOMENT;
     let motor = PrescribedTorque::on_body(about_axis(1.0), profile.clone()).expect("a motor");
-    let solved = Scene::new(body())
-        .with(motor)
-        .solve(&at([0.0, 0.0]), 6.0, 1e-10);
+    let solved = Scene::new(body()).with(motor).solve(&at([0.0, 0.0]), 6.0, 1e-10);
     let found = body().angular_velocity(&solved.expect("granted").state).z();
     assert!((found - rate).abs() < 1e-13, "{found} {rate}");
 }
@@ -353,12 +323,8 @@ fn satellite(dt: f64, t_end: f64, request: f64) -> (Solved, u64) {
         Attitude::from_rotation_vector(SpaceVector::new(1.0, 0.0, 0.0)).expect("finite"),
         BodyVector::new(0.2, -0.3, 0.4),
     );
-    let scene = Scene::new(body)
-        .with(gradient)
-        .with(law.sampled(dt).expect("a rate"));
-    let solved = scene
-        .solve(&start.expect("a state"), t_end, request)
-        .expect("granted");
+    let scene = Scene::new(body).with(gradient).with(law.sampled(dt).expect("a rate"));
+    let solved = scene.solve(&start.expect("a state"), t_end, request).expect("granted");
     (solved, calls.load(Ordering::Relaxed))
 }
 
@@ -396,14 +362,9 @@ fn states_on_the_way_and_lists() {
     let all: Vec<BoxedEffect> = vec![Box::new(a), Box::new(b), Box::new(c)];
     let listed = Scene::new(body()).with_list(EffectList::new(all).expect("a list"));
     let solve = |t: f64| typed.solve(&start, t, 1e-9).expect("granted");
-    assert_eq!(
-        solve(9.0),
-        listed.solve(&start, 9.0, 1e-9).expect("granted")
-    );
+    assert_eq!(solve(9.0), listed.solve(&start, 9.0, 1e-9).expect("granted"));
     let times = [0.1, 0.7, 1.0, 2.3, 4.9, 5.0, 8.99, 9.0];
-    let states = typed
-        .solve_at(&start, &times, 1e-9, &Limits::default())
-        .expect("granted");
+    let states = typed.solve_at(&start, &times, 1e-9, &Limits::default()).expect("granted");
     let mut errors = Errors::of("angle to a solution to there (rad)");
     for (t, state) in times.iter().zip(states) {
         errors.push_at(solve(*t).state.attitude.angle_to(&state.attitude), t);
@@ -417,14 +378,8 @@ fn back_in_time() {
     let start = at([0.9, 0.3]);
     let scene = Scene::new(body()).with(smooth_pd([1.0, -0.1]).saturated(0.2).expect("a limit"));
     let there = scene.solve(&start, 7.0, 1e-10).expect("granted").state;
-    let limits = Limits {
-        t_start: 7.0,
-        ..Limits::default()
-    };
-    let back = scene
-        .solve_with(&there, 0.0, 1e-9, &limits)
-        .expect("granted")
-        .state;
+    let limits = Limits { t_start: 7.0, ..Limits::default() };
+    let back = scene.solve_with(&there, 0.0, 1e-9, &limits).expect("granted").state;
     assert!(back.attitude.angle_to(&start.attitude) < 1e-9);
     let sampled = Scene::new(body()).with(pd([1.0, 0.1]).sampled(0.1).expect("a rate"));
     let error = sampled.solve(&start, -1.0, 1e-6).expect_err("no way back");
@@ -445,11 +400,8 @@ fn bad_controls_are_named() {
     assert!(Profile::cubic(&[(0.0, 1.0), (0.0, 2.0)]).is_err());
     assert!(Profile::cubic(&[(0.0, 1e308), (1e-9, -1e308), (2e-9, 1e308)]).is_err());
 
-    let late = || {
-        Torque::on_body("late", |t, _, _| {
-            about_axis(if t < 0.5 { 1.0 } else { f64::NAN })
-        })
-    };
+    let late =
+        || Torque::on_body("late", |t, _, _| about_axis(if t < 0.5 { 1.0 } else { f64::NAN }));
     let start = at([0.3, 0.2]);
     let solve = |effect: BoxedEffect| {
         let list = EffectList::new(vec![effect]).expect("a list");
@@ -459,62 +411,34 @@ fn bad_controls_are_named() {
     assert!(matches!(sampled, Err(Error::FunctionOutOfRange { t, .. }) if (t - 0.5).abs() < 1e-9));
     for effect in [late().saturated(2.0), late().dead_band(0.1)] {
         let limited = solve(Box::new(effect.expect("a limit")));
-        assert!(
-            matches!(limited, Err(Error::FunctionOutOfRange { .. })),
-            "{limited:?}"
-        );
+        assert!(matches!(limited, Err(Error::FunctionOutOfRange { .. })), "{limited:?}");
     }
     let none = || Torque::on_body("none", |_, _, _| about_axis(0.0)).smooth();
     let lost = |_: f64, _: &RigidBody, _: &State| f64::NAN;
     let switch = solve(Box::new(Switched::new("lost", lost, none(), none())));
-    assert!(
-        matches!(switch, Err(Error::FunctionOutOfRange { .. })),
-        "{switch:?}"
-    );
+    assert!(matches!(switch, Err(Error::FunctionOutOfRange { .. })), "{switch:?}");
 
     // A law that says it is smooth and jumps.
     let rough = Torque::on_body("rough", |_, body: &RigidBody, state: &State| {
-        about_axis(if body.angular_velocity(state).z() > 0.1 {
-            0.1
-        } else {
-            0.2
-        })
+        about_axis(if body.angular_velocity(state).z() > 0.1 { 0.1 } else { 0.2 })
     });
     let rough = solve(Box::new(rough.smooth().saturated(0.5).expect("a limit")));
-    assert!(
-        matches!(rough, Err(Error::Contradiction { .. })),
-        "{rough:?}"
-    );
+    assert!(matches!(rough, Err(Error::Contradiction { .. })), "{rough:?}");
 
     // A switch that is driven back from both sides.
     let push = |torque: f64| Torque::on_body("push", move |_, _, _| about_axis(torque)).smooth();
     let rate = |_: f64, body: &RigidBody, state: &State| body.angular_velocity(state).z();
-    let slides = solve(Box::new(Switched::new(
-        "relay",
-        rate,
-        push(0.2),
-        push(-0.3),
-    )));
-    let Err(Error::Sliding { effect, t }) = slides else {
-        panic!("{slides:?}")
-    };
+    let slides = solve(Box::new(Switched::new("relay", rate, push(0.2), push(-0.3))));
+    let Err(Error::Sliding { effect, t }) = slides else { panic!("{slides:?}") };
     assert_eq!(effect, "relay");
     assert!((t - 0.2 * MOMENT / 0.3).abs() < 1e-6, "{t}");
 
     // More samples than the budget allows, and a clock that does not show them.
     let quick = solve(Box::new(pd([1.0, 0.1]).sampled(1e-9).expect("a rate")));
-    assert!(
-        matches!(quick, Err(Error::LimitReached { .. })),
-        "{quick:?}"
-    );
+    assert!(matches!(quick, Err(Error::LimitReached { .. })), "{quick:?}");
     let law = pd([1.0, 0.1]).sampled(1e-3).expect("a rate");
-    let limits = Limits {
-        t_start: 1e14,
-        ..Limits::default()
-    };
-    let coarse = Scene::new(body())
-        .with(law)
-        .solve_with(&start, 1e14 + 1.0, 1e-6, &limits);
+    let limits = Limits { t_start: 1e14, ..Limits::default() };
+    let coarse = Scene::new(body()).with(law).solve_with(&start, 1e14 + 1.0, 1e-6, &limits);
     assert!(coarse.is_err(), "{coarse:?}");
 
     // What they say of themselves holds.

@@ -113,20 +113,14 @@ fn the_axis_of_a_free_body_crosses_a_level() -> Result<()> {
             for (crossing, (t, rising)) in crossings.iter().zip(&exact) {
                 assert_eq!(crossing.rising, *rising);
                 let value = crossing.state.attitude.axis().dot(&round.towards) - level;
-                assert!(
-                    if *rising { value >= 0.0 } else { value <= 0.0 },
-                    "{value:e}"
-                );
+                assert!(if *rising { value >= 0.0 } else { value <= 0.0 }, "{value:e}");
                 over.push((crossing.t - t).abs() / crossing.t_estimate);
                 met += 1;
             }
             motions += 1;
         }
         let turn = BodyVector::new(30.0, 30.0, 30.0) * tolerance;
-        let start = State {
-            attitude: round.start.attitude.turned_in_body(turn)?,
-            ..round.start
-        };
+        let start = State { attitude: round.start.attitude.turned_in_body(turn)?, ..round.start };
         let off = Round { start, ..round };
         let crossings = off.crossings(level, t_end, tolerance, true)?;
         twin.push((crossings[0].t - exact[0].0).abs() / crossings[0].t_estimate);
@@ -176,10 +170,7 @@ fn grazes() -> Result<()> {
 /// those of DOP853 with events of its own, and of going on from crossing to crossing.
 #[test]
 fn a_satellite_is_stopped_where_its_axis_crosses_the_plane_of_its_orbit() -> Result<()> {
-    let (normal, towards) = (
-        SpaceVector::new(0.0, 0.0, 1.0),
-        SpaceVector::new(1.0, 0.0, 0.0),
-    );
+    let (normal, towards) = (SpaceVector::new(0.0, 0.0, 1.0), SpaceVector::new(1.0, 0.0, 0.0));
     let body = RigidBody::new(PrincipalMoments::new(80.0, 100.0, 30.0)?);
     let scene = Scene::new(body).with(GravityGradient::on_orbit(1.1e-3, normal, towards)?);
     let turn = Attitude::from_rotation_vector(SpaceVector::new(0.0, 1.3, 0.2))?;
@@ -187,9 +178,7 @@ fn a_satellite_is_stopped_where_its_axis_crosses_the_plane_of_its_orbit() -> Res
     let height = |state: &State| state.attitude.axis().z();
     let t_end = 20_000.0;
     let method = Dop853::new(1e-14)?;
-    let event = Event::crossing("plane", |_, y: &[f64; 7]| {
-        height(&state(y).expect("a state"))
-    });
+    let event = Event::crossing("plane", |_, y: &[f64; 7]| height(&state(y).expect("a state")));
     let run = method.solve(&scene, 0.0, &components(&start), t_end, &[event])?;
     let motion = scene.solve_along(&start, t_end, 1e-9, &Limits::default())?;
     let crossings = motion.crossings("plane", |_, state| height(state))?;
@@ -204,15 +193,9 @@ fn a_satellite_is_stopped_where_its_axis_crosses_the_plane_of_its_orbit() -> Res
     // From stop to stop: the start of each motion is no crossing of it.
     let (mut t_start, mut from, mut stops) = (0.0, start, Vec::new());
     loop {
-        let limits = Limits {
-            t_start,
-            ..Limits::default()
-        };
+        let limits = Limits { t_start, ..Limits::default() };
         let motion = scene.solve_along(&from, t_end, 1e-9, &limits)?;
-        let Some(next) = motion
-            .crossings("plane", |_, state| height(state))?
-            .into_iter()
-            .next()
+        let Some(next) = motion.crossings("plane", |_, state| height(state))?.into_iter().next()
         else {
             break;
         };
@@ -240,10 +223,7 @@ fn beside_the_ends_of_the_span() -> Result<()> {
         for onward in [1.0, -1.0] {
             let t_start = 0.1 * f64::from(k);
             let t_end = t_start + onward;
-            let limits = Limits {
-                t_start,
-                ..Limits::default()
-            };
+            let limits = Limits { t_start, ..Limits::default() };
             let motion = scene.solve_along(&round.start, t_end, 1e-6, &limits)?;
             for zero in [t_start + 1e-5 * onward, t_end - 1e-5 * onward] {
                 let crossings = motion.crossings("beside", |t, _| t - zero)?;
@@ -263,12 +243,8 @@ fn what_is_no_number_and_what_is_over_budget() -> Result<()> {
     let round = Round::draw(&mut Random(345));
     let scene = Scene::new(round.body);
     let motion = scene.solve_along(&round.start, 3.0, 1e-6, &Limits::default())?;
-    let error = motion
-        .crossings("root", |t, _| (1.0 - t).sqrt())
-        .unwrap_err();
-    let Error::FunctionOutOfRange { what, t, .. } = &error else {
-        panic!("{error}")
-    };
+    let error = motion.crossings("root", |t, _| (1.0 - t).sqrt()).unwrap_err();
+    let Error::FunctionOutOfRange { what, t, .. } = &error else { panic!("{error}") };
     assert!(what.contains("\"root\"") && *t > 1.0, "{error}");
     // Nothing crosses, and a start at zero is none.
     assert_eq!(motion.crossings("above", |_, _| 1.0)?, []);
@@ -282,32 +258,13 @@ fn what_is_no_number_and_what_is_over_budget() -> Result<()> {
     let middle = &motion.crossings("middle", |t, _| t - 1.5)?;
     assert!(middle.len() == 1 && middle[0].rising && (middle[0].t - 1.5).abs() < 1e-15);
     let scene = scene.with(
-        Torque::on_space("push", |t, _: &RigidBody, _: &State| {
-            SpaceVector::new(t, 0.0, 0.0)
-        })
-        .smooth(),
+        Torque::on_space("push", |t, _: &RigidBody, _: &State| SpaceVector::new(t, 0.0, 0.0))
+            .smooth(),
     );
-    let solved = scene
-        .solve_along(&round.start, 30.0, 1e-6, &Limits::default())?
-        .solved()
-        .work;
-    let limits = Limits {
-        budget: solved.torques() + 100,
-        ..Limits::default()
-    };
+    let solved = scene.solve_along(&round.start, 30.0, 1e-6, &Limits::default())?.solved().work;
+    let limits = Limits { budget: solved.torques() + 100, ..Limits::default() };
     let motion = scene.solve_along(&round.start, 30.0, 1e-6, &limits)?;
-    let error = motion
-        .crossings("X", |_, state| state.attitude.axis().x())
-        .unwrap_err();
-    assert!(
-        matches!(
-            error,
-            Error::LimitReached {
-                what: "torques",
-                ..
-            }
-        ),
-        "{error}"
-    );
+    let error = motion.crossings("X", |_, state| state.attitude.axis().x()).unwrap_err();
+    assert!(matches!(error, Error::LimitReached { what: "torques", .. }), "{error}");
     Ok(())
 }

@@ -31,10 +31,7 @@ fn a_start_at_another_time() -> Result<()> {
     let scene = Scene::new(*heavy.body()).with(swing);
     let whole = scene.solve(&start, 8.0, 1e-11)?.state;
     let first = scene.solve(&start, 3.0, 1e-12)?.state;
-    let from = |t_start| Limits {
-        t_start,
-        ..Limits::default()
-    };
+    let from = |t_start| Limits { t_start, ..Limits::default() };
     let second = scene.solve_with(&first, 8.0, 1e-11, &from(3.0))?.state;
     let apart = whole.attitude.angle_to(&second.attitude);
     assert!(apart <= 3e-11, "{apart:e}");
@@ -79,12 +76,7 @@ fn all_along_the_way() -> Result<()> {
         assert_eq!(motion.try_state(*t)?, *state);
     }
     let back: Vec<f64> = times.iter().map(|t| -t).collect();
-    assert_eq!(
-        scene
-            .solve_at(&start, &back, 1e-8, &Limits::default())?
-            .len(),
-        20
-    );
+    assert_eq!(scene.solve_at(&start, &back, 1e-8, &Limits::default())?.len(), 20);
     Ok(())
 }
 
@@ -102,89 +94,33 @@ fn bad_limits_are_named() -> Result<()> {
         assert!(error.contains(text), "{error}");
         ran += 1;
     };
+    says(Limits { t_start: f64::NAN, ..limits }, "start time = NaN is not a finite number");
+    says(Limits { longest_step: 0.0, ..limits }, "longest step = 0 is not allowed");
+    says(Limits { longest_step: f64::NAN, ..limits }, "longest step = NaN");
+    says(Limits { budget: 0, ..limits }, "budget = 0 is not allowed");
+    says(Limits { break_points: &[1.0, 6.0], ..limits }, "t = 6 is outside the run");
     says(
-        Limits {
-            t_start: f64::NAN,
-            ..limits
-        },
-        "start time = NaN is not a finite number",
-    );
-    says(
-        Limits {
-            longest_step: 0.0,
-            ..limits
-        },
-        "longest step = 0 is not allowed",
-    );
-    says(
-        Limits {
-            longest_step: f64::NAN,
-            ..limits
-        },
-        "longest step = NaN",
-    );
-    says(
-        Limits {
-            budget: 0,
-            ..limits
-        },
-        "budget = 0 is not allowed",
-    );
-    says(
-        Limits {
-            break_points: &[1.0, 6.0],
-            ..limits
-        },
-        "t = 6 is outside the run",
-    );
-    says(
-        Limits {
-            break_points: &[2.0, 1.0],
-            ..limits
-        },
+        Limits { break_points: &[2.0, 1.0], ..limits },
         "break point[1]: value = 1 is not allowed: the one before it is 2",
     );
     says(
-        Limits {
-            break_points: &[f64::NAN],
-            ..limits
-        },
+        Limits { break_points: &[f64::NAN], ..limits },
         "break point[0]: value = NaN is not a finite number",
     );
-    says(
-        Limits {
-            budget: 250,
-            ..limits
-        },
-        "more than the 250 torques that are allowed",
-    );
+    says(Limits { budget: 250, ..limits }, "more than the 250 torques that are allowed");
     let cancel = AtomicBool::new(true);
-    says(
-        Limits {
-            cancel: Some(&cancel),
-            ..limits
-        },
-        "cancelled, after 0 torques",
-    );
+    says(Limits { cancel: Some(&cancel), ..limits }, "cancelled, after 0 torques");
     assert_eq!(ran, 9);
     let times = |times: &[f64]| scene.solve_at(&start, times, 1e-6, &Limits::default());
     assert!(matches!(times(&[]), Err(Error::Lengths { found: 0, .. })));
-    let error = times(&[1.0, 3.0, 2.0, 4.0])
-        .expect_err("out of order")
-        .to_string();
+    let error = times(&[1.0, 3.0, 2.0, 4.0]).expect_err("out of order").to_string();
     assert_eq!(
         error,
         "times[2]: value = 2 is not allowed: the one before it is 3, and they must rise"
     );
     let motion = scene.solve_along(&start, 5.0, 1e-6, &Limits::default())?;
-    assert!(matches!(
-        motion.try_state(5.1),
-        Err(Error::OutsideRun { .. })
-    ));
-    assert!(matches!(
-        motion.try_state(f64::NAN),
-        Err(Error::NotFinite { .. })
-    ));
+    assert!(matches!(motion.try_state(5.1), Err(Error::OutsideRun { .. })));
+    assert!(matches!(motion.try_state(f64::NAN), Err(Error::NotFinite { .. })));
     Ok(())
 }
 
@@ -192,15 +128,9 @@ fn bad_limits_are_named() -> Result<()> {
 #[test]
 fn a_longest_step() -> Result<()> {
     let (scene, start) = heavy()?;
-    let limits = Limits {
-        longest_step: 0.01,
-        ..Limits::default()
-    };
+    let limits = Limits { longest_step: 0.01, ..Limits::default() };
     let solved = scene.solve_with(&start, 5.0, 1e-6, &limits)?;
-    assert!(
-        solved.longest_step <= 0.01 && solved.run.steps >= 500,
-        "{solved:?}"
-    );
+    assert!(solved.longest_step <= 0.01 && solved.run.steps >= 500, "{solved:?}");
     let free = scene.solve(&start, 5.0, 1e-6)?;
     assert!(free.longest_step > 0.01 && free.run.steps < 500, "{free:?}");
     Ok(())
@@ -220,26 +150,13 @@ fn what_cannot_be_stepped_is_told_before_a_run() -> Result<()> {
         })
         .smooth(),
     );
-    let of = |longest_step: f64, budget: u64| Limits {
-        longest_step,
-        budget,
-        ..Limits::default()
-    };
+    let of = |longest_step: f64, budget: u64| Limits { longest_step, budget, ..Limits::default() };
     // 12 torques a step: one more step than the budget has room for, and as many as it has.
     let mut taken = Vec::new();
     for steps in [1001.0, 1000.0] {
         torques.store(0, Relaxed);
         let refused = counted.solve_with(&start, 20.0, 1e-8, &of(20.0 / steps, 12_000));
-        assert!(
-            matches!(
-                refused,
-                Err(Error::LimitReached {
-                    what: "torques",
-                    ..
-                })
-            ),
-            "{refused:?}"
-        );
+        assert!(matches!(refused, Err(Error::LimitReached { what: "torques", .. })), "{refused:?}");
         taken.push(torques.load(Relaxed));
     }
     // What looks at the torque before any run took 5246, and the twin went on to runs: 17 262.
@@ -274,10 +191,7 @@ fn what_cannot_be_stepped_is_told_before_a_run() -> Result<()> {
                 false => scene.solve(&start, 1.0 / rate, 1e-8),
             }
         };
-        assert_eq!(
-            text(fast(1e159)),
-            "kinetic energy of the start = inf is not a finite number"
-        );
+        assert_eq!(text(fast(1e159)), "kinetic energy of the start = inf is not a finite number");
         assert!(fast(1e150)?.estimate <= 1e-8);
     }
     Ok(())

@@ -7,7 +7,6 @@ mod case;
 mod causes;
 mod control;
 mod crossings;
-#[rustfmt::skip] // it is formatted with the examples
 #[path = "../../../examples/accuracy/honesty.rs"]
 mod honesty;
 mod limits;
@@ -30,13 +29,7 @@ fn no_error_exceeds_its_request() {
     let mut asked = 0;
     let mut ratios_of_all = Errors::of("delivered over requested");
     for spread in &spreads {
-        let Spread {
-            tolerance,
-            ratios,
-            refused,
-            price,
-            ..
-        } = spread;
+        let Spread { tolerance, ratios, refused, price, .. } = spread;
         let [least, lower, median, upper, most] =
             [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| spread.quantile(part));
         println!(
@@ -57,20 +50,13 @@ fn no_error_exceeds_its_request() {
         assert!(*price <= 15.0, "{tolerance:e}: {price}");
         // Measured: 0.2 % at 1e-3, 47 % at 1e-13, where doubles end.
         let allowed = if *tolerance >= 1e-9 { 0.02 } else { 0.6 };
-        assert!(
-            (*refused as f64) <= allowed * SCENES as f64,
-            "{tolerance:e}: {refused}"
-        );
+        assert!((*refused as f64) <= allowed * SCENES as f64, "{tolerance:e}: {refused}");
     }
     // The promise is 1.
     assert_largest!(ratios_of_all, 6155, @"0.677");
     assert_eq!(asked, 11 * SCENES as usize);
     assert_eq!(
-        cases
-            .iter()
-            .map(|case| case.kind)
-            .collect::<std::collections::BTreeSet<_>>()
-            .len(),
+        cases.iter().map(|case| case.kind).collect::<std::collections::BTreeSet<_>>().len(),
         KINDS as usize
     );
 }
@@ -89,10 +75,7 @@ fn estimates_hold() {
                     held += usize::from(holds);
                     broken += usize::from(!holds);
                 }
-                Outcome::Refused {
-                    attainable,
-                    condition,
-                } => {
+                Outcome::Refused { attainable, condition } => {
                     assert!(attainable >= tolerance);
                     // A floor of at most 24, and 16 times that for what shows.
                     let floor = EPS * (1.0 + condition);

@@ -145,11 +145,7 @@ fn judge(
                 tally.failures.push(failure);
             }
         }
-        Err(Error::NotDelivered {
-            best: attainable,
-            condition: Some(_),
-            ..
-        }) => {
+        Err(Error::NotDelivered { best: attainable, condition: Some(_), .. }) => {
             tally.refused += 1;
             // What the reference's own condition lets a careful method reach.
             // A state holds L to eps |L|, and so a rate to eps |L|/I at best.
@@ -161,9 +157,7 @@ fn judge(
                 ));
             }
         }
-        Err(error) => tally
-            .failures
-            .push(format!("{id} at {t}, {tolerance:e}: {error}")),
+        Err(error) => tally.failures.push(format!("{id} at {t}, {tolerance:e}: {error}")),
     }
 }
 
@@ -182,52 +176,28 @@ fn passed(tally: &Tally, [delivered, refused]: [usize; 2], largest: &str) {
 #[test]
 fn closed_forms_deliver_on_the_free_bodies() {
     let kinds = ["free_body"];
-    passed(
-        &tally("reference.json", &kinds, false, 1e300),
-        [249, 15],
-        "0.044",
-    );
+    passed(&tally("reference.json", &kinds, false, 1e300), [249, 15], "0.044");
     // Two more were delivered, by luck, when no change below 1e-12 was felt.
-    passed(
-        &tally("free_body_hard.json", &kinds, false, 1e300),
-        [832, 125],
-        "0.37",
-    );
+    passed(&tally("free_body_hard.json", &kinds, false, 1e300), [832, 125], "0.37");
 }
 
 #[test]
 fn closed_forms_deliver_on_the_tops() {
     let kinds = ["top_si"];
-    passed(
-        &tally("reference.json", &kinds, false, 1e300),
-        [115, 6],
-        "0.056",
-    );
-    passed(
-        &tally("heavy_top_hard.json", &kinds, false, 1e300),
-        [226, 60],
-        "0.097",
-    );
+    passed(&tally("reference.json", &kinds, false, 1e300), [115, 6], "0.056");
+    passed(&tally("heavy_top_hard.json", &kinds, false, 1e300), [226, 60], "0.097");
 }
 
 #[test]
 fn stepping_delivers_on_free_bodies_and_tops() {
     let kinds = ["free_body", "top_si"];
-    passed(
-        &tally("reference.json", &kinds, true, 300.0),
-        [320, 21],
-        "0.051",
-    );
+    passed(&tally("reference.json", &kinds, true, 300.0), [320, 21], "0.051");
 }
 
 #[test]
 fn stepping_delivers_on_heavy_asymmetric_bodies() {
     let kinds = ["heavy_asymmetric"];
-    passed(
-        &tally("heavy_asymmetric.json", &kinds, false, 1e300),
-        [1262, 36],
-        "0.54",
-    );
+    passed(&tally("heavy_asymmetric.json", &kinds, false, 1e300), [1262, 36], "0.54");
 }
 
 /// The condition of a stepped motion, which one changed motion or two tell, beside that of its

@@ -17,9 +17,7 @@ fn free() -> (Scene<()>, State, FreeBody) {
     let moments = PrincipalMoments::new(1.0, 2.0, 2.5).expect("a body");
     let rates = BodyVector::new(0.8, 0.4, 0.3375);
     let scene = Scene::new(RigidBody::new(moments));
-    let start = (scene.body())
-        .state(Attitude::IDENTITY, rates)
-        .expect("a state");
+    let start = (scene.body()).state(Attitude::IDENTITY, rates).expect("a state");
     let exact = FreeBody::new(moments, Attitude::IDENTITY, rates).expect("a motion");
     (scene, start, exact)
 }
@@ -28,17 +26,9 @@ fn free() -> (Scene<()>, State, FreeBody) {
 fn bad_requests_are_refused_in_words() {
     let (scene, start, _) = free();
     let nan = f64::NAN;
-    let broken = State {
-        angular_momentum: SpaceVector::new(nan, 0.0, 0.0),
-        ..start
-    };
+    let broken = State { angular_momentum: SpaceVector::new(nan, 0.0, 0.0), ..start };
     let cases = [
-        (
-            start,
-            1.0,
-            0.0,
-            "tolerance = 0 is not allowed: above 0 and at most pi",
-        ),
+        (start, 1.0, 0.0, "tolerance = 0 is not allowed: above 0 and at most pi"),
         (start, 1.0, -1e-3, "tolerance = -0.001"),
         (start, 1.0, 3.2, "tolerance = 3.2"),
         (start, 1.0, nan, "tolerance = NaN is not a finite number"),
@@ -46,12 +36,7 @@ fn bad_requests_are_refused_in_words() {
         (start, f64::INFINITY, 1e-3, "end time = inf"),
         (start, nan, 1e-3, "end time = NaN"),
         (broken, 1.0, 1e-3, "L_X = NaN"),
-        (
-            start,
-            1e3,
-            1e-15,
-            "1e-15 rad is asked for, and doubles allow",
-        ),
+        (start, 1e3, 1e-15, "1e-15 rad is asked for, and doubles allow"),
     ];
     let mut ran = 0;
     for (start, t_end, tolerance, words) in cases {
@@ -71,14 +56,8 @@ fn bad_requests_are_refused_in_words() {
 fn what_is_beyond_the_condition_says_so() {
     let (scene, start, _) = free();
     // A million seconds, some 160 000 turns.
-    let error = scene
-        .solve(&start, 1e6, 1e-12)
-        .expect_err("beyond the condition");
-    let Error::NotDelivered {
-        requested,
-        best: attainable,
-        condition: Some(condition),
-    } = error
+    let error = scene.solve(&start, 1e6, 1e-12).expect_err("beyond the condition");
+    let Error::NotDelivered { requested, best: attainable, condition: Some(condition) } = error
     else {
         panic!("{error}");
     };
@@ -93,9 +72,7 @@ fn what_is_beyond_the_condition_says_so() {
 fn the_start_is_the_end_at_no_time_and_time_runs_both_ways() {
     let (scene, start, exact) = free();
     for t_end in [0.0, -0.0] {
-        let solved = scene
-            .solve_by_stepping(&start, t_end, 1e-13)
-            .expect("nothing to do");
+        let solved = scene.solve_by_stepping(&start, t_end, 1e-13).expect("nothing to do");
         assert_eq!((solved.state, solved.work.torques()), (start, 0));
     }
     let mut ran = 0;
@@ -119,45 +96,29 @@ fn the_start_is_the_end_at_no_time_and_time_runs_both_ways() {
 fn the_road_is_picked() {
     let gravity = GravityAtLever::new(2.0, 0.3).expect("gravity");
     let start = |body: RigidBody| {
-        let tilted = EulerAngles {
-            phi: 0.1,
-            theta: 0.8,
-            zeta: 0.2,
-        };
+        let tilted = EulerAngles { phi: 0.1, theta: 0.8, zeta: 0.2 };
         let tilted = Attitude::from_euler(tilted).expect("an attitude");
-        body.state(tilted, BodyVector::new(0.1, -0.2, 3.0))
-            .expect("a state")
+        body.state(tilted, BodyVector::new(0.1, -0.2, 3.0)).expect("a state")
     };
     let top = RigidBody::new(PrincipalMoments::symmetric(1.0, 0.7).expect("a body"));
     let odd = RigidBody::new(PrincipalMoments::new(1.0, 1.2, 0.7).expect("a body"));
     let method =
         |solved: Result<rotation_dynamics::accuracy::Solved>| solved.expect("delivered").method;
     let free = Scene::new(odd);
-    assert_eq!(
-        method(free.solve(&start(odd), 5.0, 1e-9)),
-        "closed form of the free body"
-    );
+    assert_eq!(method(free.solve(&start(odd), 5.0, 1e-9)), "closed form of the free body");
     let heavy = Scene::new(top).with(gravity);
-    assert_eq!(
-        method(heavy.solve(&start(top), 5.0, 1e-9)),
-        "closed form of the heavy top"
-    );
+    assert_eq!(method(heavy.solve(&start(top), 5.0, 1e-9)), "closed form of the heavy top");
     let heavy = Scene::new(odd).with(gravity);
     assert!(!method(heavy.solve(&start(odd), 5.0, 1e-9)).contains("closed"));
     // One after the other they do not compile; a pair made elsewhere is refused.
     let twice = Scene::new(top).with((gravity, gravity));
-    let error = twice
-        .solve(&start(top), 5.0, 1e-9)
-        .expect_err("two weights");
+    let error = twice.solve(&start(top), 5.0, 1e-9).expect_err("two weights");
     assert_eq!(
         error.to_string(),
         "gravity acts twice in this scene (gravity, gravity): one weight at one place is allowed"
     );
     let inside = Scene::new(top).with(((), gravity)).with(());
-    assert_eq!(
-        method(inside.solve(&start(top), 5.0, 1e-9)),
-        "closed form of the heavy top"
-    );
+    assert_eq!(method(inside.solve(&start(top), 5.0, 1e-9)), "closed form of the heavy top");
 }
 
 /// A motor about the axis that is switched on and off: a torque that jumps.
@@ -199,9 +160,7 @@ impl Effect for Motor {
 fn a_torque_that_jumps_is_delivered_or_refused() {
     let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 1.0).expect("a body"));
     let scene = Scene::new(body).with(Motor);
-    let start = body
-        .state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 0.0))
-        .expect("a state");
+    let start = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 0.0)).expect("a state");
     let (mut delivered, mut refused) = (0, 0);
     for t_end in [0.7, 1.5, 3.3, 7.9] {
         let exact = Attitude::about_body_axis(BodyVector::new(0.0, 0.0, 1.0), Motor::angle(t_end))
@@ -211,17 +170,10 @@ fn a_torque_that_jumps_is_delivered_or_refused() {
                 Ok(solved) => {
                     let error = exact.angle_to(&solved.state.attitude);
                     println!("{t_end} {tolerance:e}: {error:.1e} by {}", solved.method);
-                    assert!(
-                        error <= tolerance,
-                        "{t_end}, {tolerance:e}: {error:e}, {solved:?}"
-                    );
+                    assert!(error <= tolerance, "{t_end}, {tolerance:e}: {error:e}, {solved:?}");
                     delivered += 1;
                 }
-                Err(Error::NotDelivered {
-                    best: reached,
-                    condition: None,
-                    ..
-                }) => {
+                Err(Error::NotDelivered { best: reached, condition: None, .. }) => {
                     println!("{t_end} {tolerance:e}: refused, {reached:.1e}");
                     assert!(reached > tolerance);
                     refused += 1;
@@ -246,9 +198,7 @@ fn a_local_tolerance_is_no_error() {
             let exact = exact.attitude(t_end);
             exceeded += usize::from(exact.angle_to(&end.attitude) > tolerance);
             asked += 1;
-            let solved = scene
-                .solve_by_stepping(&start, t_end, tolerance)
-                .expect("delivered");
+            let solved = scene.solve_by_stepping(&start, t_end, tolerance).expect("delivered");
             assert!(exact.angle_to(&solved.state.attitude) <= tolerance);
         }
     }
@@ -281,10 +231,7 @@ fn an_effect_that_fails_is_named() {
     let (scene, start, _) = free();
     let scene = Scene::new(*scene.body()).with(Broken);
     assert!(scene.solve(&start, 0.9, 1e-6).is_ok());
-    let error = scene
-        .solve(&start, 3.0, 1e-6)
-        .expect_err("no torque")
-        .to_string();
+    let error = scene.solve(&start, 3.0, 1e-6).expect_err("no torque").to_string();
     assert!(error.contains("must be finite"), "{error}");
 }
 
@@ -323,10 +270,7 @@ fn what_is_no_number_is_named() {
     // The damaged twin: its power is a number, if only just, and nothing is refused.
     assert_eq!(told(1e200), "");
     let none = told(f64::NAN);
-    assert!(
-        none.starts_with("the torque of \"push\" at t = 0,"),
-        "{none}"
-    );
+    assert!(none.starts_with("the torque of \"push\" at t = 0,"), "{none}");
     assert!(none.contains("it must be finite"), "{none}");
     let lost = Scene::new(body).with(Lost).solve(&start, 1.0, 1e-6);
     let lost = lost.expect_err("no potential").to_string();
@@ -342,10 +286,7 @@ fn what_is_no_number_is_named() {
 fn a_strong_closure_beside_a_weak_effect_is_solved() -> Result<()> {
     let body = RigidBody::new(PrincipalMoments::new(20.0, 90.0, 100.0)?);
     let start = body.state(Attitude::IDENTITY, BodyVector::new(0.0, 1e-4, 1.1e-3))?;
-    let (normal, towards) = (
-        SpaceVector::new(0.0, 0.0, 1.0),
-        SpaceVector::new(-1.0, 0.0, 0.0),
-    );
+    let (normal, towards) = (SpaceVector::new(0.0, 0.0, 1.0), SpaceVector::new(-1.0, 0.0, 0.0));
     let gradient = GravityGradient::on_orbit(1.1e-3, normal, towards)?;
     let thruster = |length: f64| {
         Torque::on_body("thruster", move |t, _: &RigidBody, _: &State| {
@@ -369,20 +310,9 @@ fn a_strong_closure_beside_a_weak_effect_is_solved() -> Result<()> {
         let grown = scene.with(ramp(length)).solve(&start, 200.0, 1e-10)?.state;
         for tolerance in [1e-3, 1e-5, 1e-7] {
             let off = |state: State, exact: &State| state.attitude.angle_to(&exact.attitude);
-            let thrust = |length| {
-                scene
-                    .with(thruster(length)?)
-                    .solve(&start, 200.0, tolerance)
-            };
-            let grow = |length| {
-                scene
-                    .with(ramp(length).smooth())
-                    .solve(&start, 200.0, tolerance)
-            };
-            for error in [
-                off(thrust(length)?.state, &exact),
-                off(grow(length)?.state, &grown),
-            ] {
+            let thrust = |length| scene.with(thruster(length)?).solve(&start, 200.0, tolerance);
+            let grow = |length| scene.with(ramp(length).smooth()).solve(&start, 200.0, tolerance);
+            for error in [off(thrust(length)?.state, &exact), off(grow(length)?.state, &grown)] {
                 part = part.max(error / tolerance);
                 ran += 1;
             }
@@ -408,10 +338,7 @@ fn a_closure_is_asked_within_its_span_only() -> Result<()> {
         })
         .smooth()
     };
-    let limits = Limits {
-        t_start: 2.0,
-        ..Limits::default()
-    };
+    let limits = Limits { t_start: 2.0, ..Limits::default() };
     let solve = |from: f64| {
         let scene = Scene::new(*scene.body()).with(brake(from));
         scene.solve_with(&start, 5.0, 1e-8, &limits)
@@ -423,9 +350,6 @@ fn a_closure_is_asked_within_its_span_only() -> Result<()> {
     assert!((momentum / left - 1.0).abs() <= 1e-12);
     // The damaged twin, one that begins within the span, is named.
     let told = solve(3.0).expect_err("no number").to_string();
-    assert!(
-        told.starts_with("the torque of \"brake\" at t = 2,"),
-        "{told}"
-    );
+    assert!(told.starts_with("the torque of \"brake\" at t = 2,"), "{told}");
     Ok(())
 }

@@ -33,10 +33,8 @@ const fn unsaid<E>(effects: E) -> Said<E, true, false> {
 }
 
 impl<E: Effect, const RESISTS: bool, const SMOOTH: bool> Effect for Said<E, RESISTS, SMOOTH> {
-    const PROPERTIES: Properties = Properties {
-        smooth: E::PROPERTIES.smooth && SMOOTH,
-        ..E::PROPERTIES
-    };
+    const PROPERTIES: Properties =
+        Properties { smooth: E::PROPERTIES.smooth && SMOOTH, ..E::PROPERTIES };
 
     fn name(&self) -> &'static str {
         self.0.name()
@@ -147,10 +145,8 @@ fn what_resists_weakly_is_cheap() {
         apart: Errors::of("distance of the two answers over the tolerance"),
     };
     let gyroscope = symmetric(5.45e-3, 9e-4);
-    let (start, slowly) = (
-        tilted(&gyroscope, [0.0, 0.0, 314.16]),
-        tilted(&gyroscope, [0.0, 0.0, 60.0]),
-    );
+    let (start, slowly) =
+        (tilted(&gyroscope, [0.0, 0.0, 314.16]), tilted(&gyroscope, [0.0, 0.0, 60.0]));
     let heavy = Scene::new(gyroscope).with(GravityAtLever::new(4.9, 0.1).expect("gravity"));
     let oil = ViscousFriction::new(2e-5, 2e-6).expect("friction");
     let drag = DiscDrag::new(0.06, 1.204, 1.51e-5, 314.16).expect("drag");
@@ -170,12 +166,7 @@ fn what_resists_weakly_is_cheap() {
     let oil = ViscousFriction::isotropic(1e-2).expect("friction");
     prices.of("brick in oil", &Scene::new(brick).with(oil), &start, 20.0);
     let honey = ViscousFriction::isotropic(20.0).expect("friction");
-    prices.of(
-        "brick in honey",
-        &Scene::new(brick).with(honey),
-        &start,
-        20.0,
-    );
+    prices.of("brick in honey", &Scene::new(brick).with(honey), &start, 20.0);
     println!("{}\n{:?}", prices.lines.join("\n"), prices.run);
     let expected = [
         "gyroscope in oil 1e-3: SRKN 6b, resisted 5000/7752; DOP853 55480/90584",
@@ -210,9 +201,7 @@ fn two_runs_tell_error_and_condition() -> Result<()> {
     let body = symmetric(5.45e-3, 9e-4);
     let gravity = GravityAtLever::new(4.9, 0.1)?;
     let [fast, slow] = [314.16, 60.0].map(|spin| tilted(&body, [0.0, 0.0, spin]));
-    let oil = Scene::new(body)
-        .with(gravity)
-        .with(ViscousFriction::new(2e-5, 2e-6)?);
+    let oil = Scene::new(body).with(gravity).with(ViscousFriction::new(2e-5, 2e-6)?);
     let two = oil.solve(&fast, 10.0, 1e-6)?;
     let stopped = CoulombBearing::new(2e-2, &body, &slow, 0.0)?;
     let dry = Scene::new(body).with(gravity).with(stopped);
@@ -222,9 +211,7 @@ fn two_runs_tell_error_and_condition() -> Result<()> {
     assert!((1.8..1.9).contains(&three.price), "{}", three.price);
     assert_eq!([two, three].map(|s| s.probes.torques()), [0, 0]);
     // By another method, of which nothing is said of what resists.
-    let other = Scene::new(body)
-        .with(silent(*dry.effects()))
-        .solve(&slow, 5.0, 1e-9)?;
+    let other = Scene::new(body).with(silent(*dry.effects())).solve(&slow, 5.0, 1e-9)?;
     assert_ne!(other.method, three.method);
     let mut off = Errors::of("distance of the two answers over the tolerance");
     off.push(other.state.attitude.angle_to(&three.state.attitude) / 1e-6);
@@ -336,15 +323,9 @@ impl Effect for Uneven {
 fn what_is_not_the_same_in_all_directions_is_stepped_otherwise() -> Result<()> {
     let scene = Scene::new(symmetric(1.0, 0.6)).with(Uneven);
     let start = tilted(scene.body(), [0.3, -0.2, 5.0]);
-    assert!(matches!(
-        Resisted::new(&scene, 0.0),
-        Err(Error::Incompatible { .. })
-    ));
+    assert!(matches!(Resisted::new(&scene, 0.0), Err(Error::Incompatible { .. })));
     let silent = Scene::new(*scene.body()).with(silent(Uneven));
-    let [told, untold] = [
-        scene.solve(&start, 10.0, 1e-8)?,
-        silent.solve(&start, 10.0, 1e-8)?,
-    ];
+    let [told, untold] = [scene.solve(&start, 10.0, 1e-8)?, silent.solve(&start, 10.0, 1e-8)?];
     assert_eq!(told, untold);
     // Of another body nothing is wrong with it.
     let brick = Scene::new(RigidBody::new(PrincipalMoments::new(1.0, 1.4, 0.6)?)).with(Uneven);
@@ -427,46 +408,22 @@ fn limits_are_kept() -> Result<()> {
     let free = scene.solve(&start, 2.0, 1e-6)?;
     assert_eq!(free.method, "SRKN 14a, resisted");
     // No step is longer than the longest.
-    let short = Limits {
-        longest_step: 1e-3,
-        ..limits
-    };
+    let short = Limits { longest_step: 1e-3, ..limits };
     let solved = scene.solve_with(&start, 2.0, 1e-6, &short)?;
     assert!(free.longest_step > 1e-3, "{free:?}");
     assert!(solved.longest_step <= 1e-3 && solved.run.steps >= 2000);
     // Twice what was spent is enough, half of it is not.
-    let spent = Limits {
-        budget: 2 * free.work.torques(),
-        ..limits
-    };
+    let spent = Limits { budget: 2 * free.work.torques(), ..limits };
     assert_eq!(scene.solve_with(&start, 2.0, 1e-6, &spent)?, free);
-    let less = Limits {
-        budget: free.work.torques() / 2,
-        ..limits
-    };
+    let less = Limits { budget: free.work.torques() / 2, ..limits };
     let refused = scene.solve_with(&start, 2.0, 1e-6, &less);
-    assert!(
-        matches!(
-            refused,
-            Err(Error::LimitReached {
-                what: "torques",
-                ..
-            })
-        ),
-        "{refused:?}"
-    );
+    assert!(matches!(refused, Err(Error::LimitReached { what: "torques", .. })), "{refused:?}");
     let cancel = AtomicBool::new(true);
-    let cancelled = Limits {
-        cancel: Some(&cancel),
-        ..limits
-    };
+    let cancelled = Limits { cancel: Some(&cancel), ..limits };
     let refused = scene.solve_with(&start, 2.0, 1e-6, &cancelled);
     assert!(matches!(refused, Err(Error::Cancelled { torques: 0 })));
     // Break points cut the run; the answer is the same.
-    let cut = Limits {
-        break_points: &[0.3, 1.1],
-        ..limits
-    };
+    let cut = Limits { break_points: &[0.3, 1.1], ..limits };
     let solved = scene.solve_with(&start, 2.0, 1e-6, &cut)?;
     let apart = solved.state.attitude.angle_to(&free.state.attitude);
     assert!(apart > 0.0 && apart <= 1e-6, "{apart:e}");
@@ -480,13 +437,7 @@ fn limits_are_kept() -> Result<()> {
     assert!(back.state.attitude.angle_to(&middle.attitude) <= 2e-6);
     // Doubles end, in words.
     let refused = scene.solve(&start, 2.0, 1e-14);
-    assert!(matches!(
-        refused,
-        Err(Error::NotDelivered {
-            condition: Some(_),
-            ..
-        })
-    ));
+    assert!(matches!(refused, Err(Error::NotDelivered { condition: Some(_), .. })));
     Ok(())
 }
 
@@ -497,9 +448,7 @@ fn all_along_the_way_to_the_stop() -> Result<()> {
     let body = symmetric(5.45e-3, 9e-4);
     let start = tilted(&body, [0.0, 0.0, 60.0]);
     let bearing = CoulombBearing::new(2e-2, &body, &start, 0.0)?;
-    let scene = Scene::new(body)
-        .with(GravityAtLever::new(4.9, 0.1)?)
-        .with(bearing);
+    let scene = Scene::new(body).with(GravityAtLever::new(4.9, 0.1)?).with(bearing);
     let silent = Scene::new(body).with(silent(*scene.effects()));
     let end = 4.0;
     let best = silent.solve_along(&start, end, 1e-11, &Limits::default())?;

@@ -17,9 +17,7 @@ fn slerp(a: Attitude, b: Attitude, part: f64) -> Attitude {
     }
     let length = |sign: f64| {
         let squares = (0..4).map(|i| DoubleDouble::sum(p[i], sign * q[i]).square());
-        squares
-            .fold(DoubleDouble::ZERO, |sum, square| sum + square)
-            .sqrt()
+        squares.fold(DoubleDouble::ZERO, |sum, square| sum + square).sqrt()
     };
     let half = length(-1.0).atan2(length(1.0)).scaled(2.0);
     if half == 0.0 {
@@ -64,14 +62,9 @@ fn arcs_are_the_shortest_and_uniform() {
 #[test]
 fn other_parameters_and_back() {
     let mut random = Random(86);
-    let [mut from, mut into, mut locked, mut matrices, mut damaged] = [
-        "from Rodrigues",
-        "into",
-        "locked",
-        "Rotation3",
-        "tan(angle/2)",
-    ]
-    .map(|name| Errors::in_units_of(EPS, name));
+    let [mut from, mut into, mut locked, mut matrices, mut damaged] =
+        ["from Rodrigues", "into", "locked", "Rotation3", "tan(angle/2)"]
+            .map(|name| Errors::in_units_of(EPS, name));
     for case in 0..3000 {
         let sigma = random.vector::<3>();
         let length = SpaceVector::from(sigma).norm();
@@ -95,11 +88,8 @@ fn other_parameters_and_back() {
         let sequence = Sequence::ALL[case % 12];
         let start = if sequence.is_proper() { 0.0 } else { -PI / 2.0 };
         let lock = start + PI * (case / 12 % 2) as f64;
-        let angles = [
-            random.between(-PI, PI),
-            lock + 1e-12 * random.unit(),
-            random.between(-PI, PI),
-        ];
+        let angles =
+            [random.between(-PI, PI), lock + 1e-12 * random.unit(), random.between(-PI, PI)];
         let near = Attitude::from_sequence(sequence, angles).expect("finite");
         let at = near.angles_locked(sequence, 1e-9).expect("allowed");
         assert!(at[2] == 0.0 && near.angles(sequence)[2] != 0.0 && at[0].abs() <= PI + EPS);
@@ -107,16 +97,9 @@ fn other_parameters_and_back() {
         // By what the second angle was moved, and no more.
         let moved = (near.angles(sequence)[1] - at[1]).abs();
         locked.push(there.angle_to(&near) - moved);
-        assert_eq!(
-            near.angles_locked(sequence, 0.0).expect("allowed"),
-            near.angles(sequence)
-        );
+        assert_eq!(near.angles_locked(sequence, 0.0).expect("allowed"), near.angles(sequence));
         let theirs = Rotation3::from(near);
-        matrices.push(
-            Attitude::try_from(theirs)
-                .expect("a rotation")
-                .angle_to(&near),
-        );
+        matrices.push(Attitude::try_from(theirs).expect("a rotation").angle_to(&near));
         let v = BodyVector::from(random.vector());
         let turned = SpaceVector::from(theirs * Vector3::from(v));
         matrices.push((turned - near.to_space(v)).norm() / v.norm());
@@ -145,12 +128,8 @@ fn random_attitudes_have_the_moments_of_uniform_ones() {
         }
     }
     // The mean of c^4 on the sphere in four dimensions is 1/8.
-    sums[0]
-        .iter()
-        .for_each(|sum| moments.add(*sum, 0.125, 0.125));
-    sums[1]
-        .iter()
-        .for_each(|sum| damaged.add(*sum, 0.125, 0.125));
+    sums[0].iter().for_each(|sum| moments.add(*sum, 0.125, 0.125));
+    sums[1].iter().for_each(|sum| damaged.add(*sum, 0.125, 0.125));
     assert_largest!(moments, 4, @"9.67e-3");
     damaged.exceed(0.02, 4);
 }
@@ -168,19 +147,13 @@ fn angles_go_on_beyond_a_turn() {
     }
     let counted = unwrapped(&read).expect("finite");
     assert!(counted[2999] > 1000.0);
-    counted
-        .iter()
-        .zip(&true_ones)
-        .for_each(|(c, t)| errors.add(*c, *t, t.abs().max(PI)));
+    counted.iter().zip(&true_ones).for_each(|(c, t)| errors.add(*c, *t, t.abs().max(PI)));
     assert_largest!(errors, 3000, @"0");
     let faster: Vec<f64> = read.iter().step_by(3).copied().collect();
     assert!((unwrapped(&faster).expect("finite")[999] - counted[2997]).abs() > TAU);
     // A steady top, read from its attitude.
-    let top = |i: u32| EulerAngles {
-        phi: 0.3 * f64::from(i),
-        theta: 1.0,
-        zeta: -2.9 * f64::from(i),
-    };
+    let top =
+        |i: u32| EulerAngles { phi: 0.3 * f64::from(i), theta: 1.0, zeta: -2.9 * f64::from(i) };
     let seen = (0..500).map(|i| Attitude::from_euler(top(i)).expect("finite").euler_angles());
     let counted = EulerAngles::unwrapped(&seen.collect::<Vec<_>>()).expect("finite");
     assert!((counted[499].phi - top(499).phi).abs() < 1e-13);

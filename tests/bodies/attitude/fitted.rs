@@ -21,9 +21,7 @@ fn polar(matrix: Matrix3<f64>) -> Attitude {
             break;
         }
     }
-    Rotation3::from_matrix_unchecked(x)
-        .try_into()
-        .expect("a rotation")
+    Rotation3::from_matrix_unchecked(x).try_into().expect("a rotation")
 }
 
 fn rows(matrix: &Matrix3<f64>) -> [[f64; 3]; 3] {
@@ -55,9 +53,7 @@ fn the_nearest_rotation_is_the_polar_factor() {
     let mut single = Errors::of("of f32");
     for _ in 0..1000 {
         let attitude = any_attitude(&mut random);
-        let m = attitude
-            .matrix()
-            .map(|row| row.map(|c| f64::from(c as f32)));
+        let m = attitude.matrix().map(|row| row.map(|c| f64::from(c as f32)));
         assert!(Attitude::from_matrix(m).is_err());
         let (nearest, distance) = Attitude::nearest(m).expect("near");
         single.push(distance);
@@ -154,10 +150,7 @@ fn two_directions_to_a_microradian_from_one_line() {
         first.push((found.to_space(one) - a).norm() / a.norm());
         let (found, _) = Attitude::from_directions(&[(one, a, 1.0), (two, b, 1.0)]).expect("two");
         many.push(found.angle_to(&attitude) * angle * angle / 2.0);
-        let (u, v) = (
-            Vector3::from(one).normalize(),
-            Vector3::from(two).normalize(),
-        );
+        let (u, v) = (Vector3::from(one).normalize(), Vector3::from(two).normalize());
         let (p, q) = (Vector3::from(a).normalize(), Vector3::from(b).normalize());
         let svd = (p * u.transpose() + q * v.transpose()).svd(true, true);
         let (left, right) = (svd.u.expect("asked for"), svd.v_t.expect("asked for"));
@@ -182,9 +175,7 @@ fn the_mean_is_that_of_the_matrices_and_of_the_turns() {
     for _ in 0..2000 {
         let middle = any_attitude(&mut random);
         let around = |random: &mut Random, size| -> Vec<(Attitude, f64)> {
-            (0..6)
-                .map(|_| (turned_by(random, &middle, size), random.size(0.1, 10.0)))
-                .collect()
+            (0..6).map(|_| (turned_by(random, &middle, size), random.size(0.1, 10.0))).collect()
         };
         let wide = around(&mut random, 0.8);
         let mean = Attitude::mean(&wide).expect("a mean");
@@ -194,9 +185,7 @@ fn the_mean_is_that_of_the_matrices_and_of_the_turns() {
         let narrow = around(&mut random, 1e-6);
         let mean = Attitude::mean(&narrow).expect("a mean");
         let total: f64 = narrow.iter().map(|(_, w)| w).sum();
-        let turns = narrow
-            .iter()
-            .map(|(a, w)| (mean.inverse() * *a).rotation_vector() * *w);
+        let turns = narrow.iter().map(|(a, w)| (mean.inverse() * *a).rotation_vector() * *w);
         close.push((turns.sum::<SpaceVector>() / total).norm());
         // The signs of quaternions are free, but not for the mean of the four numbers.
         let mean = Attitude::mean(&wide);

@@ -51,9 +51,7 @@ fn angles_near_a_pole(random: &mut Random, kind: usize) -> EulerAngles {
 #[test]
 fn at_the_poles_zeta_is_zero_and_phi_keeps_what_has_a_meaning() {
     let at = |w: f64, x: f64, y: f64, z: f64| {
-        let a = Attitude::from_quaternion([w, x, y, z])
-            .expect("not zero")
-            .euler_angles();
+        let a = Attitude::from_quaternion([w, x, y, z]).expect("not zero").euler_angles();
         [a.phi, a.theta, a.zeta]
     };
     assert_eq!(at(1.0, 0.0, 0.0, 0.0), [0.0, 0.0, 0.0]);
@@ -89,16 +87,8 @@ fn bad_input_is_an_error_with_the_numbers() {
             assert!(Attitude::from_rotation_vector(SpaceVector::from_array(v)).is_err());
             assert!(Attitude::about_space_axis(SpaceVector::from_array(v), 1.0).is_err());
             assert!(Attitude::about_body_axis(BodyVector::from_array(v), 1.0).is_err());
-            assert!(
-                Attitude::IDENTITY
-                    .turned_in_space(SpaceVector::from_array(v))
-                    .is_err()
-            );
-            let tilted = EulerAngles {
-                phi: 0.0,
-                theta: 1.0,
-                zeta: 0.0,
-            };
+            assert!(Attitude::IDENTITY.turned_in_space(SpaceVector::from_array(v)).is_err());
+            let tilted = EulerAngles { phi: 0.0, theta: 1.0, zeta: 0.0 };
             assert!(tilted.rates(BodyVector::from_array(v)).is_err());
             let mut matrix = Attitude::IDENTITY.matrix();
             matrix[place][2 - place] = bad;
@@ -110,10 +100,7 @@ fn bad_input_is_an_error_with_the_numbers() {
     }
     assert_eq!(count, 78);
     let zero = Attitude::from_quaternion([0.0; 4]).unwrap_err().to_string();
-    assert_eq!(
-        zero,
-        "norm of the quaternion = 0 is not allowed: it must be greater than 0"
-    );
+    assert_eq!(zero, "norm of the quaternion = 0 is not allowed: it must be greater than 0");
     assert!(Attitude::about_space_axis(SpaceVector::zero(), 1.0).is_err());
     // A length that overflows, and one that nearly does.
     let huge = SpaceVector::new(1.5e308, 1.5e308, 0.0);
@@ -125,13 +112,7 @@ fn bad_input_is_an_error_with_the_numbers() {
     let mut reflected = Attitude::IDENTITY.matrix();
     reflected[2][2] = -1.0;
     let error = Attitude::from_matrix(reflected).unwrap_err();
-    assert!(matches!(
-        error,
-        Error::NotRotation {
-            deviation: 0.0,
-            determinant: -1.0
-        }
-    ));
+    assert!(matches!(error, Error::NotRotation { deviation: 0.0, determinant: -1.0 }));
     let mut sheared = Attitude::IDENTITY.matrix();
     sheared[0][1] = 1e-11;
     let error = Attitude::from_matrix(sheared).unwrap_err().to_string();
@@ -144,10 +125,7 @@ fn a_unit_quaternion_is_kept_bit_for_bit() {
     let mut count = 0;
     for _ in 0..4000 {
         let attitude = any_attitude(&mut random) * any_attitude(&mut random);
-        assert_eq!(
-            Attitude::from_quaternion(attitude.quaternion()),
-            Ok(attitude)
-        );
+        assert_eq!(Attitude::from_quaternion(attitude.quaternion()), Ok(attitude));
         count += 1;
     }
     assert_eq!(count, 4000);

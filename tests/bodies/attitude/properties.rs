@@ -10,12 +10,8 @@ use support::{Errors, Random, assert_error, assert_largest};
 /// The exact quaternion of Euler angles, to 100 bits.
 fn exact_quaternion(angles: EulerAngles) -> [DoubleDouble; 4] {
     let (s, c) = DoubleDouble::from(angles.theta).scaled(0.5).sin_cos();
-    let (sin_sum, cos_sum) = DoubleDouble::sum(angles.phi, angles.zeta)
-        .scaled(0.5)
-        .sin_cos();
-    let (sin_diff, cos_diff) = DoubleDouble::sum(angles.phi, -angles.zeta)
-        .scaled(0.5)
-        .sin_cos();
+    let (sin_sum, cos_sum) = DoubleDouble::sum(angles.phi, angles.zeta).scaled(0.5).sin_cos();
+    let (sin_diff, cos_diff) = DoubleDouble::sum(angles.phi, -angles.zeta).scaled(0.5).sin_cos();
     [c * cos_sum, s * cos_diff, s * sin_diff, c * sin_sum]
 }
 
@@ -52,15 +48,8 @@ fn angles_and_back_over_random_attitudes() {
     assert_largest!(into, 32_000, @"3.12");
     assert_largest!(round, 32_000, @"3.59");
     // Damaged: an angle off by 10 eps.
-    let given = EulerAngles {
-        phi: 0.25,
-        theta: 0.5,
-        zeta: 0.5,
-    };
-    let off = EulerAngles {
-        phi: 0.25 + 10.0 * EPS,
-        ..given
-    };
+    let given = EulerAngles { phi: 0.25, theta: 0.5, zeta: 0.5 };
+    let off = EulerAngles { phi: 0.25 + 10.0 * EPS, ..given };
     let attitude = Attitude::from_euler(given).expect("finite angles");
     assert!(rotation_error(attitude, off) > 4.5);
 }
@@ -70,11 +59,8 @@ fn composition_is_a_group_and_stays_on_the_unit_sphere() {
     let mut random = Random(2);
     let mut errors = Errors::in_units_of(EPS, "group");
     for _ in 0..4000 {
-        let (a, b, c) = (
-            any_attitude(&mut random),
-            any_attitude(&mut random),
-            any_attitude(&mut random),
-        );
+        let (a, b, c) =
+            (any_attitude(&mut random), any_attitude(&mut random), any_attitude(&mut random));
         errors.push(((a * b) * c).angle_to(&(a * (b * c))));
         errors.push((a * a.inverse()).angle_to(&Attitude::IDENTITY));
         assert_eq!(b.then(&a), a * b);
@@ -114,21 +100,9 @@ fn vectors_cross_the_frames_to_a_few_eps() {
         let square = w * w + x * x + y * y + z * z;
         let two = DoubleDouble::from(2.0);
         let matrix = [
-            [
-                w * w + x * x - y * y - z * z,
-                two * (x * y - w * z),
-                two * (x * z + w * y),
-            ],
-            [
-                two * (x * y + w * z),
-                w * w - x * x + y * y - z * z,
-                two * (y * z - w * x),
-            ],
-            [
-                two * (x * z - w * y),
-                two * (y * z + w * x),
-                w * w - x * x - y * y + z * z,
-            ],
+            [w * w + x * x - y * y - z * z, two * (x * y - w * z), two * (x * z + w * y)],
+            [two * (x * y + w * z), w * w - x * x + y * y - z * z, two * (y * z - w * x)],
+            [two * (x * z - w * y), two * (y * z + w * x), w * w - x * x - y * y + z * z],
         ];
         let got = attitude.to_space(BodyVector::from_array(v)).to_array();
         let off = [0, 1, 2].map(|i| {
@@ -150,9 +124,7 @@ fn turning_about_space_and_about_body_axes() {
         let rotation = BodyVector::from_array(random.vector());
         // The same rotation, its axis resolved on either set of axes.
         let in_body = start.turned_in_body(rotation).expect("finite");
-        let in_space = start
-            .turned_in_space(start.to_space(rotation))
-            .expect("finite");
+        let in_space = start.turned_in_space(start.to_space(rotation)).expect("finite");
         errors.push(in_body.angle_to(&in_space));
         let axis = start.to_space(rotation);
         let about = Attitude::about_space_axis(axis, axis.norm()).expect("an axis") * start;
@@ -163,27 +135,16 @@ fn turning_about_space_and_about_body_axes() {
     assert_largest!(errors, 3 * 4000, @"9.46");
     // Damaged: body components taken for space components.
     let start = any_attitude(&mut random);
-    let in_body = start
-        .turned_in_body(BodyVector::new(0.3, 0.1, 0.0))
-        .expect("finite");
-    let wrong = start
-        .turned_in_space(SpaceVector::new(0.3, 0.1, 0.0))
-        .expect("finite");
+    let in_body = start.turned_in_body(BodyVector::new(0.3, 0.1, 0.0)).expect("finite");
+    let wrong = start.turned_in_space(SpaceVector::new(0.3, 0.1, 0.0)).expect("finite");
     assert!(in_body.angle_to(&wrong) > 0.01);
     // Notes 15.1: three turns about Z, the new x, the new z are the Euler angles.
-    let (x, z) = (
-        BodyVector::new(1.0, 0.0, 0.0),
-        BodyVector::new(0.0, 0.0, 1.0),
-    );
+    let (x, z) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(0.0, 0.0, 1.0));
     let mut built = Attitude::IDENTITY;
     for (axis, angle) in [(z, 0.3), (x, 0.7), (z, -0.4)] {
         built = built.turned_in_body(axis * angle).expect("finite");
     }
-    let angles = EulerAngles {
-        phi: 0.3,
-        theta: 0.7,
-        zeta: -0.4,
-    };
+    let angles = EulerAngles { phi: 0.3, theta: 0.7, zeta: -0.4 };
     let direct = Attitude::from_euler(angles).expect("finite");
     assert_error!(built.angle_to(&direct), 2.0 eps);
 }

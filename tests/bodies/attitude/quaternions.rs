@@ -22,21 +22,9 @@ fn shuster([a, b, c, d]: [f64; 4], [x, y, z, w]: [f64; 4]) -> [f64; 4] {
 fn shuster_matrix([x, y, z, w]: [f64; 4]) -> [[f64; 3]; 3] {
     let d = w * w - x * x - y * y - z * z;
     [
-        [
-            d + 2.0 * x * x,
-            2.0 * (x * y + w * z),
-            2.0 * (x * z - w * y),
-        ],
-        [
-            2.0 * (x * y - w * z),
-            d + 2.0 * y * y,
-            2.0 * (y * z + w * x),
-        ],
-        [
-            2.0 * (x * z + w * y),
-            2.0 * (y * z - w * x),
-            d + 2.0 * z * z,
-        ],
+        [d + 2.0 * x * x, 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)],
+        [2.0 * (x * y - w * z), d + 2.0 * y * y, 2.0 * (y * z + w * x)],
+        [2.0 * (x * z + w * y), 2.0 * (y * z - w * x), d + 2.0 * z * z],
     ]
 }
 
@@ -81,8 +69,5 @@ fn nalgebra_turns_vectors_alike() {
     assert_largest!(errors, 2 * 1000, @"0");
     let nan = UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(f64::NAN, 0.0, 0.0, 0.0));
     let error = Attitude::try_from(nan).unwrap_err();
-    assert!(
-        matches!(error, Error::NotFinite { name: "w", .. }),
-        "{error}"
-    );
+    assert!(matches!(error, Error::NotFinite { name: "w", .. }), "{error}");
 }

@@ -52,16 +52,8 @@ fn angular_velocity_is_the_sum_of_three_turns() {
 /// Notes 15.2 (6) against the turning of the attitude itself.
 #[test]
 fn angular_velocity_is_how_the_attitude_turns() {
-    let angles = EulerAngles {
-        phi: 0.4,
-        theta: 1.1,
-        zeta: -0.7,
-    };
-    let rates = EulerRates {
-        phi: 0.8,
-        theta: -0.5,
-        zeta: 1.9,
-    };
+    let angles = EulerAngles { phi: 0.4, theta: 1.1, zeta: -0.7 };
+    let rates = EulerRates { phi: 0.8, theta: -0.5, zeta: 1.9 };
     let at = |t: f64| {
         Attitude::from_euler(EulerAngles {
             phi: angles.phi + rates.phi * t,
@@ -86,20 +78,12 @@ fn angular_velocity_is_how_the_attitude_turns() {
 #[test]
 fn at_a_pole_the_rates_are_refused() {
     for theta in [0.0, -0.0, PI, -PI, 2.0 * PI] {
-        let angles = EulerAngles {
-            phi: 0.1,
-            theta,
-            zeta: 0.2,
-        };
+        let angles = EulerAngles { phi: 0.1, theta, zeta: 0.2 };
         let error = angles.rates(BodyVector::new(1.0, 0.0, 0.0)).unwrap_err();
         assert!(matches!(error, Error::GimbalLock { angle, .. } if angle == theta));
         assert!(error.to_string().contains("multiple of pi"));
     }
-    let close = EulerAngles {
-        phi: 0.0,
-        theta: 1e-300,
-        zeta: 0.0,
-    };
+    let close = EulerAngles { phi: 0.0, theta: 1e-300, zeta: 0.0 };
     assert!(close.rates(BodyVector::new(0.0, 1.0, 0.0)).is_ok());
     let overflow = close.rates(BodyVector::new(0.0, 1e10, 0.0)).unwrap_err();
     assert!(matches!(overflow, Error::NotFinite { name: "phi'", .. }));

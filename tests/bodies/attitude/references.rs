@@ -10,11 +10,7 @@ fn rows(kind: &str) -> Vec<Vec<f64>> {
     include_str!("../../data/attitude.txt")
         .lines()
         .filter_map(|line| line.strip_prefix(kind)?.strip_prefix(' '))
-        .map(|line| {
-            line.split(' ')
-                .map(|c| c.parse().expect("a number"))
-                .collect()
-        })
+        .map(|line| line.split(' ').map(|c| c.parse().expect("a number")).collect())
         .collect()
 }
 
@@ -27,19 +23,14 @@ fn attitude(row: &[f64]) -> Attitude {
 }
 
 fn euler(row: &[f64]) -> EulerAngles {
-    let &[phi, theta, zeta] = row else {
-        panic!("three angles, not {row:?}")
-    };
+    let &[phi, theta, zeta] = row else { panic!("three angles, not {row:?}") };
     EulerAngles { phi, theta, zeta }
 }
 
 /// How many rows of `kind` are not answered with the correctly rounded reference.
 fn rows_missed(kind: &str, inputs: usize, answer: impl Fn(&[f64]) -> Vec<f64>) -> (usize, usize) {
     let rows = rows(kind);
-    let missed = rows
-        .iter()
-        .filter(|row| answer(&row[..inputs]) != row[inputs..])
-        .count();
+    let missed = rows.iter().filter(|row| answer(&row[..inputs]) != row[inputs..]).count();
     (missed, rows.len())
 }
 
@@ -159,12 +150,7 @@ fn from_rotation_vector_keeps_every_component() {
         |row| {
             let length = SpaceVector::new(row[0], row[1], row[2]).norm();
             let (s, c) = math::sincos(length / 2.0);
-            vec![
-                c,
-                s * row[0] / length,
-                s * row[1] / length,
-                s * row[2] / length,
-            ]
+            vec![c, s * row[0] / length, s * row[1] / length, s * row[2] / length]
         },
         f64::abs,
     );
@@ -222,11 +208,7 @@ fn the_static_case_of_the_reference_file() {
         a.iter().zip(b).for_each(|(x, y)| errors.push(x - y));
         errors.largest()
     };
-    let angles = EulerAngles {
-        phi: input("phi"),
-        theta: input("theta"),
-        zeta: input("zeta"),
-    };
+    let angles = EulerAngles { phi: input("phi"), theta: input("theta"), zeta: input("zeta") };
     let attitude = Attitude::from_euler(angles).expect("finite angles");
     let matrix = attitude.matrix();
     assert_error!(largest(matrix.as_flattened(), &expected("R")), 1.0 eps);
@@ -237,10 +219,7 @@ fn the_static_case_of_the_reference_file() {
     assert_error!(largest(&attitude.axis().to_array(), &column(2)), 0.0);
     assert_error!(largest(&attitude.vertical().to_array(), &matrix[2]), 0.0);
     let mut vectors = Errors::in_units_of(EPS, "columns and rows");
-    for (i, e) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-        .into_iter()
-        .enumerate()
-    {
+    for (i, e) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].into_iter().enumerate() {
         let in_space = attitude.to_space(BodyVector::from_array(e));
         vectors.push(largest(&in_space.to_array(), &column(i)));
         let in_body = attitude.to_body(SpaceVector::from_array(e));
@@ -248,13 +227,7 @@ fn the_static_case_of_the_reference_file() {
     }
     assert_largest!(vectors, 6, @"1");
     // Damaged: phi and zeta taken for each other.
-    let swapped = EulerAngles {
-        phi: angles.zeta,
-        theta: angles.theta,
-        zeta: angles.phi,
-    };
-    let wrong = Attitude::from_euler(swapped)
-        .expect("finite angles")
-        .matrix();
+    let swapped = EulerAngles { phi: angles.zeta, theta: angles.theta, zeta: angles.phi };
+    let wrong = Attitude::from_euler(swapped).expect("finite angles").matrix();
     assert!(largest(wrong.as_flattened(), &expected("R")) > 0.1);
 }

@@ -43,11 +43,7 @@ fn angular_velocity_is_the_sum_of_the_turns() {
         let lock = if sequence.is_proper() { 0.0 } else { FRAC_PI_2 };
         for n in 0..1000 {
             let near = math::pow(10.0, random.between(-20.0, 0.0));
-            let second = if n % 2 == 0 {
-                random.between(-PI, PI)
-            } else {
-                lock + near
-            };
+            let second = if n % 2 == 0 { random.between(-PI, PI) } else { lock + near };
             let angles = [random.between(-PI, PI), second, random.between(-PI, PI)];
             let rates = random.vector();
             let size = rates.iter().map(|r| r.abs()).sum();
@@ -113,24 +109,12 @@ fn named_angles_are_of_the_twelve() {
         let [phi, theta, zeta] = random.vector();
         let [a, b, c] = random.vector();
         let notes = EulerAngles { phi, theta, zeta };
-        let rates = EulerRates {
-            phi: a,
-            theta: b,
-            zeta: c,
-        };
+        let rates = EulerRates { phi: a, theta: b, zeta: c };
         let general = Sequence::Zxz.angular_velocity([phi, theta, zeta], [a, b, c]);
         errors.push((notes.angular_velocity(rates) - general).norm());
         // And the formulas in the documentation of yaw, pitch and roll.
-        let named = YawPitchRoll {
-            yaw: phi,
-            pitch: theta,
-            roll: zeta,
-        };
-        let velocity = named.angular_velocity(YawPitchRollRates {
-            yaw: a,
-            pitch: b,
-            roll: c,
-        });
+        let named = YawPitchRoll { yaw: phi, pitch: theta, roll: zeta };
+        let velocity = named.angular_velocity(YawPitchRollRates { yaw: a, pitch: b, roll: c });
         let (sin_p, cos_p) = math::sincos(theta);
         let (sin_r, cos_r) = math::sincos(zeta);
         let written = BodyVector::new(
@@ -166,11 +150,7 @@ fn at_a_lock_the_rates_are_refused() {
             );
             count += 1;
         }
-        let near = if sequence.is_proper() {
-            1e-300
-        } else {
-            FRAC_PI_2 - 1e-15
-        };
+        let near = if sequence.is_proper() { 1e-300 } else { FRAC_PI_2 - 1e-15 };
         let velocity = BodyVector::new(1e-3, 1e-3, 1e-3);
         assert!(sequence.rates([0.0, near, 0.0], velocity).is_ok());
         for bad in [f64::NAN, f64::INFINITY] {
@@ -184,11 +164,7 @@ fn at_a_lock_the_rates_are_refused() {
         }
     }
     assert_eq!(count, 12 * 15);
-    let up = YawPitchRoll {
-        yaw: 0.1,
-        pitch: FRAC_PI_2,
-        roll: 0.0,
-    };
+    let up = YawPitchRoll { yaw: 0.1, pitch: FRAC_PI_2, roll: 0.0 };
     let error = up.rates(BodyVector::new(1.0, 0.0, 0.0)).unwrap_err();
     assert_eq!(
         error.to_string(),

@@ -22,16 +22,10 @@ fn rows() -> Vec<(Sequence, [f64; 4], [f64; 3])> {
         .lines()
         .skip(1)
         .map(|line| {
-            let numbers: Vec<f64> = line[6..]
-                .split(' ')
-                .map(|c| c.parse().expect("a number"))
-                .collect();
+            let numbers: Vec<f64> =
+                line[6..].split(' ').map(|c| c.parse().expect("a number")).collect();
             let quaternion = numbers[..4].try_into().expect("four");
-            (
-                named(&line[..5]),
-                quaternion,
-                numbers[4..].try_into().expect("three"),
-            )
+            (named(&line[..5]), quaternion, numbers[4..].try_into().expect("three"))
         })
         .collect()
 }
@@ -39,10 +33,8 @@ fn rows() -> Vec<(Sequence, [f64; 4], [f64; 3])> {
 /// How many rows are not answered with the correctly rounded angles.
 fn missed(answer: impl Fn(Sequence, [f64; 4]) -> [f64; 3]) -> (usize, usize) {
     let rows = rows();
-    let missed = rows
-        .iter()
-        .filter(|(sequence, q, angles)| answer(*sequence, *q) != *angles)
-        .count();
+    let missed =
+        rows.iter().filter(|(sequence, q, angles)| answer(*sequence, *q) != *angles).count();
     (missed, rows.len())
 }
 
@@ -58,9 +50,7 @@ fn angles_are_correctly_rounded() {
     // Damaged: a component off by an ulp; the textbook's arc functions of the matrix.
     let (off, _) = missed(|sequence, [w, x, y, z]| {
         let q = [w, x, y, z * (1.0 + 2.0 * EPS)];
-        Attitude::from_quaternion(q)
-            .expect("a quaternion")
-            .angles(sequence)
+        Attitude::from_quaternion(q).expect("a quaternion").angles(sequence)
     });
     assert!(off >= 512, "{off}"); // measured 513 of 720
     let (off, _) = missed(|sequence, q| {
@@ -118,11 +108,7 @@ fn some_angles(random: &mut Random, sequence: Sequence, kind: usize) -> [f64; 3]
         3 => lock,
         _ => size * random.between(-PI, PI),
     };
-    [
-        size * random.between(-PI, PI),
-        second,
-        size * random.between(-PI, PI),
-    ]
+    [size * random.between(-PI, PI), second, size * random.between(-PI, PI)]
 }
 
 #[test]
@@ -217,21 +203,13 @@ fn yaw_pitch_and_roll_are_those_of_others() {
     }
     assert_largest!(errors, 4 * 2000, @"4.78");
     // A quarter turn to the left, the nose up by 30 degrees where z points down.
-    let angles = YawPitchRoll {
-        yaw: -FRAC_PI_2,
-        pitch: PI / 6.0,
-        roll: 0.0,
-    };
+    let angles = YawPitchRoll { yaw: -FRAC_PI_2, pitch: PI / 6.0, roll: 0.0 };
     let attitude = Attitude::from_yaw_pitch_roll(angles).expect("finite");
     let nose = attitude.to_space(BodyVector::new(1.0, 0.0, 0.0));
     assert_error!(nose.y(), -0.75_f64.sqrt(), 1.2 eps);
     assert_error!(nose.z(), -0.5, 0.0 eps);
     // Damaged: roll and yaw taken for each other.
-    let swapped = YawPitchRoll {
-        yaw: angles.roll,
-        roll: angles.yaw,
-        ..angles
-    };
+    let swapped = YawPitchRoll { yaw: angles.roll, roll: angles.yaw, ..angles };
     let wrong = Attitude::from_yaw_pitch_roll(swapped).expect("finite");
     assert!(wrong.angle_to(&attitude) > 1.0);
 }
@@ -264,10 +242,7 @@ fn at_a_lock_the_third_angle_is_zero() {
     for _ in 0..1000 {
         let attitude = any_attitude(&mut random);
         let notes = attitude.euler_angles();
-        assert_eq!(
-            attitude.angles(Sequence::Zxz),
-            [notes.phi, notes.theta, notes.zeta]
-        );
+        assert_eq!(attitude.angles(Sequence::Zxz), [notes.phi, notes.theta, notes.zeta]);
         count += 1;
     }
     for sequence in Sequence::ALL.into_iter().filter(|s| s.is_proper()) {

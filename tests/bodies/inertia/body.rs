@@ -34,12 +34,8 @@ fn a_body_turns_momentum_into_velocity() {
     assert_largest!(velocity, 2 * 1000, @"16.2");
     assert_largest!(energy, 1000, @"22");
     // Damaged: the momentum taken on the fixed axes as if they were the body's.
-    let attitude = Attitude::from_euler(EulerAngles {
-        phi: 0.3,
-        theta: 0.7,
-        zeta: 0.1,
-    })
-    .expect("finite");
+    let attitude =
+        Attitude::from_euler(EulerAngles { phi: 0.3, theta: 0.7, zeta: 0.1 }).expect("finite");
     let omega = BodyVector::new(0.3, -0.7, 1.1);
     let state = body.state(attitude, omega).expect("finite");
     let wrong = BodyVector::from_array(state.angular_momentum.to_array());
@@ -55,10 +51,7 @@ fn a_state_is_finite() {
             l[place] = bad;
             assert!(State::new(Attitude::IDENTITY, SpaceVector::from_array(l)).is_err());
             let body = RigidBody::new(PrincipalMoments::symmetric(1.0, 1.0).expect("a body"));
-            assert!(
-                body.state(Attitude::IDENTITY, BodyVector::from_array(l))
-                    .is_err()
-            );
+            assert!(body.state(Attitude::IDENTITY, BodyVector::from_array(l)).is_err());
             count += 2;
         }
     }

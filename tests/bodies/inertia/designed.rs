@@ -15,11 +15,8 @@ fn references() -> Vec<(InertiaTensor, [[f64; 2]; 3])> {
         .lines()
         .skip(1)
         .map(|line| {
-            let n: Vec<f64> = line
-                .split(' ')
-                .skip(1)
-                .map(|c| c.parse().expect("a number"))
-                .collect();
+            let n: Vec<f64> =
+                line.split(' ').skip(1).map(|c| c.parse().expect("a number")).collect();
             let matrix = [[n[0], n[3], n[4]], [n[3], n[1], n[5]], [n[4], n[5], n[2]]];
             let tensor = InertiaTensor::new(matrix).expect("a body's tensor");
             (tensor, [6, 7, 8].map(|i| [n[i], n[i + 3]]))
@@ -37,11 +34,7 @@ fn turned(moments: [f64; 3], rotation: &Attitude) -> Matrix {
 
 pub(super) fn askew(n: usize) -> Attitude {
     let n = n as f64;
-    let angles = EulerAngles {
-        phi: 0.37 * n,
-        theta: 0.19 * n,
-        zeta: 0.83 * n,
-    };
+    let angles = EulerAngles { phi: 0.37 * n, theta: 0.19 * n, zeta: 0.83 * n };
     Attitude::from_euler(angles).expect("finite")
 }
 
@@ -129,12 +122,7 @@ fn what_goes_in_on_the_drawing_comes_out_on_the_drawing() {
 #[test]
 fn axes_that_are_free_are_those_of_the_drawing() {
     // A diagonal tensor is kept to the bit, whatever its order.
-    for moments in [
-        [3.0, 2.0, 4.0],
-        [2.0, 2.0, 1.0],
-        [4.0, 1e-20, 4.0],
-        [1.0; 3],
-    ] {
+    for moments in [[3.0, 2.0, 4.0], [2.0, 2.0, 1.0], [4.0, 1e-20, 4.0], [1.0; 3]] {
         let tensor = InertiaTensor::diagonal(moments).expect("a body");
         let body = DesignedBody::new(&tensor).expect("a body");
         assert_eq!(body.rigid_body().moments().to_array(), moments);
@@ -212,10 +200,7 @@ fn bodies_that_cannot_turn_so_are_refused() {
         "{said}"
     );
     let said = message([[1.0, 0.1, 0.0], [0.2, 1.0, 0.0], [0.0, 0.0, 1.0]]);
-    assert!(
-        said.contains("must be symmetric") && said.contains("0.1"),
-        "{said}"
-    );
+    assert!(said.contains("must be symmetric") && said.contains("0.1"), "{said}");
     let said = message([[f64::NAN, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
     assert!(said.contains("NaN"), "{said}");
     let cuboid = solids::cuboid(1.0, 0.1, 0.2, 0.3).expect("a cuboid");

@@ -56,14 +56,7 @@ fn impossible_bodies_are_refused_with_the_numbers() {
         "I1 = -1 is not allowed: it must be greater than 0"
     );
     let mut count = 0;
-    for bad in [
-        0.0,
-        -0.0,
-        -1e-300,
-        f64::NAN,
-        f64::INFINITY,
-        f64::NEG_INFINITY,
-    ] {
+    for bad in [0.0, -0.0, -1e-300, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for place in 0..3 {
             let mut m = [1.0; 3];
             m[place] = bad;
@@ -118,17 +111,11 @@ fn impossible_bodies_are_refused_with_the_numbers() {
     ));
     // Positive on the diagonal is not enough: the principal moments are 0.5, 0.5, 2.
     let bent = InertiaTensor::new([[1.0, 0.5, 0.5], [0.5, 1.0, 0.5], [0.5, 0.5, 1.0]]);
-    assert!(
-        matches!(bent, Err(Error::NotABody { excess, .. }) if excess > 0.0),
-        "{bent:?}"
-    );
+    assert!(matches!(bent, Err(Error::NotABody { excess, .. }) if excess > 0.0), "{bent:?}");
     let negative = InertiaTensor::new([[1.0, 2.0, 0.0], [2.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
     assert!(matches!(negative, Err(Error::NotABody { excess, .. }) if excess > 0.0));
     let rod = solid::rod(1.0, 1.0).expect("a rod").about_centre_of_mass();
-    assert!(
-        rod.principal_axes().principal_moments().is_err(),
-        "a thin rod does not spin"
-    );
+    assert!(rod.principal_axes().principal_moments().is_err(), "a thin rod does not spin");
     assert!(rod.moment_about(DesignVector::zero()).is_err());
     assert!(MassProperties::of_points(&[]).is_err());
     assert!(MassProperties::of_points(&[(1.0, DesignVector::new(f64::NAN, 0.0, 0.0))]).is_err());

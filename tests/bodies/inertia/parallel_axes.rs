@@ -12,14 +12,10 @@ use support::{Errors, assert_error, assert_largest};
 #[test]
 fn the_plate_about_its_corner() {
     let case = case("plate_corner");
-    let (mass, a) = (
-        case["inputs"]["M"].as_f64().expect("M"),
-        case["inputs"]["a"].as_f64().expect("a"),
-    );
+    let (mass, a) =
+        (case["inputs"]["M"].as_f64().expect("M"), case["inputs"]["a"].as_f64().expect("a"));
     let plate = solids::plate(mass, a, a).expect("a plate");
-    let corner = plate
-        .about(DesignVector::new(-0.5 * a, -0.5 * a, 0.0))
-        .expect("finite");
+    let corner = plate.about(DesignVector::new(-0.5 * a, -0.5 * a, 0.0)).expect("finite");
     let m = corner.matrix();
     let scale = expected(&case, "Izz")[0];
     assert_error!(error(&[m[0][0]], &expected(&case, "Ixx"), scale), 0.0);
@@ -32,12 +28,8 @@ fn the_plate_about_its_corner() {
 fn reference_points(case: &Value) -> Vec<(f64, DesignVector)> {
     let points = case["inputs"]["points"].as_array().expect("points");
     let number = |v: &Value| v.as_f64().expect("a number");
-    let point = |p: &Value| {
-        (
-            number(&p[0]),
-            DesignVector::new(number(&p[1]), number(&p[2]), number(&p[3])),
-        )
-    };
+    let point =
+        |p: &Value| (number(&p[0]), DesignVector::new(number(&p[1]), number(&p[2]), number(&p[3])));
     points.iter().map(point).collect()
 }
 
@@ -73,10 +65,7 @@ fn point_masses_of_the_reference_file() {
 fn the_parallel_axis_theorem_holds_only_from_the_centre_of_mass() {
     let case = case("inertia_points");
     let body = MassProperties::of_points(&reference_points(&case)).expect("a body");
-    let (p, q) = (
-        DesignVector::new(0.3, -1.0, 0.2),
-        DesignVector::new(-2.0, 0.4, 0.9),
-    );
+    let (p, q) = (DesignVector::new(0.3, -1.0, 0.2), DesignVector::new(-2.0, 0.4, 0.9));
     let about_p = body.about(p).expect("finite");
     // From p back to the centre of mass, and on to q: the same as from the centre directly.
     let back = MassProperties::from_tensor_about(p, body.mass(), body.centre_of_mass(), about_p);
@@ -90,11 +79,7 @@ fn the_parallel_axis_theorem_holds_only_from_the_centre_of_mass() {
     let step = q - p;
     let square = step.x() * step.x() + step.y() * step.y();
     let wrong = about_p.moment_about(axis).expect("an axis") + body.mass() * square;
-    let right = body
-        .about(q)
-        .expect("finite")
-        .moment_about(axis)
-        .expect("an axis");
+    let right = body.about(q).expect("finite").moment_about(axis).expect("an axis");
     assert!((wrong - right).abs() > 0.1 * right);
     // What no body can be: a small tensor about a point far from the centre.
     let small = InertiaTensor::diagonal([1.0, 1.0, 1.0]).expect("a body");
@@ -108,12 +93,8 @@ fn parts_make_a_whole() {
     // A rod cut in two is the rod; a disc with a rod through it is the wheel's sum.
     let whole = solids::rod(2.0, 3.0).expect("a rod");
     let half = solids::rod(1.0, 1.5).expect("a rod");
-    let up = half
-        .displaced(DesignVector::new(0.0, 0.0, 0.75))
-        .expect("finite");
-    let down = half
-        .displaced(DesignVector::new(0.0, 0.0, -0.75))
-        .expect("finite");
+    let up = half.displaced(DesignVector::new(0.0, 0.0, 0.75)).expect("finite");
+    let down = half.displaced(DesignVector::new(0.0, 0.0, -0.75)).expect("finite");
     let joined = MassProperties::of_parts(&[up, down]).expect("a body");
     assert_eq!(joined, whole);
     let disc = solids::disc(4.0, 0.5).expect("a disc");

@@ -12,20 +12,12 @@ fn tensor_of([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> InertiaTensor {
 
 #[test]
 fn principal_moments_against_80_digits() {
-    let [mut moment, mut damaged, mut residual, mut hand, mut turned] = [
-        "moments",
-        "moments off by 1e-15",
-        "I e - I e",
-        "triad",
-        "attitude",
-    ]
-    .map(|what| Errors::in_units_of(EPS, what));
+    let [mut moment, mut damaged, mut residual, mut hand, mut turned] =
+        ["moments", "moments off by 1e-15", "I e - I e", "triad", "attitude"]
+            .map(|what| Errors::in_units_of(EPS, what));
     for line in include_str!("../../data/inertia.txt").lines().skip(1) {
-        let numbers: Vec<f64> = line
-            .split(' ')
-            .skip(1)
-            .map(|c| c.parse().expect("a number"))
-            .collect();
+        let numbers: Vec<f64> =
+            line.split(' ').skip(1).map(|c| c.parse().expect("a number")).collect();
         let six: [f64; 6] = numbers[..6].try_into().expect("six elements");
         let tensor = tensor_of(six);
         let principal = tensor.principal_axes();
@@ -57,15 +49,8 @@ fn principal_moments_against_80_digits() {
 #[test]
 fn a_diagonal_tensor_keeps_its_axes() {
     let mut count = 0;
-    for moments in [
-        [3.0, 2.0, 4.0],
-        [2.0, 2.0, 1.0],
-        [1.0, 1.0, 1.0],
-        [4.0, 3.0, 2.0],
-    ] {
-        let principal = InertiaTensor::diagonal(moments)
-            .expect("a body")
-            .principal_axes();
+    for moments in [[3.0, 2.0, 4.0], [2.0, 2.0, 1.0], [1.0, 1.0, 1.0], [4.0, 3.0, 2.0]] {
+        let principal = InertiaTensor::diagonal(moments).expect("a body").principal_axes();
         let mut ascending = moments;
         ascending.sort_by(f64::total_cmp);
         assert_eq!(principal.moments(), ascending);
@@ -79,9 +64,7 @@ fn a_diagonal_tensor_keeps_its_axes() {
     assert_eq!(count, 4);
     // The notes' square about its corner: the diagonal and the two across it.
     let plate = solids::plate(12.0, 1.0, 1.0).expect("a plate");
-    let corner = plate
-        .about(DesignVector::new(-0.5, -0.5, 0.0))
-        .expect("finite");
+    let corner = plate.about(DesignVector::new(-0.5, -0.5, 0.0)).expect("finite");
     let axes = corner.principal_axes().axes();
     let half = 0.5_f64.sqrt();
     let along = axes[0].dot(&DesignVector::new(half, half, 0.0)).abs();

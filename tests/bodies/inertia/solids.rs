@@ -145,10 +145,7 @@ fn solids_against_sums_over_cells() {
         });
         let limit = [y + z, x + z, x + y].map(|s| mass * s / weight);
         errors.push_at(error(&got, &limit, got[0].max(got[2])), name);
-        damaged.push_at(
-            error(&got, &limit.map(|m| m * (1.0 + 1e-14)), got[0].max(got[2])),
-            name,
-        );
+        damaged.push_at(error(&got, &limit.map(|m| m * (1.0 + 1e-14)), got[0].max(got[2])), name);
     }
     // Of the sums.
     assert_largest!(errors, 12, @"8.16");

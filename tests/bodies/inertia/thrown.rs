@@ -87,19 +87,12 @@ fn thrown_it_moves_as_the_whole_tensor_says() {
     let [mut attitude, mut rates] = ["attitude", "rates"].map(Errors::of);
     let mut damaged = Errors::of("products of inertia without their minus sign");
     // Thrown, about its centre of mass; and turning about its corner without weight.
-    for tensor in [
-        parts.about_centre_of_mass(),
-        parts.about(corner).expect("finite"),
-    ] {
+    for tensor in [parts.about_centre_of_mass(), parts.about(corner).expect("finite")] {
         let body = DesignedBody::new(&tensor).expect("a body");
         let state = body.state(start, omega.into()).expect("finite").principal();
         let rigid = body.rigid_body();
-        let motion = FreeBody::new(
-            rigid.moments(),
-            state.attitude,
-            rigid.angular_velocity(&state),
-        )
-        .expect("a motion");
+        let motion = FreeBody::new(rigid.moments(), state.attitude, rigid.angular_velocity(&state))
+            .expect("a motion");
         let system = OnTheDrawing::new(tensor.matrix());
         let mut flipped = tensor.matrix();
         for (i, j) in [(0, 1), (0, 2), (1, 2)] {

@@ -9,14 +9,7 @@ use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::math::{EPS, ldexp, log, pow};
 use support::{Errors, assert_largest};
 
-const ORDERS: [[usize; 3]; 6] = [
-    [0, 1, 2],
-    [0, 2, 1],
-    [1, 0, 2],
-    [1, 2, 0],
-    [2, 0, 1],
-    [2, 1, 0],
-];
+const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
 fn free([i1, i2, i3]: [f64; 3], omega: [f64; 3]) -> Result<FreeBody, Error> {
     let moments = PrincipalMoments::new(i1, i2, i3)?;
@@ -46,13 +39,7 @@ fn rates_of_any_size_make_a_motion() {
         for (axis, size) in
             (0..3).flat_map(|axis| small_rates().into_iter().map(move |s| (axis, s)))
         {
-            for [p, q] in [
-                [1.0, 1.0],
-                [1.0, 0.0],
-                [0.0, 1.0],
-                [1e-3, -1.0],
-                [1.0, 1e-160],
-            ] {
+            for [p, q] in [[1.0, 1.0], [1.0, 0.0], [0.0, 1.0], [1e-3, -1.0], [1.0, 1e-160]] {
                 let mut omega = [size * p; 3];
                 omega[axis] = 1.0;
                 omega[(axis + 1) % 3] = size * q;
@@ -60,10 +47,7 @@ fn rates_of_any_size_make_a_motion() {
                 let want = BodyVector::from_array(omega);
                 starts.push((motion.angular_velocity(0.0) - want).norm());
                 for t in [0.0, 7.3, -500.0, 1e5] {
-                    let Kinematics {
-                        attitude,
-                        angular_velocity: rates,
-                    } = motion.kinematics(t);
+                    let Kinematics { attitude, angular_velocity: rates } = motion.kinematics(t);
                     let momentum = motion.angular_momentum();
                     let now = attitude.to_space(motion.body_momentum(rates));
                     drifts.push((now - momentum).norm() / momentum.norm());
@@ -156,24 +140,14 @@ fn a_free_body_from_the_edge_of_the_doubles() {
     // The rate about the middle axis of (2, 1, 1.5) is the third.
     let pushed = free([2.0, 1.0, 1.5], [0.0, 1e-200, 1.0]).expect("a motion");
     for t in [0.0, 1.0, 1e3, -1e5, 1e15] {
-        let Kinematics {
-            attitude,
-            angular_velocity: rates,
-        } = pushed.kinematics(t);
+        let Kinematics { attitude, angular_velocity: rates } = pushed.kinematics(t);
         assert!(attitude.quaternion().iter().all(|c| c.is_finite()) && rates.is_finite());
     }
-    let refused = |moments, omega| {
-        free(moments, omega)
-            .expect_err("too far from one")
-            .to_string()
-    };
+    let refused = |moments, omega| free(moments, omega).expect_err("too far from one").to_string();
     let messages = [
         (refused([1.0, 2.0, 2.5], [1e-240, 1e-241, 0.0]), "1e-240"),
         (refused([1.0, 1.0, 1.5], [1e240, 1e240, 0.0]), "1e240"),
-        (
-            refused([1e-130, 1.0, 1.0 + 2.0 * EPS], [1.0, 1.0, 1.0]),
-            "I_min/I_max = 9.99",
-        ),
+        (refused([1e-130, 1.0, 1.0 + 2.0 * EPS], [1.0, 1.0, 1.0]), "I_min/I_max = 9.99"),
         (refused([1e300; 3], [1e10, 0.0, 0.0]), "I omega^2 = inf"),
     ];
     for (message, part) in &messages {

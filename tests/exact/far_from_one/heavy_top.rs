@@ -11,12 +11,8 @@ use support::{Errors, assert_largest};
 
 /// The pendulum that a top without spin is, from hanging.
 fn as_pendulum(top: SymmetricTop) -> Pendulum {
-    let suspension = Suspension {
-        moment: top.i1(),
-        mass: top.weight(),
-        gravity: 1.0,
-        lever: top.lever().abs(),
-    };
+    let suspension =
+        Suspension { moment: top.i1(), mass: top.weight(), gravity: 1.0, lever: top.lever().abs() };
     Pendulum::new(suspension, PI, 0.0).expect("a pendulum")
 }
 
@@ -31,15 +27,7 @@ fn a_top_released_upside_down_is_a_pendulum() {
     for i1 in [0.1, 0.3, 1.0, 2.7] {
         for ratio in [0.1, 0.5, 1.0, 5.0 / 3.0, 1.9] {
             for weight in [0.1, 0.981, 3.3, 9.81, 46.246_407_949_939_46, 500.0] {
-                for lever in [
-                    -1e-3,
-                    -0.01,
-                    -0.043_441_341_550_221_39,
-                    -0.1,
-                    -0.33,
-                    -1.0,
-                    -3.0,
-                ] {
+                for lever in [-1e-3, -0.01, -0.043_441_341_550_221_39, -0.1, -0.33, -1.0, -3.0] {
                     let top = SymmetricTop::new(i1, i1 * ratio, weight, lever).expect("a top");
                     let pendulum = as_pendulum(top);
                     let period = pendulum.period();
@@ -51,11 +39,7 @@ fn a_top_released_upside_down_is_a_pendulum() {
                         [100.0, -55.0],
                         [0.3, 0.3],
                     ] {
-                        let start = EulerAngles {
-                            phi,
-                            theta: PI,
-                            zeta,
-                        };
+                        let start = EulerAngles { phi, theta: PI, zeta };
                         let motion =
                             HeavyTop::from_body(top, start, BodyVector::zero()).expect("a motion");
                         assert_eq!(motion.regime(), Regime::Planar);
@@ -69,17 +53,11 @@ fn a_top_released_upside_down_is_a_pendulum() {
                         }
                         let late = pendulum.at(0.25 * period * (1.0 + 1e-12)).expect("a time");
                         let theta = motion.angles(0.25 * period).theta;
-                        damaged.add(
-                            theta,
-                            late.theta.abs(),
-                            PI + late.omega.abs() * 0.25 * period,
-                        );
+                        damaged.add(theta, late.theta.abs(), PI + late.omega.abs() * 0.25 * period);
                         assert!(motion.try_kinematics(1e300).is_err());
                         for t in [1000.0, 1e6, -1e4] {
-                            let Kinematics {
-                                attitude,
-                                angular_velocity: rates,
-                            } = motion.kinematics(t);
+                            let Kinematics { attitude, angular_velocity: rates } =
+                                motion.kinematics(t);
                             assert!(rates.is_finite(), "{top:?} {t}");
                             assert!(attitude.quaternion().iter().all(|c| c.is_finite()));
                             states += 1;
@@ -104,11 +82,7 @@ fn angles_of_too_many_turns_are_refused() {
     let mut ran = 0;
     for angle in [1.01e15, -1e32, 1e179] {
         for [phi, zeta] in [[angle, 0.1], [0.1, angle]] {
-            let start = EulerAngles {
-                phi,
-                theta: 1.0,
-                zeta,
-            };
+            let start = EulerAngles { phi, theta: 1.0, zeta };
             for motion in [
                 HeavyTop::from_energy(reduced, 0.55, Start::ThetaMin, phi, zeta),
                 HeavyTop::from_angles(reduced, 0.7, 0.1, phi, zeta),
@@ -125,18 +99,11 @@ fn angles_of_too_many_turns_are_refused() {
     let mut errors = Errors::in_units_of(EPS, "attitude at the start");
     let mut damaged = Errors::in_units_of(EPS, "attitude an eighth of a radian on");
     for phi in [1e3, 1e10, 1e14, 9.9e14, -9.9e14] {
-        let angles = EulerAngles {
-            phi,
-            theta: 1.0,
-            zeta: 0.3,
-        };
+        let angles = EulerAngles { phi, theta: 1.0, zeta: 0.3 };
         let motion = HeavyTop::from_body(body, angles, BodyVector::new(0.1, 0.2, 3.0));
         let start = motion.expect("a motion").attitude(0.0);
         errors.push(start.angle_to(&Attitude::from_euler(angles).expect("finite")));
-        let next = EulerAngles {
-            phi: phi + 0.125,
-            ..angles
-        };
+        let next = EulerAngles { phi: phi + 0.125, ..angles };
         damaged.push(start.angle_to(&Attitude::from_euler(next).expect("finite")));
     }
     assert_largest!(errors, 5, @"2.15");
@@ -156,10 +123,9 @@ fn late_angles_grow_with_their_mean_rates() {
     let last = crate::latest(motion.try_angles(1e300).err());
     for t in [1e14, 2e14, -5e14, last, -last] {
         let angles = motion.try_angles(t).expect("finite");
-        for (angle, advance) in [
-            (angles.phi, motion.precession_per_period()),
-            (angles.zeta, motion.spin_per_period()),
-        ] {
+        for (angle, advance) in
+            [(angles.phi, motion.precession_per_period()), (angles.zeta, motion.spin_per_period())]
+        {
             let mean = t * (advance / period);
             errors.add(angle, mean, 1.0);
             damaged.add(angle * (1.0 + 1e-12), mean, 1.0);
@@ -171,11 +137,7 @@ fn late_angles_grow_with_their_mean_rates() {
         assert!(motion.angles(t).phi.is_nan());
         assert_eq!(crate::latest(motion.try_angles(t).err()), last);
     }
-    let start = EulerAngles {
-        phi: 0.0,
-        theta: 0.8,
-        zeta: 0.0,
-    };
+    let start = EulerAngles { phi: 0.0, theta: 0.8, zeta: 0.0 };
     let fast = SymmetricTop::new(1.0, 0.4, 2.0, 1.0)
         .and_then(|body| HeavyTop::from_body(body, start, BodyVector::new(0.0, 0.0, 9.0)))
         .expect("a motion");
@@ -230,11 +192,7 @@ fn no_bit_depends_on_the_unit_of_time() {
 /// How far a fast top, one near its separatrix and a sleeping one are after 60 units of time from
 /// where they are after 60 s, for units up to 2e152 s; what is asked is later by the part `damage`.
 fn moved_by_late_units(damage: f64) -> Errors {
-    let starts = [
-        (1.0, [0.0, 0.0, 314.0]),
-        (0.02, [30.0, 0.1, 0.0]),
-        (0.0, [0.0, 0.0, 31.0]),
-    ];
+    let starts = [(1.0, [0.0, 0.0, 314.0]), (0.02, [30.0, 0.1, 0.0]), (0.0, [0.0, 0.0, 31.0])];
     let motion = |(theta, rates): (f64, [f64; 3]), unit: f64| {
         let top = SymmetricTop::new(5.45e-3, 9e-4, 4.9 / unit, 0.1 / unit).expect("a top");
         let (phi, zeta) = (0.3, -0.4);
@@ -271,11 +229,7 @@ fn moved_by_late_units(damage: f64) -> Errors {
             errors.add(off, 0.0, rate);
             errors.add(other.theta_rate(t) * unit, own.theta_rate(60.0), rate);
             errors.add(other.phi_rate(t) * unit, phi_rate, rate + phi_rate.abs());
-            errors.add(
-                other.zeta_rate(t) * unit,
-                own.zeta_rate(60.0),
-                rate + phi_rate.abs(),
-            );
+            errors.add(other.zeta_rate(t) * unit, own.zeta_rate(60.0), rate + phi_rate.abs());
         }
     }
     errors

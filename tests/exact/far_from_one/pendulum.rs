@@ -6,12 +6,7 @@ use rotation_dynamics::math::{DoubleDouble, EPS, ldexp, pow};
 use support::{Errors, assert_error, assert_largest};
 
 fn unit(theta0: f64, omega0: f64) -> Pendulum {
-    let suspension = Suspension {
-        moment: 1.0,
-        mass: 1.0,
-        gravity: 1.0,
-        lever: 1.0,
-    };
+    let suspension = Suspension { moment: 1.0, mass: 1.0, gravity: 1.0, lever: 1.0 };
     Pendulum::new(suspension, theta0, omega0).expect("a pendulum")
 }
 
@@ -21,10 +16,8 @@ fn the_energy_of_the_smallest_swings() {
     let mut errors = Errors::of("k^2, in eps of itself or in the smallest double");
     let mut still = Errors::of("the same without the rate");
     for digits in 90..=161 {
-        let (theta0, omega0) = (
-            2.0 * pow(10.0, -f64::from(digits)),
-            1.4 * pow(10.0, -f64::from(digits)),
-        );
+        let (theta0, omega0) =
+            (2.0 * pow(10.0, -f64::from(digits)), 1.4 * pow(10.0, -f64::from(digits)));
         let up = ldexp(1.0, 500);
         let square = |x: f64| DoubleDouble::product(x * up, x * up);
         let want = (square(theta0) + square(omega0)).scaled(0.25 / up).to_f64() / up;
@@ -42,21 +35,12 @@ fn fast_and_slow_pendulums_scale() {
     let mut errors = Errors::in_units_of(EPS, "k^2 and period");
     for exponent in [-57, -40, 0, 40, 57] {
         let size = pow(10.0, f64::from(exponent));
-        let suspension = Suspension {
-            moment: 1.0 / size,
-            mass: size,
-            gravity: size,
-            lever: size,
-        };
+        let suspension = Suspension { moment: 1.0 / size, mass: size, gravity: size, lever: size };
         for ratio in [1e-60, 0.3, 2.5, 1e30, 1e59] {
             let rate = size * size;
             let pendulum = Pendulum::new(suspension, 0.2, ratio * rate).expect("a pendulum");
             let slow = unit(0.2, ratio);
-            errors.add(
-                pendulum.energy_ratio(),
-                slow.energy_ratio(),
-                slow.energy_ratio(),
-            );
+            errors.add(pendulum.energy_ratio(), slow.energy_ratio(), slow.energy_ratio());
             errors.add(pendulum.period() * rate, slow.period(), slow.period());
         }
     }

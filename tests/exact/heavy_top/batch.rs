@@ -41,12 +41,7 @@ fn filled(motion: &HeavyTop, times: &[f64]) -> Result<Vec<[u64; 7]>> {
 
 fn one_by_one(motion: &HeavyTop, times: &[f64]) -> Vec<[u64; 7]> {
     let states: Vec<_> = times.iter().map(|t| motion.kinematics(*t)).collect();
-    assert!(
-        times
-            .iter()
-            .zip(&states)
-            .all(|(t, s)| s.attitude == motion.attitude(*t))
-    );
+    assert!(times.iter().zip(&states).all(|(t, s)| s.attitude == motion.attitude(*t)));
     bits(&states)
 }
 
@@ -84,11 +79,7 @@ fn any_length_will_do_and_two_lengths_will_not() -> Result<()> {
     let mut states = vec![motion.kinematics(0.5); 7];
     let before = bits(&states);
     let error = motion.kinematics_at(&times, &mut states);
-    let expected = Error::Lengths {
-        name: "samples",
-        found: 7,
-        expected: 40,
-    };
+    let expected = Error::Lengths { name: "samples", found: 7, expected: 40 };
     assert_eq!((error, bits(&states)), (Err(expected), before));
     Ok(())
 }
@@ -110,10 +101,7 @@ fn any_time_has_a_unit_quaternion_or_none() {
                     continue;
                 }
                 known += 1;
-                let Kinematics {
-                    attitude,
-                    angular_velocity: omega,
-                } = now;
+                let Kinematics { attitude, angular_velocity: omega } = now;
                 let norm: f64 = attitude.quaternion().iter().map(|q| q * q).sum();
                 norms.push_at(norm - 1.0, (i, t));
                 assert!(omega.is_finite(), "motion {i} at {t}: {omega:?}");

@@ -21,10 +21,7 @@ fn drift(motion: &HeavyTop, damage: f64, drifts: &mut Errors) {
         (None, None) => unreachable!("a motion has a body or parameters"),
     };
     for t in TIMES {
-        let Kinematics {
-            attitude,
-            angular_velocity: omega,
-        } = motion.kinematics(t);
+        let Kinematics { attitude, angular_velocity: omega } = motion.kinematics(t);
         let (x, y) = (omega.x() * damage, omega.y() * damage);
         let momentum = BodyVector::new(i1 * x, i1 * y, i3 * omega.z());
         let size = momentum.norm() + i1 * (moment.abs() / i1).sqrt();
@@ -55,10 +52,7 @@ fn momenta_and_energy_are_kept() {
 
 #[test]
 fn a_damaged_rate_breaks_the_laws() {
-    let seen = all()
-        .iter()
-        .filter(|m| drifts(m, 1.0 + 1e-13).largest() > 4.9)
-        .count();
+    let seen = all().iter().filter(|m| drifts(m, 1.0 + 1e-13).largest() > 4.9).count();
     // All but those without a transverse rate (sleeping, at rest).
     assert_eq!(seen, 24);
 }
@@ -126,11 +120,9 @@ fn the_angles_change_at_their_rates() {
                 zeta += weight / h * (ahead.zeta - behind.zeta);
             }
             let sin = rotation_dynamics::math::sin(motion.angles(t).theta);
-            for error in [
-                phi - motion.phi_rate(t),
-                theta - motion.theta_rate(t),
-                zeta - motion.zeta_rate(t),
-            ] {
+            for error in
+                [phi - motion.phi_rate(t), theta - motion.theta_rate(t), zeta - motion.zeta_rate(t)]
+            {
                 errors.push_at(error * sin * sin / omega, (i, t));
             }
         }
@@ -147,9 +139,7 @@ fn the_queries_agree() {
         for t in TIMES {
             let attitude = motion.attitude(t);
             let angles = motion.angles(t);
-            let apart = Attitude::from_euler(angles)
-                .expect("finite")
-                .angle_to(&attitude);
+            let apart = Attitude::from_euler(angles).expect("finite").angle_to(&attitude);
             // Angles of many turns are rounded in their last place.
             let size = 8.0 + 2.0 * (angles.phi.abs() + angles.zeta.abs());
             turns.push_at(apart / size, (i, t));

@@ -16,12 +16,7 @@ fn small_nutations_have_the_linear_frequency() {
     let mut errors = Errors::of("square of the frequency");
     let mut damaged = Errors::of("square of the frequency, off by 1e-11");
     let mut torques = Errors::in_units_of(EPS, "torque at the minimum");
-    for (a, b, c) in [
-        (2.0, 1.2, 0.2),
-        (2.0, 0.6, 0.2),
-        (0.5, -0.4, 1.3),
-        (1.0, 0.8, -0.7),
-    ] {
+    for (a, b, c) in [(2.0, 1.2, 0.2), (2.0, 0.6, 0.2), (0.5, -0.4, 1.3), (1.0, 0.8, -0.7)] {
         let top = ReducedTop::new(a, b, c).expect("a top");
         let (theta, lowest) = top.minimum();
         let h = 0.004;
@@ -96,12 +91,7 @@ fn without_gravity_it_is_the_free_body() {
 fn gravity_upside_down_mirrors_the_motion() {
     let mut tilts = Errors::in_units_of(EPS, "cos theta");
     let mut turns = Errors::in_units_of(EPS, "phi");
-    for (a, b, c) in [
-        (2.0, 0.6, 0.2),
-        (1.0, 1.3, -0.4),
-        (0.3, -1.0, 1.0),
-        (1.0, 1.0, 0.5),
-    ] {
+    for (a, b, c) in [(2.0, 0.6, 0.2), (1.0, 1.3, -0.4), (0.3, -1.0, 1.0), (1.0, 1.0, 0.5)] {
         for (theta, rate) in [(0.5, 0.2), (1.5, -0.3), (2.5, 0.0)] {
             let motion = by_angles(a, b, c, theta, rate);
             let other = by_angles(a, -b, -c, core::f64::consts::PI - theta, -rate);

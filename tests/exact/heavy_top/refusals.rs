@@ -11,10 +11,7 @@ fn an_energy_below_the_minimum_is_no_motion() {
     let top = ReducedTop::new(2.0, 1.2, 0.2).expect("a top");
     let refuse = |energy| HeavyTop::from_energy(top, energy, Start::ThetaMin, 0.0, 0.0);
     let error = refuse(0.40).expect_err("below");
-    assert_eq!(
-        error.to_string(),
-        "E~ = 0.4 is not allowed: no motion is below U_min = 0.404262"
-    );
+    assert_eq!(error.to_string(), "E~ = 0.4 is not allowed: no motion is below U_min = 0.404262");
     // One part in 1e14 below is seen, and shown.
     let minimum = top.minimum().1;
     let error = refuse(minimum * (1.0 - 1e-13)).expect_err("below");
@@ -40,14 +37,8 @@ fn bad_input_is_named() {
         (start(3.2, 0.1), "theta = 3.2"),
         (start(nan, 0.1), "theta = NaN"),
         (start(1.0, nan), "theta_rate0 = NaN"),
-        (
-            HeavyTop::from_energy(top, nan, Start::ThetaMin, 0.0, 0.0).err(),
-            "energy = NaN",
-        ),
-        (
-            HeavyTop::from_energy(top, 1.0, Start::ThetaMin, nan, 0.0).err(),
-            "phi0 = NaN",
-        ),
+        (HeavyTop::from_energy(top, nan, Start::ThetaMin, 0.0, 0.0).err(), "energy = NaN"),
+        (HeavyTop::from_energy(top, 1.0, Start::ThetaMin, nan, 0.0).err(), "phi0 = NaN"),
         (body(0.0, 1.0, 1.0, 1.0), "I1 = 0"),
         (body(1.0, -1.0, 1.0, 1.0), "I3 = -1"),
         (body(f64::INFINITY, 1.0, 1.0, 1.0), "I1 = inf"),
@@ -69,10 +60,7 @@ struct Random(u64);
 
 impl Random {
     fn unit(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
@@ -91,10 +79,7 @@ impl Random {
 fn is_sound(motion: &HeavyTop) -> bool {
     [0.0, 1e-9, 0.7, -31.0, 1e6].into_iter().all(|t| {
         let angles = motion.angles(t);
-        let Kinematics {
-            attitude,
-            angular_velocity: omega,
-        } = motion.kinematics(t);
+        let Kinematics { attitude, angular_velocity: omega } = motion.kinematics(t);
         if let Err(error) = motion.try_kinematics(t) {
             // So fast that its phase is lost by then.
             let numbers = [angles.theta, angles.phi, omega.x(), motion.cos_theta(t)];
@@ -135,11 +120,7 @@ fn tally(decades: f64) -> (usize, usize) {
                 HeavyTop::from_energy(top, energy, start, 0.1, 0.2)
             }
             _ => SymmetricTop::new(1.0, a * 0.99, c.abs(), b).and_then(|body| {
-                let attitude = EulerAngles {
-                    phi: 0.1,
-                    theta,
-                    zeta: 0.2,
-                };
+                let attitude = EulerAngles { phi: 0.1, theta, zeta: 0.2 };
                 let omega = BodyVector::new(rate, random.wild(decades), spin);
                 HeavyTop::from_body(body, attitude, omega)
             }),
@@ -150,10 +131,7 @@ fn tally(decades: f64) -> (usize, usize) {
                 assert!(is_sound(&motion), "case {i}: {motion:?}");
             }
             Err(Error::OutOfRange { name: "theta0", .. }) => {}
-            Err(Error::OutOfRange {
-                name: "fastest rate",
-                ..
-            }) => refused += 1,
+            Err(Error::OutOfRange { name: "fastest rate", .. }) => refused += 1,
             Err(error) => panic!("case {i}: {error}"),
         }
     }
@@ -183,13 +161,7 @@ fn rates_that_would_be_lost_are_refused() {
             let rates = BodyVector::new(rate, rate, 0.0);
             let made = HeavyTop::new(top, Attitude::IDENTITY, rates);
             assert!(
-                matches!(
-                    made,
-                    Err(Error::OutOfRange {
-                        name: "fastest rate",
-                        ..
-                    })
-                ),
+                matches!(made, Err(Error::OutOfRange { name: "fastest rate", .. })),
                 "{rate} {weight}"
             );
             refused += 1;
@@ -198,11 +170,7 @@ fn rates_that_would_be_lost_are_refused() {
     assert_eq!(refused, 12);
     // One a hundred decades below one is kept.
     let top = SymmetricTop::new(4.5, 3.02, 0.0, 0.0).expect("a top");
-    let slow = HeavyTop::new(
-        top,
-        Attitude::IDENTITY,
-        BodyVector::new(1e-100, 1e-100, 0.0),
-    );
+    let slow = HeavyTop::new(top, Attitude::IDENTITY, BodyVector::new(1e-100, 1e-100, 0.0));
     let momentum = slow.expect("slow").angular_momentum(0.0).to_array();
     assert!((momentum[0] / 4.5e-100 - 1.0).abs() < 4e-16, "{momentum:?}");
 }
@@ -210,11 +178,7 @@ fn rates_that_would_be_lost_are_refused() {
 /// What the refusal says of the rates that are allowed is so: how far apart they are is no reason.
 #[test]
 fn rates_far_apart_whose_squares_are_doubles_are_taken() {
-    let start = EulerAngles {
-        phi: 0.1,
-        theta: 1.0,
-        zeta: 0.2,
-    };
+    let start = EulerAngles { phi: 0.1, theta: 1.0, zeta: 0.2 };
     let made = |fall: f64, rates: [f64; 3]| {
         let top = SymmetricTop::new(1.0, 0.6, fall, fall).expect("a top");
         HeavyTop::from_body(top, start, BodyVector::from_array(rates))
@@ -238,22 +202,16 @@ fn rates_far_apart_whose_squares_are_doubles_are_taken() {
     assert_eq!(taken, 64);
     let refused = made(0.0, [1e150, 0.0, 1.0]).expect_err("its square is beyond 1e299");
     let text = refused.to_string();
-    assert!(
-        text.contains("must stay within doubles, from 1e-308 to 1e299"),
-        "{text}"
-    );
+    assert!(text.contains("must stay within doubles, from 1e-308 to 1e299"), "{text}");
 }
 
 /// U_min and the energy of a refusal are written short however large they are.
 #[test]
 fn a_refused_energy_is_written_short() {
     let mut said = Vec::new();
-    for (b, c, energy) in [
-        (1.2, 0.2, 0.1),
-        (1e30, 0.2, -0.08),
-        (1.2, 1e30, -1e40),
-        (1e-30, 0.2, -5.0),
-    ] {
+    for (b, c, energy) in
+        [(1.2, 0.2, 0.1), (1e30, 0.2, -0.08), (1.2, 1e30, -1e40), (1e-30, 0.2, -5.0)]
+    {
         let top = ReducedTop::new(2.0, b, c).expect("a top");
         let refused = HeavyTop::from_energy(top, energy, Start::ThetaMin, 0.0, 0.0);
         said.push(refused.expect_err("no motion").to_string());
@@ -275,14 +233,5 @@ fn a_refused_energy_is_written_short() {
 fn rates_whose_powers_come_back_are_refused() {
     let top = ReducedTop::formal(8.6e98, -5.5e103, 7.9e-87).expect("a top");
     let made = HeavyTop::from_angles(top, 1.1, 1.3e80, 0.1, 0.2);
-    assert!(
-        matches!(
-            made,
-            Err(Error::OutOfRange {
-                name: "fastest rate",
-                ..
-            })
-        ),
-        "{made:?}"
-    );
+    assert!(matches!(made, Err(Error::OutOfRange { name: "fastest rate", .. })), "{made:?}");
 }

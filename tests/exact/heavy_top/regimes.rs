@@ -25,14 +25,8 @@ fn each_regime_is_recognised() {
         (by_angles(1.0, 1.0, 0.5, 0.0, 1e-3), Regime::PassesPole),
         (by_angles(1.0, 1.0, 0.5, 0.0, 0.0), Regime::Sleeping),
         (by_angles(1.0, -1.0, 0.5, 1.0, 0.9), Regime::PassesPole),
-        (
-            by_body(2.0, [0.0, 1.0, 0.0], [0.4, 0.0, 0.0]),
-            Regime::Planar,
-        ),
-        (
-            by_body(2.0, [0.3, 0.0, 0.2], [0.0, 0.0, 3.0]),
-            Regime::Sleeping,
-        ),
+        (by_body(2.0, [0.0, 1.0, 0.0], [0.4, 0.0, 0.0]), Regime::Planar),
+        (by_body(2.0, [0.3, 0.0, 0.2], [0.0, 0.0, 3.0]), Regime::Sleeping),
     ];
     for (i, (motion, regime)) in cases.iter().enumerate() {
         assert_eq!(motion.regime(), *regime, "case {i}");
@@ -46,9 +40,8 @@ fn the_path_goes_back_only_in_loops() {
     for (energy, backwards) in [(0.11, true), (-0.085, false)] {
         let motion = by_energy(2.0, 0.6, 0.2, energy, Start::ThetaMin);
         let period = motion.nutation_period();
-        let phi: Vec<f64> = (0..=200)
-            .map(|i| motion.angles(f64::from(i) * period / 200.0).phi)
-            .collect();
+        let phi: Vec<f64> =
+            (0..=200).map(|i| motion.angles(f64::from(i) * period / 200.0).phi).collect();
         let falls = phi.windows(2).filter(|w| w[1] < w[0]).count();
         let rises = phi.windows(2).filter(|w| w[1] > w[0]).count();
         assert_eq!(falls > 0 && rises > 0, backwards, "{falls} {rises}");

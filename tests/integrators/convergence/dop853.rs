@@ -12,10 +12,7 @@ use rotation_dynamics::math::cos;
 use support::{Errors, assert_error, assert_largest, attained};
 
 fn method() -> Method {
-    Method {
-        a: A[..STAGES].iter().map(|row| row.to_vec()).collect(),
-        b: A[STAGES].to_vec(),
-    }
+    Method { a: A[..STAGES].iter().map(|row| row.to_vec()).collect(), b: A[STAGES].to_vec() }
 }
 
 /// The step minus the error estimate: the embedded method of order 5.
@@ -46,13 +43,7 @@ fn order_conditions() {
     assert_eq!(checked, 200);
     // One order more fails: measured 2.7e-2, 1.7e-2, 0.10.
     assert!(good.defect(&trees, 9) > 0.02);
-    let (fifth, third) = (
-        embedded_5(),
-        Method {
-            b: ORDER_3.to_vec(),
-            ..method()
-        },
-    );
+    let (fifth, third) = (embedded_5(), Method { b: ORDER_3.to_vec(), ..method() });
     for nodes in 1..=5 {
         of_fifth.push(fifth.defect(&trees, nodes));
     }
@@ -153,15 +144,11 @@ fn the_tolerance_is_obeyed() {
         (1e-15, "3.3e-12", 19694),
     ] {
         let method = Dop853::new(tolerance).expect("a valid tolerance");
-        let (end, work) = method
-            .advance(&Kepler, 0.0, &exact(0.0), t_end)
-            .expect("a smooth orbit");
+        let (end, work) = method.advance(&Kepler, 0.0, &exact(0.0), t_end).expect("a smooth orbit");
         let delivered = distance(&end, &exact(t_end));
         attained(delivered, printed, "error at the end");
         assert_eq!(work.derivatives, derivatives);
-        let run = method
-            .solve(&Kepler, 0.0, &exact(0.0), t_end, &[])
-            .expect("again");
+        let run = method.solve(&Kepler, 0.0, &exact(0.0), t_end, &[]).expect("again");
         assert_eq!(run.end_state(), &end, "watching changes nothing");
         assert_eq!(run.work().derivatives, work.derivatives + 3 * work.steps);
         assert_eq!(
@@ -183,12 +170,8 @@ fn the_tolerance_is_obeyed() {
 #[test]
 fn backwards_is_the_way_back() {
     let method = Dop853::new(1e-14).expect("a valid tolerance");
-    let there = method
-        .solve(&Kepler, 0.0, &exact(0.0), 7.0, &[])
-        .expect("forwards");
-    let back = method
-        .solve(&Kepler, 7.0, there.end_state(), 0.0, &[])
-        .expect("backwards");
+    let there = method.solve(&Kepler, 0.0, &exact(0.0), 7.0, &[]).expect("forwards");
+    let back = method.solve(&Kepler, 7.0, there.end_state(), 0.0, &[]).expect("backwards");
     let mut errors = Errors::of("there and back");
     for i in 0..=70 {
         let t = 7.0 * f64::from(i) / 70.0;
@@ -223,19 +206,13 @@ impl Ode<1> for Root {
 #[test]
 fn bad_input_and_singularities() {
     let message = |r: rotation_dynamics::Result<Dop853>| r.expect_err("refused").to_string();
-    assert_eq!(
-        message(Dop853::new(f64::NAN)),
-        "tolerance = NaN is not a finite number"
-    );
+    assert_eq!(message(Dop853::new(f64::NAN)), "tolerance = NaN is not a finite number");
     for (bad, written) in [(0.0, "0"), (-1e-9, "-1e-9"), (1e-16, "1e-16"), (0.2, "0.2")] {
         let expected = format!("tolerance = {written} is not allowed: from 1e-15 to 0.1");
         assert_eq!(message(Dop853::new(bad)), expected);
     }
     let method = Dop853::new(1e-9).expect("valid");
-    assert_eq!(
-        message(method.with_step_limit(0)),
-        "steps = 0 is not allowed: at least 1 step"
-    );
+    assert_eq!(message(method.with_step_limit(0)), "steps = 0 is not allowed: at least 1 step");
     assert_eq!(
         message(method.with_longest_step(0.0)),
         "longest step = 0 is not allowed: it must be greater than 0"
@@ -265,9 +242,7 @@ fn bad_input_and_singularities() {
         matches!(error, Error::FunctionOutOfRange { t, .. } if (t - 0.613_705_638_880_109_4).abs() < 1e-9),
         "{error}"
     );
-    let still = method
-        .solve(&Growth, 3.0, &[1.0], 3.0, &[])
-        .expect("no time passes");
+    let still = method.solve(&Growth, 3.0, &[1.0], 3.0, &[]).expect("no time passes");
     assert_eq!(still.work(), Work::default());
     assert_eq!(still.at(3.0).expect("the one time"), [1.0]);
     assert_eq!(
@@ -295,9 +270,7 @@ fn units_do_not_matter() {
     let run = |unit: f64, time: f64| {
         let method = Dop853::new(1e-10).expect("valid");
         let ode = Oscillator { unit, time };
-        let (end, work) = method
-            .advance(&ode, 0.0, &[unit, 0.0], 20.0 * time)
-            .expect("smooth");
+        let (end, work) = method.advance(&ode, 0.0, &[unit, 0.0], 20.0 * time).expect("smooth");
         (end.map(|c| c / unit), work)
     };
     let reference = run(1.0, 1.0);
@@ -305,10 +278,7 @@ fn units_do_not_matter() {
     assert_eq!(reference, run(1.0, 1024.0));
     assert_eq!(reference, run(1_048_576.0, 0.125));
     // A scale must be positive.
-    let zero = Oscillator {
-        unit: 0.0,
-        time: 1.0,
-    };
+    let zero = Oscillator { unit: 0.0, time: 1.0 };
     let method = Dop853::new(1e-10).expect("valid");
     let error = Integrator::advance(&method, &zero, 0.0, &[1.0, 0.0], 1.0);
     assert_eq!(
@@ -324,9 +294,7 @@ fn a_scale_far_above_the_state_costs_its_digits() {
     let method = Dop853::new(1e-12).expect("valid");
     let off = |least: f64| {
         let spring = ode(|_, &[x, v]: &[f64; 2]| [v, -x]).scaled(size_or([least; 2]));
-        let (end, _) = method
-            .advance(&spring, 0.0, &[1e-6, 0.0], 20.0)
-            .expect("smooth");
+        let (end, _) = method.advance(&spring, 0.0, &[1e-6, 0.0], 20.0).expect("smooth");
         (1e6 * end[0] - cos(20.0)).abs()
     };
     assert_error!(off(1e-6), 5.2e-13);

@@ -18,9 +18,7 @@ fn crossings_of_the_axis() {
     ] {
         let method = Dop853::new(tolerance).expect("valid");
         let axis = Event::crossing("axis", |_t, y: &[f64; 4]| y[1]);
-        let run = method
-            .solve(&Kepler, 0.0, &exact(0.0), 20.0, &[axis])
-            .expect("smooth");
+        let run = method.solve(&Kepler, 0.0, &exact(0.0), 20.0, &[axis]).expect("smooth");
         assert_eq!(run.events().len(), 6);
         let mut late = Errors::of("time of a crossing");
         for (i, event) in run.events().iter().enumerate() {
@@ -70,9 +68,7 @@ fn directions_order_and_terminal() {
             Event::rising("late", |t, _y: &[f64; 1]| t - 6.0),
         ]
     };
-    let run = method
-        .solve(&Clock, 0.0, &[0.0], 10.0, &events())
-        .expect("smooth");
+    let run = method.solve(&Clock, 0.0, &[0.0], 10.0, &events()).expect("smooth");
     let met: Vec<_> = run.events().iter().map(|e| (e.name, e.t)).collect();
     let expected = [
         ("up through 0.5", PI / 6.0),
@@ -96,9 +92,7 @@ fn directions_order_and_terminal() {
     let mut stopping = Vec::from(events());
     let zero = stopping.remove(2).terminal();
     stopping.insert(2, zero);
-    let run = method
-        .solve(&Clock, 0.0, &[0.0], 10.0, &stopping)
-        .expect("smooth");
+    let run = method.solve(&Clock, 0.0, &[0.0], 10.0, &stopping).expect("smooth");
     assert_eq!(run.events().len(), 3);
     let last = run.stopped_by().expect("stopped");
     assert_eq!((last.name, last.t), ("zero", run.end_time()));
@@ -106,9 +100,7 @@ fn directions_order_and_terminal() {
     assert_error!(run.end_time() - PI, 2.2e-15);
     assert_error!(run.at(3.0).expect("within")[0] - sin(3.0), 6.9e-15);
     // Backwards, rising is what the run meets as rising.
-    let run = method
-        .solve(&Clock, 0.0, &[0.0], -10.0, &events())
-        .expect("smooth");
+    let run = method.solve(&Clock, 0.0, &[0.0], -10.0, &events()).expect("smooth");
     let met: Vec<_> = run.events().iter().map(|e| (e.name, e.t)).collect();
     assert_eq!(met[0].0, "zero");
     assert_error!(met[0].1 + PI, 2.2e-15);
@@ -133,9 +125,7 @@ fn events_in_one_step_come_in_order() {
         Event::rising("first", |_t, y: &[f64; 1]| y[0] - 0.25),
         Event::rising("second", |_t, y: &[f64; 1]| y[0] - 0.5),
     ];
-    let run = method
-        .solve(&Line, 0.0, &[0.0], 1.0, &marks)
-        .expect("straight");
+    let run = method.solve(&Line, 0.0, &[0.0], 1.0, &marks).expect("straight");
     let met: Vec<_> = run.events().iter().map(|e| (e.name, e.t)).collect();
     assert_eq!(met, [("first", 0.25), ("second", 0.5), ("third", 0.75)]);
 }
@@ -146,9 +136,7 @@ fn grazing_and_an_event_at_the_start() {
     // sin t - 1 touches zero at pi/2 without crossing: met as two crossings, as one
     // touch or not at all, never as an error.
     let graze = Event::crossing("graze", |_t, y: &[f64; 1]| y[0] - 1.0);
-    let run = method
-        .solve(&Clock, 0.0, &[0.0], 3.0, &[graze])
-        .expect("smooth");
+    let run = method.solve(&Clock, 0.0, &[0.0], 3.0, &[graze]).expect("smooth");
     assert!(run.events().len() <= 2);
     // Where a parabola meets zero, a rounding of it is its root: sqrt(2 eps), and a few of them.
     let bound = 8.0 * (2.0 * EPS).sqrt();
@@ -157,9 +145,7 @@ fn grazing_and_an_event_at_the_start() {
     }
     // The damaged twin: a graze that is 1e-13 deep is farther off, and met on both sides.
     let deeper = Event::crossing("graze", |_t, y: &[f64; 1]| y[0] - (1.0 - 1e-13));
-    let run = method
-        .solve(&Clock, 0.0, &[0.0], 3.0, &[deeper])
-        .expect("smooth");
+    let run = method.solve(&Clock, 0.0, &[0.0], 3.0, &[deeper]).expect("smooth");
     assert_eq!(run.events().len(), 2);
     for event in run.events() {
         assert!((event.t - PI / 2.0).abs() > bound, "{:e}", event.t);
@@ -167,9 +153,7 @@ fn grazing_and_an_event_at_the_start() {
     // Zero at the very start is no event; a rounding below zero is one, at once.
     for (start, met) in [(0.0, 0), (-1e-300, 1)] {
         let zero = Event::rising("zero", |_t, y: &[f64; 1]| y[0]).terminal();
-        let run = method
-            .solve(&Clock, 0.0, &[start], 3.0, &[zero])
-            .expect("smooth");
+        let run = method.solve(&Clock, 0.0, &[start], 3.0, &[zero]).expect("smooth");
         assert_eq!(run.events().len(), met);
         assert_eq!(run.stopped_by().is_some(), met == 1);
         let end = run.end_time();
@@ -182,9 +166,7 @@ fn grazing_and_an_event_at_the_start() {
 fn an_event_must_be_a_number() {
     let method = Dop853::new(1e-9).expect("valid");
     let bad = Event::rising("root", |_t, y: &[f64; 1]| (0.5 - y[0]).sqrt());
-    let error = method
-        .solve(&Clock, 0.0, &[0.0], 2.0, &[bad])
-        .expect_err("refused");
+    let error = method.solve(&Clock, 0.0, &[0.0], 2.0, &[bad]).expect_err("refused");
     let message = error.to_string();
     assert!(
         message.starts_with("the function of the event \"root\" at t = ")
@@ -215,9 +197,7 @@ fn a_graze_within_a_step_is_met() {
             let event = Event::falling("dips", dips);
             let method = Dop853::new(1e-12).expect("valid");
             let start = [-1.0];
-            let run = method
-                .solve(&Clock, 0.0, &start, 3.0, &[event])
-                .expect("smooth");
+            let run = method.solve(&Clock, 0.0, &start, 3.0, &[event]).expect("smooth");
             assert_eq!(run.events().len(), 1, "{depth:e} at {centre}");
             // A rounding of the state moves the zero by eps/sqrt(depth).
             let rounding = EPS * (1.0 + 1.0 / depth.sqrt());
@@ -234,9 +214,7 @@ fn a_graze_within_a_step_is_met() {
         let misses = |_: f64, y: &[f64; 1]| (y[0] - 0.31) * (y[0] - 0.31) + above;
         let event = Event::falling("misses", misses);
         let method = Dop853::new(1e-12).expect("valid");
-        let run = method
-            .solve(&Clock, 0.0, &[-1.0], 3.0, &[event])
-            .expect("smooth");
+        let run = method.solve(&Clock, 0.0, &[-1.0], 3.0, &[event]).expect("smooth");
         assert_eq!(run.events().len(), 0);
     }
 }

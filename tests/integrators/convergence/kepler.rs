@@ -50,12 +50,7 @@ fn the_closed_form_solves_the_equation() {
     for i in 0..40 {
         let t = 0.17 * f64::from(i);
         let h = 1e-3;
-        let [a, b, c, d] = [
-            exact(t - 2.0 * h),
-            exact(t - h),
-            exact(t + h),
-            exact(t + 2.0 * h),
-        ];
+        let [a, b, c, d] = [exact(t - 2.0 * h), exact(t - h), exact(t + h), exact(t + 2.0 * h)];
         let rate = Kepler.derivative(t, &exact(t));
         for k in 0..4 {
             let difference = (8.0 * (c[k] - b[k]) - (d[k] - a[k])) / (12.0 * h);

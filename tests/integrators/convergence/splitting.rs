@@ -28,18 +28,8 @@ fn errors(scheme: Scheme, steps: &[u64]) -> Vec<(f64, f64)> {
             let (end, work) = method.advance(&scene, 0.0, &start, T).expect("smooth");
             let kicks = scheme.kicks() * n;
             let expected = match scheme.outer {
-                Outer::Flow => Work {
-                    steps: n,
-                    kicks,
-                    flows: kicks + 1,
-                    ..Work::default()
-                },
-                Outer::Kick => Work {
-                    steps: n,
-                    kicks: kicks + 1,
-                    flows: kicks,
-                    ..Work::default()
-                },
+                Outer::Flow => Work { steps: n, kicks, flows: kicks + 1, ..Work::default() },
+                Outer::Kick => Work { steps: n, kicks: kicks + 1, flows: kicks, ..Work::default() },
             };
             assert_eq!(work, expected);
             (T / n as f64, distance(&end, &exact))
@@ -54,10 +44,7 @@ fn damaged(scheme: Scheme) -> Scheme {
     outer[0] += 1e-6;
     outer[last] += 1e-6;
     outer[last / 2] -= 2e-6;
-    Scheme {
-        outer_parts: outer.leak(),
-        ..scheme
-    }
+    Scheme { outer_parts: outer.leak(), ..scheme }
 }
 
 /// Step counts whose errors lie above round-off, 2e-15.
@@ -74,9 +61,7 @@ const CASES: [(Scheme, &[u64]); 7] = [
 #[test]
 fn slopes() {
     let mut ran = 0;
-    let slopes = [
-        "2.0001", "3.998", "6.034", "7.996", "2.0000", "4.001", "3.990",
-    ];
+    let slopes = ["2.0001", "3.998", "6.034", "7.996", "2.0000", "4.001", "3.990"];
     let mut off = Errors::of("distance from the line");
     for ((scheme, steps), slope) in CASES.into_iter().zip(slopes) {
         let (measured, scatter) = fitted(&errors(scheme, steps));
@@ -87,21 +72,10 @@ fn slopes() {
     assert_eq!(ran, CASES.len());
     assert_largest!(off, 7, @"4.40e-3");
     // A coefficient off by 1e-6 leaves order 2.
-    assert_slope(
-        &errors(damaged(Scheme::SRKN6), &[400, 560, 800, 1120]),
-        "1.987",
-        "0.0017",
-    );
-    assert_slope(
-        &errors(damaged(Scheme::SRKN14), CASES[2].1),
-        "2.021",
-        "0.0036",
-    );
+    assert_slope(&errors(damaged(Scheme::SRKN6), &[400, 560, 800, 1120]), "1.987", "0.0017");
+    assert_slope(&errors(damaged(Scheme::SRKN14), CASES[2].1), "2.021", "0.0036");
     // With a kick off by 1e-6 Strang has no order: the error stays.
-    let kick = Scheme {
-        inner_parts: &[1.0 + 1e-6],
-        ..Scheme::STRANG
-    };
+    let kick = Scheme { inner_parts: &[1.0 + 1e-6], ..Scheme::STRANG };
     let (slope, _) = fitted(&errors(kick, CASES[0].1));
     assert!(slope < 1.9, "{slope}");
 }
@@ -142,18 +116,12 @@ fn schemes_are_symmetric_and_consistent() {
 #[test]
 fn bad_input() {
     let (scene, start) = figure_3();
-    let message = Splitting::new(Scheme::STRANG, 0)
-        .expect_err("refused")
-        .to_string();
+    let message = Splitting::new(Scheme::STRANG, 0).expect_err("refused").to_string();
     assert_eq!(message, "steps = 0 is not allowed: at least 1 step");
     let method = Splitting::new(Scheme::STRANG, 3).expect("three steps");
-    let never = method
-        .advance(&scene, 0.0, &start, f64::NAN)
-        .expect_err("refused");
+    let never = method.advance(&scene, 0.0, &start, f64::NAN).expect_err("refused");
     assert_eq!(never.to_string(), "end time = NaN is not a finite number");
-    let (same, work) = method
-        .advance(&scene, 5.0, &start, 5.0)
-        .expect("no time passes");
+    let (same, work) = method.advance(&scene, 5.0, &start, 5.0).expect("no time passes");
     assert_eq!((same, work), (start, Work::default()));
 }
 
@@ -161,11 +129,7 @@ fn bad_input() {
 fn asymmetric() -> (HeavyTop, State) {
     let body = RigidBody::new(PrincipalMoments::new(1.0, 2.0, 2.5).expect("a body"));
     let scene = Scene::new(body).with(GravityAtLever::new(1.0, 0.5).expect("gravity"));
-    let angles = EulerAngles {
-        phi: 0.3,
-        theta: 1.1,
-        zeta: -0.4,
-    };
+    let angles = EulerAngles { phi: 0.3, theta: 1.1, zeta: -0.4 };
     let attitude = Attitude::from_euler(angles).expect("angles");
     let start = body.state(attitude, BodyVector::new(0.4, 0.3, 0.9));
     (scene, start.expect("a state"))
@@ -188,9 +152,7 @@ fn slopes_on_an_asymmetric_body() {
         steps.iter().map(error).collect()
     };
     let mut ran = 0;
-    let slopes = [
-        "2.0001", "4.0014", "6.064", "7.999", "2.0000", "4.001", "4.000",
-    ];
+    let slopes = ["2.0001", "4.0014", "6.064", "7.999", "2.0000", "4.001", "4.000"];
     let mut off = Errors::of("distance from the line");
     for ((scheme, steps), slope) in CASES.into_iter().zip(slopes) {
         // Round-off is 2e-13 here, so order 6 has the shorter range.
@@ -229,9 +191,7 @@ fn weak_kicks() {
     let spinning = body.state(tilted, BodyVector::new(0.3, 0.2, 2.0));
     let spinning = spinning.expect("a state");
     let reference = GaussLegendre::new(200).expect("some steps");
-    let (exact, _) = reference
-        .advance(&scene, 0.0, &spinning, T)
-        .expect("smooth");
+    let (exact, _) = reference.advance(&scene, 0.0, &spinning, T).expect("smooth");
     let error = |scheme: Scheme, kicks: u64| {
         let method = Splitting::new(scheme, kicks / scheme.kicks()).expect("some steps");
         let (end, _) = method.advance(&scene, 0.0, &spinning, T).expect("smooth");

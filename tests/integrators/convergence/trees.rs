@@ -22,11 +22,7 @@ pub fn up_to(order: usize) -> Vec<Tree> {
         branches(&trees, nodes - 1, trees.len(), &mut Vec::new(), &mut found);
         for branches in found {
             let gamma = branches.iter().map(|&b| trees[b].gamma).product::<f64>() * nodes as f64;
-            trees.push(Tree {
-                branches,
-                nodes,
-                gamma,
-            });
+            trees.push(Tree { branches, nodes, gamma });
         }
     }
     trees
@@ -69,10 +65,7 @@ impl Method {
             let phi: Vec<f64> = (0..self.a.len())
                 .map(|i| {
                     let sums = tree.branches.iter().map(|&branch| {
-                        self.a[i]
-                            .iter()
-                            .map(|&(j, a)| a * weights[branch][j])
-                            .sum::<f64>()
+                        self.a[i].iter().map(|&(j, a)| a * weights[branch][j]).sum::<f64>()
                     });
                     sums.product()
                 })

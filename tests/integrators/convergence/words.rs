@@ -101,10 +101,7 @@ fn every_word_up_to_the_order() {
             parts[last - i] += 1e-13;
             parts[last / 2] -= 1e-13;
             parts[last - last / 2] -= 1e-13;
-            let scheme = Scheme {
-                outer_parts: parts.leak(),
-                ..scheme
-            };
+            let scheme = Scheme { outer_parts: parts.leak(), ..scheme };
             assert!(orders(&scheme) < want, "{} {i}", scheme.name);
             damaged += 1;
         }

@@ -25,11 +25,7 @@ fn slope_errors(effect: &impl Effect) -> Errors {
     let mut errors = Errors::of("torque against slope");
     for i in 0..30 {
         let i = f64::from(i);
-        let angles = EulerAngles {
-            phi: 0.7 * i,
-            theta: 0.1 * i,
-            zeta: -0.3 * i,
-        };
+        let angles = EulerAngles { phi: 0.7 * i, theta: 0.1 * i, zeta: -0.3 * i };
         let attitude = Attitude::from_euler(angles).expect("angles");
         let torque = effect.torque(0.0, &body(), &turned(&attitude, [1.0, 0.0, 0.0], 0.0));
         for (k, torque) in torque.to_array().into_iter().enumerate() {
@@ -78,11 +74,8 @@ fn gravity_turns_about_neither_axis_nor_vertical() {
     let gravity = GravityAtLever::new(2.0, 0.7).expect("gravity");
     let mut along = Errors::of("torque about the axis");
     for i in 0..100 {
-        let angles = EulerAngles {
-            phi: 0.37 * f64::from(i),
-            theta: 0.03 * f64::from(i),
-            zeta: 0.0,
-        };
+        let angles =
+            EulerAngles { phi: 0.37 * f64::from(i), theta: 0.03 * f64::from(i), zeta: 0.0 };
         let state = State {
             attitude: Attitude::from_euler(angles).expect("angles"),
             angular_momentum: SpaceVector::zero(),
@@ -112,20 +105,8 @@ fn bad_input() {
         let refused = GravityAtLever::new(weight, lever).expect_err("refused");
         refused.to_string()
     };
-    assert_eq!(
-        message(-1.0, 1.0),
-        "weight = -1 is not allowed: it must be greater than 0"
-    );
-    assert_eq!(
-        message(f64::NAN, 1.0),
-        "weight = NaN is not a finite number"
-    );
-    assert_eq!(
-        message(1.0, f64::INFINITY),
-        "lever = inf is not a finite number"
-    );
-    assert_eq!(
-        message(1e200, 1e200),
-        "weight times lever = inf is not a finite number"
-    );
+    assert_eq!(message(-1.0, 1.0), "weight = -1 is not allowed: it must be greater than 0");
+    assert_eq!(message(f64::NAN, 1.0), "weight = NaN is not a finite number");
+    assert_eq!(message(1.0, f64::INFINITY), "lever = inf is not a finite number");
+    assert_eq!(message(1e200, 1e200), "weight times lever = inf is not a finite number");
 }

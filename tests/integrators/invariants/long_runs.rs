@@ -55,9 +55,7 @@ fn energy(method: Method, (scene, start): (HeavyTop, State), stretch: f64) -> (f
     let mut errors = Vec::new();
     for i in 0..200 {
         let t = f64::from(i) * stretch;
-        (state, _) = method
-            .advance(&scene, t, &state, t + stretch)
-            .expect("smooth");
+        (state, _) = method.advance(&scene, t, &state, t + stretch).expect("smooth");
         errors.push(scene.energy(&state) - scene.energy(&start));
     }
     let mut sizes = Errors::of("energy");
@@ -82,11 +80,9 @@ fn assert_swings(scheme: Scheme, motion: (HeavyTop, State), printed: &str) {
 fn the_energy_swings_but_does_not_drift() {
     let mut ran = 0;
     // The largest error; drifts 0.9 %, 0.09 %, 0.05 %.
-    for (scheme, largest) in [
-        (Scheme::STRANG, "2.1e-5"),
-        (Scheme::SRKN6, "7.5e-9"),
-        (Scheme::SRKN14, "7.7e-10"),
-    ] {
+    for (scheme, largest) in
+        [(Scheme::STRANG, "2.1e-5"), (Scheme::SRKN6, "7.5e-9"), (Scheme::SRKN14, "7.7e-10")]
+    {
         assert_swings(scheme, figure_3(), largest);
         ran += 1;
     }
@@ -103,11 +99,9 @@ fn a_million_kicks_and_back() {
     let (scene, start) = figure_3();
     let span = SPACING * KICKS as f64;
     let mut ran = 0;
-    for (scheme, off) in [
-        (Scheme::STRANG, "4.9e-12"),
-        (Scheme::SRKN6, "2.0e-11"),
-        (Scheme::SRKN14, "8.1e-11"),
-    ] {
+    for (scheme, off) in
+        [(Scheme::STRANG, "4.9e-12"), (Scheme::SRKN6, "2.0e-11"), (Scheme::SRKN14, "8.1e-11")]
+    {
         let method = Splitting::new(scheme, KICKS / scheme.kicks()).expect("some steps");
         let (end, _) = method.advance(&scene, 0.0, &start, span).expect("there");
         let (back, _) = method.advance(&scene, span, &end, 0.0).expect("back");
@@ -123,11 +117,7 @@ fn a_million_kicks_and_back() {
 fn asymmetric() -> (HeavyTop, State) {
     let body = RigidBody::new(PrincipalMoments::new(1.0, 1.3, 1.8).expect("a body"));
     let scene = Scene::new(body).with(GravityAtLever::new(1.0, 0.3).expect("gravity"));
-    let angles = EulerAngles {
-        phi: 0.3,
-        theta: 1.1,
-        zeta: -0.4,
-    };
+    let angles = EulerAngles { phi: 0.3, theta: 1.1, zeta: -0.4 };
     let attitude = Attitude::from_euler(angles).expect("angles");
     let start = body.state(attitude, BodyVector::new(0.2, 0.1, 2.0));
     (scene, start.expect("a state"))

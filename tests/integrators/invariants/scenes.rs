@@ -34,22 +34,14 @@ fn changes<E: Effect>(
         let t = 0.5 * f64::from(i);
         (state, _) = method.advance(scene, t, &state, t + 0.5).expect("smooth");
         for (change, quantity) in changes.iter_mut().zip(ALL) {
-            let size = if quantity == Invariant::Energy {
-                energy
-            } else {
-                momentum
-            };
+            let size = if quantity == Invariant::Energy { energy } else { momentum };
             let now = (scene.value(quantity, &state) - scene.value(quantity, start)) / size;
             change.push_at(now, t);
         }
     }
     let [mut keeps, mut loses] = ["what is kept", "what is not"].map(Errors::of);
     for (change, quantity) in changes.iter().zip(ALL) {
-        let chosen = if kept.contains(&quantity) {
-            &mut keeps
-        } else {
-            &mut loses
-        };
+        let chosen = if kept.contains(&quantity) { &mut keeps } else { &mut loses };
         chosen.push_at(change.largest(), quantity);
     }
     (keeps.largest(), loses.smallest())
@@ -81,32 +73,12 @@ fn exactly_what_is_kept() {
         ("heavy, DOP853", changes(&heavy, &start, &dop853), "8.8e-16"),
         ("heavy, RK4", changes(&heavy, &start, &rk4), "2.1e-14"),
         ("heavy, Strang", changes(&heavy, &start, &strang), "4.2e-8"),
-        (
-            "heavy, SRKN 6b",
-            changes(&heavy, &start, &fourth),
-            "3.1e-13",
-        ),
-        (
-            "heavy, SRKN 14a",
-            changes(&heavy, &start, &sixth),
-            "5.3e-16",
-        ),
-        (
-            "brick, DOP853",
-            changes(&free_brick, &start, &dop853),
-            "4.9e-16",
-        ),
+        ("heavy, SRKN 6b", changes(&heavy, &start, &fourth), "3.1e-13"),
+        ("heavy, SRKN 14a", changes(&heavy, &start, &sixth), "5.3e-16"),
+        ("brick, DOP853", changes(&free_brick, &start, &dop853), "4.9e-16"),
         ("brick, RK4", changes(&free_brick, &start, &rk4), "3.8e-14"),
-        (
-            "heavy brick, DOP853",
-            changes(&heavy_brick, &start, &dop853),
-            "2.5e-16",
-        ),
-        (
-            "heavy brick, RK4",
-            changes(&heavy_brick, &start, &rk4),
-            "1.2e-14",
-        ),
+        ("heavy brick, DOP853", changes(&heavy_brick, &start, &dop853), "2.5e-16"),
+        ("heavy brick, RK4", changes(&heavy_brick, &start, &rk4), "1.2e-14"),
     ];
     let mut ran = 0;
     for (name, (kept, other), printed) in rows {

@@ -19,22 +19,10 @@ type Attack = fn() -> Result<()>;
 
 const ATTACKS: [(&str, Attack); 6] = [
     ("ten_thousand_scenes", ten_thousand_scenes),
-    (
-        "six_thousand_scenes_that_resist",
-        six_thousand_scenes_that_resist,
-    ),
-    (
-        "six_thousand_scenes_that_are_kinked",
-        six_thousand_scenes_that_are_kinked,
-    ),
-    (
-        "twelve_thousand_other_scenes_that_are_kinked",
-        twelve_thousand_other_scenes_that_are_kinked,
-    ),
-    (
-        "a_thousand_scenes_with_dozens_of_cusps",
-        a_thousand_scenes_with_dozens_of_cusps,
-    ),
+    ("six_thousand_scenes_that_resist", six_thousand_scenes_that_resist),
+    ("six_thousand_scenes_that_are_kinked", six_thousand_scenes_that_are_kinked),
+    ("twelve_thousand_other_scenes_that_are_kinked", twelve_thousand_other_scenes_that_are_kinked),
+    ("a_thousand_scenes_with_dozens_of_cusps", a_thousand_scenes_with_dozens_of_cusps),
     ("six_thousand_controls", six_thousand_controls),
 ];
 

@@ -60,12 +60,7 @@ impl Way {
 }
 
 /// The splittings that `solve` chooses from.
-const SPLITTINGS: [Method; 4] = [
-    Method::Srkn6,
-    Method::Srkn14,
-    Method::Aba104,
-    Method::Aba1064,
-];
+const SPLITTINGS: [Method; 4] = [Method::Srkn6, Method::Srkn14, Method::Aba104, Method::Aba1064];
 
 /// A body, what acts on it, and its way through these times: from the start by the jumps to the end.
 pub struct Motion {
@@ -141,11 +136,8 @@ impl Motion {
                 tolerance => tolerance,
             };
             // At a jump, what acts on this side.
-            let piece = if times.len() == 2 {
-                EVER
-            } else {
-                [span[0].next_up(), span[1].next_down()]
-            };
+            let piece =
+                if times.len() == 2 { EVER } else { [span[0].next_up(), span[1].next_down()] };
             let stepper = Stepper::new(way.method(), resolution)?;
             let (end, work) = self.carried(way, &stepper, &self.on(piece), span, &state)?;
             state = end;
@@ -200,10 +192,7 @@ impl Motion {
 const EVER: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 fn no_such_way() -> Error {
-    Error::Incompatible {
-        effects: "effects".into(),
-        reason: "no such way".into(),
-    }
+    Error::Incompatible { effects: "effects".into(), reason: "no such way".into() }
 }
 
 /// The cost of the cheapest run of a way whose error is `tolerance` at most on this rung and

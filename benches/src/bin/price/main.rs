@@ -59,10 +59,7 @@ fn tally(kind: usize, scenes: std::ops::Range<u64>) -> [Tally; 3] {
             tally.ratios.push(ratio);
             if ratio.is_nan() || ratio > 1.0 {
                 tally.above += 1;
-                println!(
-                    "ABOVE {} {n} {tolerance:e}: {ratio:e} {solved:?}",
-                    case.kind
-                );
+                println!("ABOVE {} {n} {tolerance:e}: {ratio:e} {solved:?}", case.kind);
             }
             let torques = |work: Work| work.torques() as f64;
             let all = torques(solved.work);
@@ -79,12 +76,7 @@ fn tally(kind: usize, scenes: std::ops::Range<u64>) -> [Tally; 3] {
             let reached = (ratio * tolerance).clamp(KNOWN.min(tolerance), tolerance);
             let [as_good, _] = (case.least)(reached, solved.method, Counted::Time);
             let taken = solved.price * torques(solved.run);
-            let prices = [
-                (taken, least),
-                (taken, own),
-                (all, fewest),
-                (taken, as_good),
-            ];
+            let prices = [(taken, least), (taken, own), (all, fewest), (taken, as_good)];
             for (prices, (taken, least)) in tally.prices.iter_mut().zip(prices) {
                 prices.extend(least.map(|least| taken / least));
             }
@@ -95,13 +87,11 @@ fn tally(kind: usize, scenes: std::ops::Range<u64>) -> [Tally; 3] {
 
 fn main() {
     let mut said = env::args().skip(1);
-    let scenes = said
-        .next()
-        .map_or(200, |n| n.parse().expect("a number of scenes"));
+    let scenes = said.next().map_or(200, |n| n.parse().expect("a number of scenes"));
     let kinds: Vec<usize> = match said.next() {
-        Some(list) => (list.split(','))
-            .map(|kind| kind.parse().expect("the number of a kind"))
-            .collect(),
+        Some(list) => {
+            (list.split(',')).map(|kind| kind.parse().expect("the number of a kind")).collect()
+        }
         None => (0..KINDS.len()).collect(),
     };
     prices(scenes, &kinds);
@@ -186,9 +176,7 @@ mod tests {
             rows.iter()
                 .filter(|row| kinds.contains(&row.0))
                 .map(|(_, row)| row[column].parse::<f64>().expect("a number"))
-                .fold([f64::INFINITY, 0.0], |[least, most], now| {
-                    [now.min(least), now.max(most)]
-                })
+                .fold([f64::INFINITY, 0.0], |[least, most], now| [now.min(least), now.max(most)])
         };
         // Medians over the cheapest run that would have sufficed: under a weight or none, under what
         // resists, jumps or depends on the time, and beside a kink; and over the cheapest as good.

@@ -100,12 +100,7 @@ fn known<E: Effect + Clone + 'static>(
     let torque = scene.effects().torque_scale(0.0, &body, &start);
     let energy = body.kinetic_energy(&start);
     let turned = ((2.0 * energy + 4.0 * torque) / i1.min(i2).min(i3)).sqrt() * t_end;
-    let motion = Motion {
-        body,
-        effects: Box::new(scene.effects().clone()),
-        start,
-        times,
-    };
+    let motion = Motion { body, effects: Box::new(scene.effects().clone()), start, times };
     let exact = match exact {
         None => by_two_routes(&motion, turned)?,
         exact => exact,
@@ -137,11 +132,7 @@ fn least(
     for way in all {
         // What `solve` chose is known to the end, the others after it while they may win.
         let chosen = way.name() == name;
-        let most = if chosen {
-            f64::INFINITY
-        } else {
-            best[0].unwrap_or(f64::INFINITY)
-        };
+        let most = if chosen { f64::INFINITY } else { best[0].unwrap_or(f64::INFINITY) };
         let weight = match counted {
             Counted::Time => way.weight(motion),
             Counted::Torques => 1.0,
@@ -191,11 +182,8 @@ fn top(dice: &mut Dice) -> Result<Case> {
     let t_end = dice.scale(1.0, 30.0) * TAU / turning;
     let (i1, i3) = (body.moments().i1(), body.moments().i3());
     let top = SymmetricTop::new(i1, i3, gravity.weight(), gravity.lever())?;
-    let motion = HeavyTop::from_body(
-        top,
-        start.attitude.euler_angles(),
-        body.angular_velocity(&start),
-    )?;
+    let motion =
+        HeavyTop::from_body(top, start.attitude.euler_angles(), body.angular_velocity(&start))?;
     let exact = motion.attitude(t_end);
     known(1, Scene::new(body).with(gravity), start, t_end, Some(exact))
 }
@@ -217,10 +205,7 @@ fn in_oil(dice: &mut Dice) -> Result<Case> {
     let t_end = dice.scale(1.0, 15.0) * TAU / turning;
     let [across, along] = [0; 2].map(|_| dice.scale(1e-4, 10.0) / t_end);
     let friction = ViscousFriction::new(across * body.moments().i1(), along * body.moments().i3())?;
-    let resisting = Resisting {
-        rates: [across, across, along],
-        law: Law::None,
-    };
+    let resisting = Resisting { rates: [across, across, along], law: Law::None };
     let exact = truth::resisted(&body, gravity.moment(), &resisting, &start, t_end);
     let scene = Scene::new(body).with(gravity).with(friction);
     known(4, scene, start, t_end, Some(exact))
@@ -242,10 +227,8 @@ fn in_air(dice: &mut Dice) -> Result<Case> {
         FlowRegime::Turbulent => 0.8,
     };
     let across = dice.scale(1e-4, 3.0) / t_end;
-    let resisting = Resisting {
-        rates: [across, across, 0.0],
-        law: Law::Power(-drag.axial_torque(1.0), power),
-    };
+    let resisting =
+        Resisting { rates: [across, across, 0.0], law: Law::Power(-drag.axial_torque(1.0), power) };
     let exact = truth::resisted(&body, gravity.moment(), &resisting, &start, t_end);
     let oil = ViscousFriction::new(across * body.moments().i1(), 0.0)?;
     let scene = Scene::new(body).with(drag).with(gravity).with(oil);
@@ -276,10 +259,7 @@ fn to_the_stop(dice: &mut Dice) -> Result<Case> {
     let t_end = dice.scale(1.0, 15.0) * TAU / turning;
     let torque = body.angular_momentum(&start).z().abs() / t_end * dice.scale(0.3, 3.0);
     let bearing = CoulombBearing::new(torque, &body, &start, 0.0)?;
-    let resisting = Resisting {
-        law: Law::Dry(torque),
-        ..Resisting::NOTHING
-    };
+    let resisting = Resisting { law: Law::Dry(torque), ..Resisting::NOTHING };
     let exact = truth::resisted(&body, gravity.moment(), &resisting, &start, t_end);
     let scene = Scene::new(body).with(gravity).with(bearing);
     known(6, scene, start, t_end, Some(exact))
@@ -302,13 +282,7 @@ fn driven(dice: &mut Dice) -> Result<Case> {
     })
     .smooth();
     let t_end = dice.scale(1.0, 15.0) * TAU / (rate + gravity.moment().sqrt());
-    known(
-        7,
-        Scene::new(body).with(gravity).with(push),
-        start,
-        t_end,
-        None,
-    )
+    known(7, Scene::new(body).with(gravity).with(push), start, t_end, None)
 }
 
 /// A drag of one's own that grows with the square of the rate.
@@ -324,13 +298,7 @@ fn own_drag(dice: &mut Dice) -> Result<Case> {
     })
     .smooth();
     let gravity = GravityAtLever::new(body.kinetic_energy(&start) * dice.scale(0.01, 1.0), 1.0)?;
-    known(
-        8,
-        Scene::new(body).with(gravity).with(drag),
-        start,
-        t_end,
-        None,
-    )
+    known(8, Scene::new(body).with(gravity).with(drag), start, t_end, None)
 }
 
 /// A torque p(t) L with p constant between jumps that are named: free, in a time of its own.
@@ -342,18 +310,10 @@ fn jumps(dice: &mut Dice) -> Result<Case> {
     let start = body.state(attitude, rates)?;
     let t_end = dice.scale(1.0, 15.0) * TAU / rates.norm();
     let count = 1 + (dice.part() * 4.0) as usize;
-    let mut times: Vec<f64> = (0..count)
-        .map(|_| t_end * dice.between(0.02, 0.98))
-        .collect();
+    let mut times: Vec<f64> = (0..count).map(|_| t_end * dice.between(0.02, 0.98)).collect();
     times.sort_by(f64::total_cmp);
     let strength: Vec<f64> = (0..=count)
-        .map(|n| {
-            if n % 2 == 0 {
-                0.0
-            } else {
-                dice.between(-2.0, 2.0) / t_end
-            }
-        })
+        .map(|n| if n % 2 == 0 { 0.0 } else { dice.between(-2.0, 2.0) / t_end })
         .collect();
     let (mut before, mut grown, mut inner) = (0.0, 0.0, 0.0);
     for (n, p) in strength.iter().enumerate() {

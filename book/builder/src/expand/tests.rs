@@ -77,11 +77,8 @@ impl Sample {
         let project = Project::new(&self.0);
         let mut labels = Labels::new();
         for (label, page) in [("eq:here", "a/b.html"), ("eq:there", "c.html")] {
-            let target = Target {
-                page: page.into(),
-                tag: "1.1 (2)".into(),
-                place: ("c.md".into(), 1),
-            };
+            let target =
+                Target { page: page.into(), tag: "1.1 (2)".into(), place: ("c.md".into(), 1) };
             labels.insert(label.into(), target);
         }
         let mut page = Page::new(&project, "a/b.md", "a/b.html", &labels);
@@ -89,21 +86,13 @@ impl Sample {
         let html = fill(&raw, |splice| {
             Ok(match splice {
                 Splice::Inline { tex } => format!("«{tex}»"),
-                Splice::Display {
-                    tex,
-                    tag,
-                    id,
-                    boxed,
-                } => format!("«{}|{tag:?}|{id:?}|{boxed}»", tex.trim()),
-                Splice::Proof {
-                    kind,
-                    id,
-                    html,
-                    proof,
-                } if kind == "num" => format!("«{kind} {id} {html} {proof}»"),
-                Splice::Proof {
-                    kind, id, proof, ..
-                } => format!("«{kind} {id} {proof}»"),
+                Splice::Display { tex, tag, id, boxed } => {
+                    format!("«{}|{tag:?}|{id:?}|{boxed}»", tex.trim())
+                }
+                Splice::Proof { kind, id, html, proof } if kind == "num" => {
+                    format!("«{kind} {id} {html} {proof}»")
+                }
+                Splice::Proof { kind, id, proof, .. } => format!("«{kind} {id} {proof}»"),
                 Splice::Figure { stem, name } => format!("«{stem}:{name}»"),
                 Splice::Player { stem, settings } => {
                     let settings: Vec<String> = settings.iter().map(ToString::to_string).collect();

@@ -20,26 +20,12 @@ fn a_sound_page_passes_and_each_damage_is_found() {
         ("<h1", "<p>{{num a:b}}</p><h1", "2: '{{' is left over"),
         ("#x", "#y", "3: the link #y leads to no place in a/b.html"),
         ("b.html", "c.html", "3: the link c.html#x leads nowhere"),
-        (
-            "A line that falls",
-            "",
-            "3: a figure without alternative text",
-        ),
-        (
-            "../c",
-            "https://cdn.example/c",
-            "2: https://cdn.example/c.css loads from outside",
-        ),
-        (
-            "<a href='b",
-            "<p id=\"x\"></p><a href='b",
-            "3: the id 'x' stands twice",
-        ),
+        ("A line that falls", "", "3: a figure without alternative text"),
+        ("../c", "https://cdn.example/c", "2: https://cdn.example/c.css loads from outside"),
+        ("<a href='b", "<p id=\"x\"></p><a href='b", "3: the id 'x' stands twice"),
     ];
     for (from, to, message) in damages {
-        let found = checked(&sound.replacen(from, to, 1))
-            .err()
-            .unwrap_or_default();
+        let found = checked(&sound.replacen(from, to, 1)).err().unwrap_or_default();
         let expected = format!("a/b.html:{message}");
         assert!(found.starts_with(&expected), "{expected}: {found}");
     }
@@ -98,48 +84,23 @@ fn what_loads_is_looked_at_wherever_it_stands() {
                 n + 1
             ),
         );
-        damage(
-            n,
-            "../c.css",
-            "https://x/c",
-            "https://x/c loads from outside",
-        );
+        damage(n, "../c.css", "https://x/c", "https://x/c loads from outside");
         damage(n, "../c.css", "../d.css", "the link ../d.css leads nowhere");
-        damage(
-            n,
-            "../c.css",
-            "../../c.css/..",
-            "the link ../../c.css/.. leads nowhere",
-        );
+        damage(n, "../c.css", "../../c.css/..", "the link ../../c.css/.. leads nowhere");
     }
     let bare = "a picture without alternative text";
     damage(1, "\"A line\"", "\" \"", bare);
     damage(1, " alt=\"A line\"", "", bare);
     let nowhere = "the link #m leads to no place in a/b.html";
     damage(11, "\"#n\"", "\"#m\"", nowhere);
-    damage(
-        11,
-        "p%20q",
-        "q",
-        "the link ../a/b.html#q leads to no place in a/b.html",
-    );
-    damage(
-        13,
-        " -->",
-        " --><b id=\"p q\">",
-        "the id 'p q' stands twice in this page",
-    );
+    damage(11, "p%20q", "q", "the link ../a/b.html#q leads to no place in a/b.html");
+    damage(13, " -->", " --><b id=\"p q\">", "the id 'p q' stands twice in this page");
     damage(12, ">x<", ">}}<", "'}}' is left over: }}");
     damage(13, "-->", "-->$", "'$' is left over: $");
     damage(14, "</pre>", "</pre>\\tag", "'\\tag' is left over: \\tag");
     damage(15, ">a<", ">\\eqref<", "'\\eqref' is left over: \\eqrefb");
     damage(16, ">x<", ">\\label<", "'\\label' is left over: \\label");
-    damage(
-        16,
-        "presentation",
-        "img",
-        "a figure without alternative text",
-    );
+    damage(16, "presentation", "img", "a figure without alternative text");
     assert_eq!(damaged, 47);
 }
 
@@ -148,9 +109,7 @@ fn the_page_of_errors_and_the_print_page_are_let_be() {
     let all = ["b.html".to_owned(), "404.html".into(), "print.html".into()];
     let damaged = "<p id=\"x\"></p><p id=\"x\"></p><a href=\"no.html\">x</a>";
     let run = |pages: &[(&str, &str)]| {
-        let pages = pages
-            .iter()
-            .map(|(address, html)| ((*address).to_owned(), (*html).to_owned()));
+        let pages = pages.iter().map(|(address, html)| ((*address).to_owned(), (*html).to_owned()));
         check(&pages.collect(), &all, |_| None).map_err(|e| e.to_string())
     };
     let nowhere = "the link no.html leads nowhere";
@@ -161,8 +120,5 @@ fn the_page_of_errors_and_the_print_page_are_let_be() {
         run(&[("b.html", damaged), ("print.html", damaged)]),
         Err(format!("{twice}\nerror: b.html:1: {nowhere}"))
     );
-    assert_eq!(
-        run(&[("print.html", damaged)]),
-        Err(format!("print.html:1: {nowhere}"))
-    );
+    assert_eq!(run(&[("print.html", damaged)]), Err(format!("print.html:1: {nowhere}")));
 }

@@ -45,13 +45,7 @@ impl From<&str> for Axis {
 
 impl Axis {
     fn new(label: &str, scale: Scale) -> Self {
-        Self {
-            label: label.into(),
-            scale,
-            range: None,
-            ticks: None,
-            step: None,
-        }
+        Self { label: label.into(), scale, range: None, ticks: None, step: None }
     }
 
     /// A linear axis; the label holds the unit, as in `"$t$ / s"`.
@@ -159,10 +153,7 @@ mod tests {
 
     fn labels(axis: &Axis, extent: (f64, f64)) -> Vec<String> {
         let ticks = axis.marks(extent, 6).expect("the ticks are the axis's own");
-        ticks
-            .into_iter()
-            .map(|(_, label)| label.replace('$', ""))
-            .collect()
+        ticks.into_iter().map(|(_, label)| label.replace('$', "")).collect()
     }
 
     #[test]
@@ -172,20 +163,12 @@ mod tests {
         assert_eq!(labels(&axis, (0.62, 1.36)), ["0.8", "1.0", "1.2"]);
         assert_eq!(labels(&axis, (-0.3, 0.3)), ["-0.2", "0.0", "0.2"]);
         let angle = Axis::angle("x");
-        assert_eq!(
-            labels(&angle, (0.0, PI)),
-            ["0", "\\pi/4", "\\pi/2", "3\\pi/4", "\\pi"]
-        );
-        assert_eq!(
-            labels(&angle, (-PI, PI)),
-            ["-\\pi", "-\\pi/2", "0", "\\pi/2", "\\pi"]
-        );
+        assert_eq!(labels(&angle, (0.0, PI)), ["0", "\\pi/4", "\\pi/2", "3\\pi/4", "\\pi"]);
+        assert_eq!(labels(&angle, (-PI, PI)), ["-\\pi", "-\\pi/2", "0", "\\pi/2", "\\pi"]);
         let log = Axis::log("x");
         assert_eq!(
             labels(&log, (-12.0, -2.0)),
-            [
-                "10^{-12}", "10^{-10}", "10^{-8}", "10^{-6}", "10^{-4}", "10^{-2}"
-            ]
+            ["10^{-12}", "10^{-10}", "10^{-8}", "10^{-6}", "10^{-4}", "10^{-2}"]
         );
     }
 
@@ -194,17 +177,11 @@ mod tests {
         let axis = Axis::linear("x").over([0.3, -0.1, 1.2]).step(0.25);
         let extent = axis.extent([5.0]).expect("its own range");
         assert_eq!(extent, (-0.1, 1.2));
-        assert_eq!(
-            labels(&axis, extent),
-            ["0.00", "0.25", "0.50", "0.75", "1.00"]
-        );
+        assert_eq!(labels(&axis, extent), ["0.00", "0.25", "0.50", "0.75", "1.00"]);
         let angle = Axis::angle("x").parts_of_pi(8);
         assert_eq!(labels(&angle, (0.7, 1.7)), ["\\pi/4", "3\\pi/8", "\\pi/2"]);
         for step in [0.0, -1.0, f64::NAN, 1e-9] {
-            assert!(
-                Axis::linear("x").step(step).marks((0.0, 1.0), 6).is_err(),
-                "{step}"
-            );
+            assert!(Axis::linear("x").step(step).marks((0.0, 1.0), 6).is_err(), "{step}");
         }
         assert!(Axis::linear("x").over([]).extent([1.0, 2.0]).is_err());
     }

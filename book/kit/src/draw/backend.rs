@@ -75,9 +75,7 @@ impl DrawingBackend for Sheet<'_> {
             _ => 0,
         };
         let inside = at.0.min(self.get_size().0 as i32 - half);
-        self.0
-            .borrow_mut()
-            .mark(vec![(inside, at.1)], &Paint::Text(words));
+        self.0.borrow_mut().mark(vec![(inside, at.1)], &Paint::Text(words));
         Ok(())
     }
 
@@ -123,9 +121,7 @@ impl Ranged for Scale {
     fn axis_pixel_range(&self, limit: Place) -> Range<i32> {
         let Range { start, end } = self.range();
         let ticks = self.ticks.iter().map(|tick| tick.0);
-        let places = ticks
-            .chain([start, end])
-            .map(|value| self.map(&value, limit));
+        let places = ticks.chain([start, end]).map(|value| self.map(&value, limit));
         places.clone().min().unwrap_or(limit.0)..places.max().unwrap_or(limit.1)
     }
 }

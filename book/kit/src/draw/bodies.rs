@@ -49,12 +49,7 @@ impl Solid {
         let face = |k: usize, sign: f64| {
             let (out, u, v) = (half[k] * sign, half[(k + 1) % 3], half[(k + 2) % 3]);
             let middle = centre + out;
-            let mut face = vec![
-                middle + u + v,
-                middle - u + v,
-                middle - u - v,
-                middle + u - v,
-            ];
+            let mut face = vec![middle + u + v, middle - u + v, middle - u - v, middle + u - v];
             // In a left-handed box, and on opposite sides, the corners run the other way.
             if normal(&face).is_some_and(|n| n.dot(&out) < 0.0) {
                 face.reverse();
@@ -78,11 +73,7 @@ impl Solid {
                 (h(0.62), 0.12 * radius),
             ],
         )
-        .with(Self::rod(
-            tip + axis * h(0.6),
-            tip + axis * height,
-            0.085 * radius,
-        ))
+        .with(Self::rod(tip + axis * h(0.6), tip + axis * height, 0.085 * radius))
     }
 
     /// A bicycle wheel: rim, spokes, hub, and the axle, `axle` to each side of the centre.
@@ -118,14 +109,8 @@ impl Solid {
 
     /// A ring about `centre`: the mean radius, and half its thickness.
     pub fn ring(centre: SpaceVector, axis: SpaceVector, radius: f64, half: f64) -> Self {
-        const ROUND: [(f64, f64); 6] = [
-            (-0.5, -0.866),
-            (-1.0, 0.0),
-            (-0.5, 0.866),
-            (0.5, 0.866),
-            (1.0, 0.0),
-            (0.5, -0.866),
-        ];
+        const ROUND: [(f64, f64); 6] =
+            [(-0.5, -0.866), (-1.0, 0.0), (-0.5, 0.866), (0.5, 0.866), (1.0, 0.0), (0.5, -0.866)];
         const SIDES: u32 = 32;
         let (u, v) = across(axis);
         let at = |i: u32, k: usize| {
@@ -134,11 +119,7 @@ impl Solid {
             centre + (u * c + v * s) * (radius + half * r) + axis * (half * h)
         };
         let face = |i: u32, k: usize| vec![at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)];
-        Self::new(
-            (0..SIDES)
-                .flat_map(|i| (0..6).map(move |k| (i, k)))
-                .map(|(i, k)| face(i, k)),
-        )
+        Self::new((0..SIDES).flat_map(|i| (0..6).map(move |k| (i, k))).map(|(i, k)| face(i, k)))
     }
 
     /// A stand on the ground: a foot plate and a pillar up to `pivot`, `height` above it.
@@ -166,11 +147,7 @@ impl Solid {
 fn direction(from: SpaceVector, to: SpaceVector) -> (SpaceVector, f64) {
     let along = to - from;
     let length = along.norm();
-    if length > 0.0 {
-        (along / length, length)
-    } else {
-        (SpaceVector::new(0.0, 0.0, 1.0), 0.0)
-    }
+    if length > 0.0 { (along / length, length) } else { (SpaceVector::new(0.0, 0.0, 1.0), 0.0) }
 }
 
 #[cfg(test)]
@@ -198,37 +175,18 @@ mod tests {
         let edges = [at(2.0, 0.0, 0.0), at(0.0, 3.0, 0.0), at(0.0, 0.0, 0.5)];
         let mirrored = [edges[1], edges[0], edges[2]];
         let cases = [
-            (
-                Solid::disc(at(1.0, 2.0, 3.0), axis, 2.0, 0.5),
-                2.0 * PI * share(36.0),
-                1e-13,
-            ),
-            (
-                Solid::cone(at(1.0, 0.0, 0.0), at(1.0, 3.0, 0.0), 1.0),
-                PI * share(36.0),
-                1e-13,
-            ),
-            (
-                Solid::rod(at(0.0, 0.0, 0.0), axis * 2.0, 0.1),
-                0.02 * PI * share(10.0),
-                1e-13,
-            ),
+            (Solid::disc(at(1.0, 2.0, 3.0), axis, 2.0, 0.5), 2.0 * PI * share(36.0), 1e-13),
+            (Solid::cone(at(1.0, 0.0, 0.0), at(1.0, 3.0, 0.0), 1.0), PI * share(36.0), 1e-13),
+            (Solid::rod(at(0.0, 0.0, 0.0), axis * 2.0, 0.1), 0.02 * PI * share(10.0), 1e-13),
             (Solid::cuboid(at(5.0, 5.0, 5.0), edges), 3.0, 1e-13),
             (Solid::cuboid(at(5.0, 5.0, 5.0), mirrored), 3.0, 1e-13),
             (Solid::ball(at(1.0, 1.0, 1.0), 1.0), 4.0 / 3.0 * PI, 0.1),
-            (
-                Solid::ring(at(1.0, 1.0, 1.0), axis, 2.0, 0.1),
-                4.0 * PI * PI * 0.01,
-                0.2,
-            ),
+            (Solid::ring(at(1.0, 1.0, 1.0), axis, 2.0, 0.1), 4.0 * PI * PI * 0.01, 0.2),
         ];
         let count = cases.len();
         for (i, (solid, expected, within)) in cases.into_iter().enumerate() {
             let found = volume(&solid);
-            assert!(
-                (found / expected - 1.0).abs() < within,
-                "{i}: {found} {expected}"
-            );
+            assert!((found / expected - 1.0).abs() < within, "{i}: {found} {expected}");
         }
         assert_eq!(count, 7);
         // The damaged twin: a body without one of its faces is not closed.

@@ -41,8 +41,7 @@ pub(super) enum Paint {
 impl Display {
     fn line(&mut self, points: &[Place], closed: bool, stroke: Stroke) {
         if points.len() >= 2 {
-            self.shapes
-                .push(Shape::Line(thinned(points), closed, stroke));
+            self.shapes.push(Shape::Line(thinned(points), closed, stroke));
         }
     }
 
@@ -58,8 +57,7 @@ impl Display {
             Paint::Loop(stroke) => self.line(&points, true, *stroke),
             Paint::Fill(ink, alpha) => self.area(&points, *ink, *alpha),
             Paint::Face(ink, light) => {
-                self.shapes
-                    .push(Shape::Face(thinned(&points), *ink, *light));
+                self.shapes.push(Shape::Face(thinned(&points), *ink, *light));
             }
             Paint::Dot(ink, radius, ring) => {
                 let dots = points.iter().map(|&p| Shape::Dot(p, *radius, *ink, *ring));
@@ -120,10 +118,7 @@ impl Display {
 
     fn head(&mut self, head: &[Place], stroke: Stroke, open: bool) {
         if open {
-            let solid = Stroke {
-                dash: Dash::Solid,
-                ..stroke
-            };
+            let solid = Stroke { dash: Dash::Solid, ..stroke };
             self.line(head, false, solid);
         } else {
             self.area(head, stroke.ink, stroke.opacity);
@@ -154,10 +149,7 @@ fn head_at_end(points: &mut [Place], length: f64, open: bool) -> Vec<Place> {
     let head = vec![barb(0.36), tip, barb(-0.36)];
     if !open {
         let (s, c) = sincos(direction);
-        let end = (
-            tip.0 - units(0.8 * length * c),
-            tip.1 - units(0.8 * length * s),
-        );
+        let end = (tip.0 - units(0.8 * length * c), tip.1 - units(0.8 * length * s));
         for p in points.iter_mut().rev() {
             let inside =
                 hypot(f64::from(p.0 - tip.0), f64::from(p.1 - tip.1)) < 0.8 * length * UNITS;
@@ -212,11 +204,7 @@ impl Canvas {
     /// An empty one, of this width and height in px.
     pub(super) fn new(size: (u32, u32)) -> Self {
         let (shapes, texts) = (Vec::new(), Vec::new());
-        let display = RefCell::new(Display {
-            size,
-            shapes,
-            texts,
-        });
+        let display = RefCell::new(Display { size, shapes, texts });
         Self { display }
     }
 
@@ -244,12 +232,7 @@ impl Canvas {
     /// The whole sheet.
     pub(super) fn rect(&self) -> Rect {
         let (width, height) = self.display.borrow().size;
-        Rect {
-            left: 0.0,
-            right: f64::from(width),
-            top: 0.0,
-            bottom: f64::from(height),
-        }
+        Rect { left: 0.0, right: f64::from(width), top: 0.0, bottom: f64::from(height) }
     }
 
     /// Adds what was drawn elsewhere.
@@ -282,9 +265,5 @@ pub(super) fn figure(
     }
     let canvas = Canvas::new(size);
     draw(&canvas)?;
-    Ok(Figure {
-        name: name.into(),
-        alt: alt.into(),
-        display: canvas.display.into_inner(),
-    })
+    Ok(Figure { name: name.into(), alt: alt.into(), display: canvas.display.into_inner() })
 }

@@ -20,12 +20,7 @@ pub(super) fn clipped(line: &[Point], x: Point, y: Point) -> Vec<Vec<Point>> {
 fn clipped_segment(a: Point, b: Point, x: Point, y: Point) -> Option<(Point, Point)> {
     let (dx, dy) = (b.0 - a.0, b.1 - a.1);
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    for (step, room) in [
-        (-dx, a.0 - x.0),
-        (dx, x.1 - a.0),
-        (-dy, a.1 - y.0),
-        (dy, y.1 - a.1),
-    ] {
+    for (step, room) in [(-dx, a.0 - x.0), (dx, x.1 - a.0), (-dy, a.1 - y.0), (dy, y.1 - a.1)] {
         if step == 0.0 {
             if room < 0.0 {
                 return None;
@@ -48,12 +43,8 @@ fn clipped_segment(a: Point, b: Point, x: Point, y: Point) -> Option<(Point, Poi
 /// A polygon cut to within `x` and `y` (Sutherland and Hodgman, 1974).
 pub(super) fn clipped_polygon(polygon: &[Point], x: Point, y: Point) -> Vec<Point> {
     let mut polygon = polygon.to_vec();
-    let edges: [fn(Point, Point, Point) -> f64; 4] = [
-        |p, x, _| p.0 - x.0,
-        |p, x, _| x.1 - p.0,
-        |p, _, y| p.1 - y.0,
-        |p, _, y| y.1 - p.1,
-    ];
+    let edges: [fn(Point, Point, Point) -> f64; 4] =
+        [|p, x, _| p.0 - x.0, |p, x, _| x.1 - p.0, |p, _, y| p.1 - y.0, |p, _, y| y.1 - p.1];
     for inside in edges {
         let mut next = Vec::with_capacity(polygon.len() + 4);
         for (i, &b) in polygon.iter().enumerate() {

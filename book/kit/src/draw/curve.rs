@@ -169,11 +169,8 @@ impl Curve {
         y: Point,
     ) -> Result<()> {
         let inside = |p: &&Point| (x.0..=x.1).contains(&p.0) && (y.0..=y.1).contains(&p.1);
-        let stroke = Stroke {
-            dash: self.dash,
-            opacity: self.opacity,
-            ..Stroke::new(self.ink, self.width)
-        };
+        let stroke =
+            Stroke { dash: self.dash, opacity: self.opacity, ..Stroke::new(self.ink, self.width) };
         if self.line {
             for part in parts {
                 frame.draw(part, &Paint::Line(stroke))?;
@@ -186,10 +183,7 @@ impl Curve {
         for &at in &self.arrows {
             let count = at.clamp(0.0, 1.0) * self.points.len() as f64;
             let run = self.points.iter().take(count as usize).filter(inside);
-            frame.draw(
-                &run.copied().collect::<Vec<_>>(),
-                &Paint::Head(self.ink, 8.0),
-            )?;
+            frame.draw(&run.copied().collect::<Vec<_>>(), &Paint::Head(self.ink, 8.0))?;
         }
         Ok(())
     }

@@ -34,9 +34,7 @@ impl Seen {
         let flat: Vec<Point> = item.points.iter().map(|&p| camera.project(p)).collect();
         let bounds = |of: fn(&Point) -> f64| {
             let values = flat.iter().map(of);
-            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-                (a.min(v), b.max(v))
-            })
+            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)))
         };
         let depth = item.points.iter().map(|&p| camera.depth(p)).sum::<f64>();
         let face = matches!(item.paint, Paint::Face(..));
@@ -47,10 +45,7 @@ impl Seen {
             y: bounds(|p| p.1),
             depth: depth / item.points.len() as f64,
             plane: plane.map(|n| {
-                (
-                    n,
-                    item.points.iter().map(|p| p.dot(&n)).sum::<f64>() / item.points.len() as f64,
-                )
+                (n, item.points.iter().map(|p| p.dot(&n)).sum::<f64>() / item.points.len() as f64)
             }),
             flat,
         }
@@ -75,9 +70,7 @@ fn separated(a: &[Point], b: &[Point]) -> bool {
         let side = |r: &Point| dx * (r.1 - p.1) - dy * (r.0 - p.0);
         let span = |points: &[Point]| {
             let sides = points.iter().map(side);
-            sides.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| {
-                (l.min(s), h.max(s))
-            })
+            sides.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(s), h.max(s)))
         };
         let ((a0, a1), (b0, b1)) = (span(a), span(b));
         b0 > a1 - NEAR * NEAR.sqrt() && b1 > a1 || b1 < a0 + NEAR * NEAR.sqrt() && b0 < a0
@@ -197,18 +190,8 @@ mod tests {
         let camera = Camera::new(0.0, 0.0);
         let long = |y: f64, z: f64| [-6.0 * y, y, z];
         let items = [
-            face([
-                [-4.5, 0.9, -0.1],
-                [-4.5, 1.1, -0.1],
-                [-4.5, 1.1, 0.1],
-                [-4.5, 0.9, 0.1],
-            ]),
-            face([
-                long(0.0, -1.0),
-                long(1.0, -1.0),
-                long(1.0, 1.0),
-                long(0.0, 1.0),
-            ]),
+            face([[-4.5, 0.9, -0.1], [-4.5, 1.1, -0.1], [-4.5, 1.1, 0.1], [-4.5, 0.9, 0.1]]),
+            face([long(0.0, -1.0), long(1.0, -1.0), long(1.0, 1.0), long(0.0, 1.0)]),
         ];
         assert_eq!(from_behind(&camera, &items), [1, 0]);
         // The damaged twin: the middles say the opposite.
@@ -223,11 +206,7 @@ mod tests {
             let (s, c) = rotation_dynamics::math::sincos(turn);
             let at = |along: f64, across: f64| {
                 let z = 0.3 * along;
-                [
-                    c * along - s * (across + 0.5),
-                    s * along + c * (across + 0.5),
-                    z,
-                ]
+                [c * along - s * (across + 0.5), s * along + c * (across + 0.5), z]
             };
             face([at(-1.0, -0.1), at(1.0, -0.1), at(1.0, 0.1), at(-1.0, 0.1)])
         };

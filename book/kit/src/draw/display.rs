@@ -50,20 +50,12 @@ pub struct Stroke {
 
 impl Stroke {
     pub(super) const fn new(ink: Ink, width: f64) -> Self {
-        Self {
-            ink,
-            width,
-            dash: Dash::Solid,
-            opacity: 1.0,
-        }
+        Self { ink, width, dash: Dash::Solid, opacity: 1.0 }
     }
 
     /// So much fainter.
     pub(super) const fn faint(self, opacity: f64) -> Self {
-        Self {
-            opacity: self.opacity * opacity,
-            ..self
-        }
+        Self { opacity: self.opacity * opacity, ..self }
     }
 }
 
@@ -160,10 +152,7 @@ pub(super) fn thinned(points: &[Place]) -> Vec<Place> {
     while let Some((a, b)) = spans.pop() {
         let farthest = (a + 1..b)
             .map(|i| (i, distance_squared([at(a), at(b)], at(i))))
-            .fold(
-                (a, NEAR * NEAR),
-                |best, next| if next.1 > best.1 { next } else { best },
-            );
+            .fold((a, NEAR * NEAR), |best, next| if next.1 > best.1 { next } else { best });
         if farthest.0 != a {
             keep[farthest.0] = true;
             spans.push((a, farthest.0));

@@ -67,10 +67,7 @@ impl View {
             let (from, to) = (part.points[first], part.points[first + 1]);
             from + (to - from) * ((wanted - behind) / (next - behind))
         };
-        let plain = Stroke {
-            dash: Dash::Solid,
-            ..part.stroke
-        };
+        let plain = Stroke { dash: Dash::Solid, ..part.stroke };
         let mut from = 0.0;
         while from < shaft {
             let to = (from + on).min(shaft);

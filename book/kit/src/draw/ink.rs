@@ -54,14 +54,7 @@ pub struct Colour {
 }
 
 const fn colour(ink: Ink, name: &'static str, light: [u32; 2], dark: [u32; 2]) -> Colour {
-    Colour {
-        ink,
-        name,
-        line: light[0],
-        text: light[1],
-        dark_line: dark[0],
-        dark_text: dark[1],
-    }
+    Colour { ink, name, line: light[0], text: light[1], dark_line: dark[0], dark_text: dark[1] }
 }
 
 /// Every ink. The quantities after Okabe and Ito; the orange's lines and the text of most
@@ -69,53 +62,18 @@ const fn colour(ink: Ink, name: &'static str, light: [u32; 2], dark: [u32; 2]) -
 /// chosen to be told apart by those who see no red or no green.
 pub const PALETTE: [Colour; 14] = [
     colour(Ink::Ink, "fig-ink", [0x1F2328; 2], [0xE6E3DD; 2]),
-    colour(
-        Ink::Frame,
-        "fig-axis",
-        [0x6B7076, 0x5F646A],
-        [0x9BA1A8, 0xA8AEB5],
-    ),
+    colour(Ink::Frame, "fig-axis", [0x6B7076, 0x5F646A], [0x9BA1A8, 0xA8AEB5]),
     colour(Ink::Paper, "fig-paper", [0xFFFFFF; 2], [0x16191D; 2]),
     colour(Ink::Momentum, "fig-momentum", [0x0072B2; 2], [0x4FB0EA; 2]),
-    colour(
-        Ink::Velocity,
-        "fig-rate",
-        [0xD55E00, 0xB84E00],
-        [0xF08A45; 2],
-    ),
+    colour(Ink::Velocity, "fig-rate", [0xD55E00, 0xB84E00], [0xF08A45; 2]),
     colour(Ink::Body, "fig-body", [0x009E73, 0x007A59], [0x34C495; 2]),
-    colour(
-        Ink::Force,
-        "fig-torque",
-        [0xCC79A7, 0xAD5186],
-        [0xE29CC6; 2],
-    ),
-    colour(
-        Ink::Energy,
-        "fig-energy",
-        [0xC27C00, 0x8F5C00],
-        [0xF0B030; 2],
-    ),
+    colour(Ink::Force, "fig-torque", [0xCC79A7, 0xAD5186], [0xE29CC6; 2]),
+    colour(Ink::Energy, "fig-energy", [0xC27C00, 0x8F5C00], [0xF0B030; 2]),
     colour(Ink::Wrong, "fig-wrong", [0xD55E00, 0xB84E00], [0xF08A45; 2]),
-    colour(
-        Ink::RungeKutta,
-        "fig-runge-kutta",
-        [0x85502A; 2],
-        [0xC49A6C; 2],
-    ),
+    colour(Ink::RungeKutta, "fig-runge-kutta", [0x85502A; 2], [0xC49A6C; 2]),
     colour(Ink::Adaptive, "fig-adaptive", [0x8C1D4F; 2], [0xE6508A; 2]),
-    colour(
-        Ink::Splitting,
-        "fig-splitting",
-        [0x6E7A00; 2],
-        [0xD2DD60; 2],
-    ),
-    colour(
-        Ink::WeakKicks,
-        "fig-weak-kicks",
-        [0x00757D; 2],
-        [0x5CCBD2; 2],
-    ),
+    colour(Ink::Splitting, "fig-splitting", [0x6E7A00; 2], [0xD2DD60; 2]),
+    colour(Ink::WeakKicks, "fig-weak-kicks", [0x00757D; 2], [0x5CCBD2; 2]),
     colour(Ink::Gauss, "fig-gauss", [0x5A3FC0; 2], [0xA08CFF; 2]),
 ];
 
@@ -133,15 +91,9 @@ impl Colour {
     /// themes what is lit is the lighter.
     fn body(&self, dark: bool) -> [u32; 2] {
         if dark {
-            [
-                mixture(self.dark_line, 0xFFFFFF, 86),
-                mixture(self.dark_line, 0x000000, 30),
-            ]
+            [mixture(self.dark_line, 0xFFFFFF, 86), mixture(self.dark_line, 0x000000, 30)]
         } else {
-            [
-                mixture(self.line, 0xFFFFFF, 14),
-                mixture(self.line, 0x000000, 82),
-            ]
+            [mixture(self.line, 0xFFFFFF, 14), mixture(self.line, 0x000000, 82)]
         }
     }
 }
@@ -188,11 +140,7 @@ pub fn css_variables(dark: bool) -> String {
     PALETTE
         .iter()
         .map(|c| {
-            let (line, text) = if dark {
-                (c.dark_line, c.dark_text)
-            } else {
-                (c.line, c.text)
-            };
+            let (line, text) = if dark { (c.dark_line, c.dark_text) } else { (c.line, c.text) };
             let [lit, shade] = c.body(dark);
             format!(
                 "--{0}: #{line:06X};\n--{0}-text: #{text:06X};\n\
@@ -212,11 +160,7 @@ mod tests {
     fn linear(rgb: u32) -> [f64; 3] {
         [16, 8, 0].map(|shift| {
             let c = f64::from((rgb >> shift) & 255) / 255.0;
-            if c <= 0.04045 {
-                c / 12.92
-            } else {
-                pow((c + 0.055) / 1.055, 2.4)
-            }
+            if c <= 0.04045 { c / 12.92 } else { pow((c + 0.055) / 1.055, 2.4) }
         })
     }
 
@@ -244,12 +188,10 @@ mod tests {
         let paper = Ink::Paper.colour();
         let (mut lines, mut texts) = (21.0_f64, 21.0_f64);
         for c in PALETTE.iter().filter(|c| c.ink != Ink::Paper) {
-            lines = lines
-                .min(contrast(c.line, paper.line))
-                .min(contrast(c.dark_line, paper.dark_line));
-            texts = texts
-                .min(contrast(c.text, paper.line))
-                .min(contrast(c.dark_text, paper.dark_line));
+            lines =
+                lines.min(contrast(c.line, paper.line)).min(contrast(c.dark_line, paper.dark_line));
+            texts =
+                texts.min(contrast(c.text, paper.line)).min(contrast(c.dark_text, paper.dark_line));
         }
         assert!((3.0..3.1).contains(&lines), "weakest line {lines}");
         assert!((4.5..4.9).contains(&texts), "weakest text {texts}");
@@ -275,18 +217,10 @@ mod tests {
     /// Fernandes, 2009), in CIE Lab.
     fn seen(rgb: u32, cones: [[f64; 3]; 3]) -> [f64; 3] {
         let light = linear(rgb);
-        let [r, g, b] = cones.map(|row| {
-            (0..3)
-                .map(|i| row[i] * light[i])
-                .sum::<f64>()
-                .clamp(0.0, 1.0)
-        });
+        let [r, g, b] =
+            cones.map(|row| (0..3).map(|i| row[i] * light[i]).sum::<f64>().clamp(0.0, 1.0));
         let f = |t: f64| {
-            if t > 0.008856 {
-                libm::cbrt(t)
-            } else {
-                7.787 * t + 16.0 / 116.0
-            }
+            if t > 0.008856 { libm::cbrt(t) } else { 7.787 * t + 16.0 / 116.0 }
         };
         let x = f((0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.95047);
         let y = f(0.2126 * r + 0.7152 * g + 0.0722 * b);
@@ -309,35 +243,21 @@ mod tests {
     fn apart(a: u32, b: u32) -> f64 {
         let distance = |cones| {
             let (a, b) = (seen(a, cones), seen(b, cones));
-            (0..3)
-                .map(|i| (a[i] - b[i]) * (a[i] - b[i]))
-                .sum::<f64>()
-                .sqrt()
+            (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum::<f64>().sqrt()
         };
-        [FULL, NO_RED, NO_GREEN]
-            .map(distance)
-            .into_iter()
-            .fold(f64::INFINITY, f64::min)
+        [FULL, NO_RED, NO_GREEN].map(distance).into_iter().fold(f64::INFINITY, f64::min)
     }
 
     /// Measured: the least distance of two inks of methods is 18.
     #[test]
     fn methods_are_told_apart_without_red_or_green() {
-        let inks = [
-            Ink::Ink,
-            Ink::RungeKutta,
-            Ink::Adaptive,
-            Ink::Splitting,
-            Ink::WeakKicks,
-            Ink::Gauss,
-        ];
+        let inks =
+            [Ink::Ink, Ink::RungeKutta, Ink::Adaptive, Ink::Splitting, Ink::WeakKicks, Ink::Gauss];
         let (mut least, mut pairs) = (f64::INFINITY, 0);
         for (i, a) in inks.iter().enumerate() {
             for b in &inks[..i] {
                 let (a, b) = (a.colour(), b.colour());
-                least = least
-                    .min(apart(a.line, b.line))
-                    .min(apart(a.dark_line, b.dark_line));
+                least = least.min(apart(a.line, b.line)).min(apart(a.dark_line, b.dark_line));
                 pairs += 1;
             }
         }

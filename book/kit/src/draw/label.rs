@@ -105,11 +105,7 @@ impl Label {
             last.text.push_str(text);
             return;
         }
-        self.spans.push(Span {
-            text: text.into(),
-            slanted,
-            level,
-        });
+        self.spans.push(Span { text: text.into(), slanted, level });
     }
 
     /// Reads a formula up to its end or to the brace that closes it.
@@ -199,10 +195,7 @@ impl Label {
                 c => c.to_string(),
             };
             let letter = text.chars().next().is_some_and(char::is_alphabetic);
-            let capital_greek = text
-                .chars()
-                .next()
-                .is_some_and(|c| ('Α'..='Ω').contains(&c));
+            let capital_greek = text.chars().next().is_some_and(|c| ('Α'..='Ω').contains(&c));
             text.push_str(core::mem::take(&mut mark));
             self.push(&text, letter && !upright && !capital_greek, level);
         }
@@ -214,11 +207,7 @@ impl Label {
             .iter()
             .map(|span| {
                 let em: f64 = span.text.chars().map(glyph_width).sum();
-                let scale = if span.level == Level::Base {
-                    1.0
-                } else {
-                    SMALL
-                };
+                let scale = if span.level == Level::Base { 1.0 } else { SMALL };
                 let scale = if span.slanted { SLANTED * scale } else { scale };
                 em * scale * size
             })
@@ -234,12 +223,7 @@ impl Label {
                 Level::Sup => (SMALL, -0.36 * size),
             };
             let scale = if span.slanted { SLANTED * scale } else { scale };
-            Run {
-                text: span.text.clone(),
-                slanted: span.slanted,
-                size: scale * size,
-                drop,
-            }
+            Run { text: span.text.clone(), slanted: span.slanted, size: scale * size, drop }
         };
         self.spans.iter().map(run).collect()
     }
@@ -272,11 +256,7 @@ mod tests {
     use super::*;
 
     fn plain(label: &str) -> String {
-        Label::new(label)
-            .spans
-            .iter()
-            .map(|s| s.text.as_str())
-            .collect()
+        Label::new(label).spans.iter().map(|s| s.text.as_str()).collect()
     }
 
     #[test]

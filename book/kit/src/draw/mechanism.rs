@@ -12,10 +12,7 @@ use rotation_dynamics::math::{atan2, hypot, sincos};
 fn beside(from: Point, to: Point, along: f64, aside: f64) -> Point {
     let length = hypot(to.0 - from.0, to.1 - from.1).max(f64::MIN_POSITIVE);
     let (ex, ey) = ((to.0 - from.0) / length, (to.1 - from.1) / length);
-    (
-        from.0 + along * ex - aside * ey,
-        from.1 + along * ey + aside * ex,
-    )
+    (from.0 + along * ex - aside * ey, from.1 + along * ey + aside * ex)
 }
 
 impl Sketch {
@@ -31,9 +28,12 @@ impl Sketch {
     pub fn roller(self, centre: (f64, f64), radius: f64, turn: f64, ink: Ink) -> Self {
         let (s, c) = sincos(turn);
         let rim = (centre.0 + radius * c, centre.1 + radius * s);
-        self.disc(centre, radius, ink, 0.15)
-            .curve(Curve::new([centre, rim], ink).width(1.4))
-            .dot(centre, ink, "", Side::Above)
+        self.disc(centre, radius, ink, 0.15).curve(Curve::new([centre, rim], ink).width(1.4)).dot(
+            centre,
+            ink,
+            "",
+            Side::Above,
+        )
     }
 
     /// Adds a pulley: a roller with a groove, hung from the point `from`.
@@ -55,8 +55,7 @@ impl Sketch {
         // The ground lies to the right of the way along which it is hatched.
         let (from, to) = if c >= 0.0 { (foot, top) } else { (top, foot) };
         let corner = (top.0, foot.1);
-        self.curve(Curve::new([foot, corner, top], Ink::Frame).thin())
-            .wall(from, to)
+        self.curve(Curve::new([foot, corner, top], Ink::Frame).thin()).wall(from, to)
     }
 
     /// Adds a bar of this width with square ends: a plank, a ladder, a rod.
@@ -64,12 +63,8 @@ impl Sketch {
     pub fn bar(self, from: (f64, f64), to: (f64, f64), width: f64, ink: Ink) -> Self {
         let length = hypot(to.0 - from.0, to.1 - from.1);
         let corner = |along: f64, side: f64| beside(from, to, along, side * width / 2.0);
-        let outline = [
-            corner(0.0, 1.0),
-            corner(length, 1.0),
-            corner(length, -1.0),
-            corner(0.0, -1.0),
-        ];
+        let outline =
+            [corner(0.0, 1.0), corner(length, 1.0), corner(length, -1.0), corner(0.0, -1.0)];
         self.body(outline, ink, 0.2)
     }
 

@@ -185,11 +185,7 @@ impl Method {
     pub fn curve(self, points: impl IntoIterator<Item = (f64, f64)>) -> Curve {
         let mut curve = Curve::new(points, self.ink());
         (curve.dash, curve.marker) = (self.dash(), self.marker());
-        if self == Self::Other {
-            curve.thin()
-        } else {
-            curve
-        }
+        if self == Self::Other { curve.thin() } else { curve }
     }
 }
 

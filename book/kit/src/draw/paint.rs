@@ -53,10 +53,8 @@ impl Panel {
     /// The room that the labels of the vertical axis need.
     pub(super) fn left_margin(&self, y: Point, height: f64) -> Result<f64> {
         let ticks = self.y_ticks(y, height)?;
-        let widest = ticks
-            .iter()
-            .map(|(_, label)| Label::new(label).width(SIZE))
-            .fold(0.0, f64::max);
+        let widest =
+            ticks.iter().map(|(_, label)| Label::new(label).width(SIZE)).fold(0.0, f64::max);
         Ok(widest + OFFSET + TICK + 7.0)
     }
 
@@ -70,11 +68,7 @@ impl Panel {
         Rect {
             left,
             right: end_labels.fold(12.0, |margin, width| f64::max(margin, width + 14.0)),
-            top: if self.y.label.is_empty() {
-                10.0
-            } else {
-                LINE + 10.0
-            },
+            top: if self.y.label.is_empty() { 10.0 } else { LINE + 10.0 },
             bottom: match (labelled_x, self.x.label.is_empty()) {
                 (false, _) => OFFSET,
                 (true, true) => ticks + 3.0,
@@ -203,10 +197,7 @@ impl Panel {
                 Some(now) if curve.runs_on() && i >= self.rules.len() => {
                     let before = clipped(&curve.points, (x.0, now), y);
                     let after = clipped(&curve.points, (now, x.1), y);
-                    curve
-                        .clone()
-                        .faint(0.3 * curve.opacity)
-                        .paint(frame, &after, (now, x.1), y)?;
+                    curve.clone().faint(0.3 * curve.opacity).paint(frame, &after, (now, x.1), y)?;
                     curve.paint(frame, &before, (x.0, now), y)?;
                 }
                 _ => curve.paint(frame, parts, x, y)?,
@@ -278,16 +269,13 @@ impl Panel {
             }
         }
         // Of each curve with a label at its end: the label and where the curve ends.
-        let at_ends = curves
-            .iter()
-            .zip(lines)
-            .filter_map(|(curve, parts)| match &curve.label {
-                Some((text, LabelPlace::End)) => {
-                    let end = frame.px(*parts.last()?.last()?);
-                    Some((Words::new(text, curve.ink, Side::Right, GAP + 2.0), end))
-                }
-                _ => None,
-            });
+        let at_ends = curves.iter().zip(lines).filter_map(|(curve, parts)| match &curve.label {
+            Some((text, LabelPlace::End)) => {
+                let end = frame.px(*parts.last()?.last()?);
+                Some((Words::new(text, curve.ink, Side::Right, GAP + 2.0), end))
+            }
+            _ => None,
+        });
         let at_ends: Vec<(Words, Point)> = at_ends.collect();
         let mut heights: Vec<(usize, f64)> =
             at_ends.iter().map(|(_, end)| end.1).enumerate().collect();
@@ -298,13 +286,10 @@ impl Panel {
             obstacles.take(words.rect(at));
             sheet.draw(&[at], &Paint::Text(words.clone()))?;
         }
-        let found = curves
-            .iter()
-            .enumerate()
-            .filter_map(|(i, curve)| match &curve.label {
-                Some((text, LabelPlace::Found)) => Some((i, curve.ink, text)),
-                _ => None,
-            });
+        let found = curves.iter().enumerate().filter_map(|(i, curve)| match &curve.label {
+            Some((text, LabelPlace::Found)) => Some((i, curve.ink, text)),
+            _ => None,
+        });
         let mut found: Vec<(usize, Ink, &String)> = found.collect();
         // The longest is the hardest to place: it chooses first.
         sort_by_number(&mut found, |label| -(label.2.len() as f64));

@@ -158,13 +158,7 @@ impl Panel {
 
     fn noted(mut self, at: Point, ink: Ink, text: &str, side: Side, dot: Option<bool>) -> Self {
         let text = text.into();
-        self.notes.push(Note {
-            at,
-            text,
-            ink,
-            side,
-            dot,
-        });
+        self.notes.push(Note { at, text, ink, side, dot });
         self
     }
 

@@ -23,14 +23,8 @@ const SIDES: [Side; 8] = [
 pub(super) const GAP: f64 = 5.0;
 
 /// The distances tried for a label, and what each costs.
-const DISTANCES: [(f64, f64); 6] = [
-    (GAP, 0.0),
-    (9.0, 2.0),
-    (14.0, 5.0),
-    (22.0, 14.0),
-    (34.0, 18.0),
-    (50.0, 24.0),
-];
+const DISTANCES: [(f64, f64); 6] =
+    [(GAP, 0.0), (9.0, 2.0), (14.0, 5.0), (22.0, 14.0), (34.0, 18.0), (50.0, 24.0)];
 
 /// What a label keeps between its box and lines: its halo and a little.
 const HALO: f64 = 3.0;
@@ -70,11 +64,7 @@ impl Obstacles {
 
     /// Nothing yet, in a room (px) that labels must not leave.
     pub(super) fn new(room: Rect) -> Self {
-        Self {
-            points: Vec::new(),
-            taken: Vec::new(),
-            room,
-        }
+        Self { points: Vec::new(), taken: Vec::new(), room }
     }
 
     /// Adds a line of curve number `curve`, in px.
@@ -124,11 +114,7 @@ impl Obstacles {
     ) -> Option<Placed> {
         let mut wanted = vec![(at, side, 0.0)];
         let others = SIDES.into_iter().filter(|&s| s != side);
-        wanted.extend(
-            others
-                .enumerate()
-                .map(|(rank, s)| (at, s, 15.0 + rank as f64)),
-        );
+        wanted.extend(others.enumerate().map(|(rank, s)| (at, s, 15.0 + rank as f64)));
         self.best(None, wanted, closest - GAP, words)
     }
 
@@ -201,11 +187,7 @@ impl Obstacles {
             if cost >= enough {
                 return cost;
             }
-            let nearest = if Some(owner) == curve {
-                &mut own
-            } else {
-                &mut other
-            };
+            let nearest = if Some(owner) == curve { &mut own } else { &mut other };
             if owner != Self::NOBODY {
                 *nearest = nearest.min(distance);
             }
@@ -222,11 +204,7 @@ impl Obstacles {
 pub(super) fn distance_squared([a, b]: [Point; 2], p: Point) -> f64 {
     let (dx, dy, px, py) = (b.0 - a.0, b.1 - a.1, p.0 - a.0, p.1 - a.1);
     let square = dx * dx + dy * dy;
-    let s = if square > 0.0 {
-        ((dx * px + dy * py) / square).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
+    let s = if square > 0.0 { ((dx * px + dy * py) / square).clamp(0.0, 1.0) } else { 0.0 };
     let (ex, ey) = (px - s * dx, py - s * dy);
     ex * ex + ey * ey
 }
@@ -249,12 +227,7 @@ mod tests {
     #[test]
     fn labels_touch_neither_curves_nor_each_other() {
         use super::super::ink::Ink;
-        let room = Rect {
-            left: 0.0,
-            right: 300.0,
-            top: 0.0,
-            bottom: 200.0,
-        };
+        let room = Rect { left: 0.0, right: 300.0, top: 0.0, bottom: 200.0 };
         let mut obstacles = Obstacles::new(room);
         let wave = |k: usize| -> Vec<Point> {
             let at = |i: u32| f64::from(i) * 3.0;
@@ -266,18 +239,12 @@ mod tests {
             obstacles.add_line(k, &wave(k));
         }
         let crossed = |rect: &Rect, obstacles: &Obstacles| {
-            obstacles
-                .points
-                .iter()
-                .filter(|(_, p)| rect.contains(*p))
-                .count()
+            obstacles.points.iter().filter(|(_, p)| rect.contains(*p)).count()
         };
         let mut rects: Vec<Rect> = Vec::new();
         for k in 0..4 {
             let words = |side, gap| Words::new("wave number", Ink::Ink, side, gap);
-            let placed = obstacles
-                .place(k, &wave(k), words)
-                .expect("a line has places");
+            let placed = obstacles.place(k, &wave(k), words).expect("a line has places");
             let rect = placed.words.rect(placed.at);
             assert_eq!(crossed(&rect, &obstacles), 0, "label {k}");
             assert!(rects.iter().all(|r| !r.overlaps(&rect)), "label {k}");

@@ -56,11 +56,8 @@ impl View {
         }
         for element in &self.elements {
             if let Element::OnSphere(points, stroke) = element {
-                let hidden = Stroke {
-                    dash: Dash::Dashed,
-                    width: 0.75 * stroke.width,
-                    ..stroke.faint(0.5)
-                };
+                let hidden =
+                    Stroke { dash: Dash::Dashed, width: 0.75 * stroke.width, ..stroke.faint(0.5) };
                 self.on_sphere(&frame, points, false, hidden)?;
             }
         }
@@ -73,10 +70,7 @@ impl View {
         self.paint_layer(&frame, &parts, Layer::Before, unit)?;
         for element in &self.elements {
             if let Element::Dot(at, ink, radius, ring) = element {
-                frame.draw(
-                    &[self.camera.project(*at)],
-                    &Paint::Dot(*ink, *radius, *ring),
-                )?;
+                frame.draw(&[self.camera.project(*at)], &Paint::Dot(*ink, *radius, *ring))?;
             }
         }
         if self.triad {
@@ -173,10 +167,7 @@ impl View {
         // Where a body hides an arrow, a trace of it remains.
         for part in parts {
             if let Element::Arrow(..) = part.element {
-                let stroke = Stroke {
-                    width: 0.7 * part.stroke.width,
-                    ..part.stroke.faint(0.35)
-                };
+                let stroke = Stroke { width: 0.7 * part.stroke.width, ..part.stroke.faint(0.35) };
                 frame.draw(&self.flat(&part.points), &Paint::Line(stroke))?;
             }
         }

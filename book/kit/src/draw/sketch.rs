@@ -153,10 +153,12 @@ impl Sketch {
                 .max((shown.1 - low) / (size - before))
                 .max((high - shown.0) / (size - after))
         };
-        let unit = self
-            .px()
-            .max(needed(self.x, x, width, [left, right]))
-            .max(needed(self.y, y, height, [below, above]));
+        let unit = self.px().max(needed(self.x, x, width, [left, right])).max(needed(
+            self.y,
+            y,
+            height,
+            [below, above],
+        ));
         let about = |shown: Point, (low, high): Point, size: f64, [before, after]: [f64; 2]| {
             let first = 0.5 * (shown.0 + shown.1 - size * unit);
             let first = first.max(shown.1.max(high + after * unit) - size * unit);
@@ -185,16 +187,14 @@ impl Sketch {
     #[must_use]
     pub fn string(self, from: (f64, f64), to: (f64, f64), label: &str, side: Side) -> Self {
         let middle = ((from.0 + to.0) / 2.0, (from.1 + to.1) / 2.0);
-        self.curve(Curve::new([from, to], Ink::Ink))
-            .text(middle, label, Ink::Ink, side)
+        self.curve(Curve::new([from, to], Ink::Ink)).text(middle, label, Ink::Ink, side)
     }
 
     /// Adds a round weight, with a label to its right.
     #[must_use]
     pub fn weight(self, centre: (f64, f64), radius: f64, label: &str) -> Self {
         let beside = (centre.0 + radius, centre.1);
-        self.disc(centre, radius, Ink::Body, 1.0)
-            .text(beside, label, Ink::Body, Side::Right)
+        self.disc(centre, radius, Ink::Body, 1.0).text(beside, label, Ink::Body, Side::Right)
     }
 
     /// Adds the arrow that says which way the acceleration of gravity points, so long.
@@ -215,8 +215,7 @@ impl Sketch {
         side: Side,
     ) -> Self {
         let middle = ((from.0 + to.0) / 2.0, (from.1 + to.1) / 2.0);
-        self.arrow_along([from, to], ink)
-            .text(middle, label, ink, side)
+        self.arrow_along([from, to], ink).text(middle, label, ink, side)
     }
 
     /// Adds an arrow with a label beside its tip.
@@ -229,15 +228,13 @@ impl Sketch {
         label: &str,
         side: Side,
     ) -> Self {
-        self.arrow_along([from, tip], ink)
-            .text(tip, label, ink, side)
+        self.arrow_along([from, tip], ink).text(tip, label, ink, side)
     }
 
     /// Adds an arrow along a curve.
     #[must_use]
     pub fn arrow_along(mut self, points: impl IntoIterator<Item = (f64, f64)>, ink: Ink) -> Self {
-        self.elements
-            .push(Element::Arrow(points.into_iter().collect(), ink));
+        self.elements.push(Element::Arrow(points.into_iter().collect(), ink));
         self
     }
 
@@ -249,8 +246,12 @@ impl Sketch {
         // The label sits on the ray through the middle, beyond the arc.
         let beyond = radius + 13.0 * (self.x.1 - self.x.0) / f64::from(self.width);
         let at = (centre.0 + beyond * c, centre.1 + beyond * s);
-        self.curve(Curve::new(arc(centre, radius, between), Ink::Ink).thin())
-            .text(at, label, Ink::Ink, Side::Centre)
+        self.curve(Curve::new(arc(centre, radius, between), Ink::Ink).thin()).text(
+            at,
+            label,
+            Ink::Ink,
+            Side::Centre,
+        )
     }
 
     /// Adds an arrow along an arc: which way something turns.
@@ -327,9 +328,7 @@ impl Sketch {
     pub fn figure(&self) -> Result<Figure> {
         let width = f64::from(self.width);
         let size = (self.width, self.height(width)? as u32);
-        figure(&self.name, &self.alt, size, |canvas| {
-            self.paint_into(canvas, canvas.rect())
-        })
+        figure(&self.name, &self.alt, size, |canvas| self.paint_into(canvas, canvas.rect()))
     }
 
     /// Its height when it is so wide, in px.
@@ -364,10 +363,9 @@ impl Sketch {
         let line = |ink, width| Stroke::new(ink, width).faint(opacity);
         match element {
             Element::Curve(curve) if opacity == 1.0 => curve.paint_whole(frame),
-            Element::Curve(curve) => curve
-                .clone()
-                .faint(opacity * curve.opacity)
-                .paint_whole(frame),
+            Element::Curve(curve) => {
+                curve.clone().faint(opacity * curve.opacity).paint_whole(frame)
+            }
             Element::Arrow(points, ink) => {
                 let open = *ink == Ink::Force;
                 frame.draw(points, &Paint::Arrow(line(*ink, CURVE), 9.0, open))
@@ -409,11 +407,8 @@ impl Sketch {
 
     fn paint_labels(&self, canvas: &Canvas, frame: &Frame<'_>, rect: Rect) -> Result<()> {
         let sheet = canvas.sheet();
-        let mut obstacles = Obstacles::new(Rect {
-            left: rect.left + 2.0,
-            right: rect.right - 2.0,
-            ..rect
-        });
+        let mut obstacles =
+            Obstacles::new(Rect { left: rect.left + 2.0, right: rect.right - 2.0, ..rect });
         let mut wanted = Vec::new();
         for (i, element) in self.elements.iter().enumerate() {
             let points: Vec<Point> = match element {

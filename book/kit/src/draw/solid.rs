@@ -58,9 +58,7 @@ impl Solid {
 
     /// The solid with these faces, each a plane polygon, counterclockwise seen from outside.
     pub fn new(faces: impl IntoIterator<Item = Vec<SpaceVector>>) -> Self {
-        Self {
-            faces: faces.into_iter().collect(),
-        }
+        Self { faces: faces.into_iter().collect() }
     }
 
     /// What a profile of `(height along the axis, radius)` sweeps out about the line

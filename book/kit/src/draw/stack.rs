@@ -154,32 +154,20 @@ impl Stack {
         let rows = u32::try_from(last).unwrap_or(u32::MAX).saturating_add(1);
         let above = heights.iter().sum::<f64>() as u32;
         let below = self.row.saturating_mul(rows).saturating_add(36);
-        figure(
-            &self.name,
-            &self.alt,
-            (self.width, above.saturating_add(below)),
-            |canvas| {
-                let whole = canvas.rect();
-                let mut rect = Rect {
-                    bottom: 0.0,
-                    ..whole
-                };
-                for (scene, height) in self.scenes.iter().zip(heights) {
-                    rect.bottom = rect.top + height;
-                    scene.paint(canvas, rect)?;
-                    rect.top = rect.bottom;
-                }
-                for (i, (panel, y)) in self.panels.iter().zip(ys).enumerate() {
-                    rect.bottom = if i == last {
-                        whole.bottom
-                    } else {
-                        rect.top + f64::from(self.row)
-                    };
-                    panel.paint(canvas, rect, left, x, y, i == last)?;
-                    rect.top = rect.bottom;
-                }
-                Ok(())
-            },
-        )
+        figure(&self.name, &self.alt, (self.width, above.saturating_add(below)), |canvas| {
+            let whole = canvas.rect();
+            let mut rect = Rect { bottom: 0.0, ..whole };
+            for (scene, height) in self.scenes.iter().zip(heights) {
+                rect.bottom = rect.top + height;
+                scene.paint(canvas, rect)?;
+                rect.top = rect.bottom;
+            }
+            for (i, (panel, y)) in self.panels.iter().zip(ys).enumerate() {
+                rect.bottom = if i == last { whole.bottom } else { rect.top + f64::from(self.row) };
+                panel.paint(canvas, rect, left, x, y, i == last)?;
+                rect.top = rect.bottom;
+            }
+            Ok(())
+        })
     }
 }

@@ -6,10 +6,8 @@ use rotation_dynamics::math::{hypot, sort_by_number};
 /// Points along a line at which a label is tried, with their position from 0 to 1.
 pub(super) fn stations(line: &[Point]) -> Vec<(f64, Point)> {
     const COUNT: usize = 25;
-    let lengths: Vec<f64> = line
-        .windows(2)
-        .map(|w| hypot(w[1].0 - w[0].0, w[1].1 - w[0].1))
-        .collect();
+    let lengths: Vec<f64> =
+        line.windows(2).map(|w| hypot(w[1].0 - w[0].0, w[1].1 - w[0].1)).collect();
     let total: f64 = lengths.iter().sum();
     let mut found = Vec::new();
     let (mut behind, mut segment) = (0.0, 0);
@@ -23,11 +21,7 @@ pub(super) fn stations(line: &[Point]) -> Vec<(f64, Point)> {
             break;
         };
         let b = line[segment + 1];
-        let s = if length > 0.0 {
-            (position * total - behind) / length
-        } else {
-            0.0
-        };
+        let s = if length > 0.0 { (position * total - behind) / length } else { 0.0 };
         found.push((position, (a.0 + s * (b.0 - a.0), a.1 + s * (b.1 - a.1))));
     }
     if found.is_empty() {

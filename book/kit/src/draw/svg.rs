@@ -45,11 +45,7 @@ fn document(display: &Display, alt: &str) -> String {
         out.push_str("</g>\n");
     }
     for item in &display.texts {
-        text(
-            &mut out,
-            item,
-            &format!(" style=\"fill:{}\"", item.ink.text()),
-        );
+        text(&mut out, item, &format!(" style=\"fill:{}\"", item.ink.text()));
     }
     out.push_str("</svg>\n");
     out
@@ -57,10 +53,7 @@ fn document(display: &Display, alt: &str) -> String {
 
 /// `text` with the characters that XML reserves replaced.
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// The rules of the faces that occur. A page holds many figures in one style sheet: the
@@ -105,11 +98,7 @@ fn shape(out: &mut String, shape: &Shape) {
         ),
         Shape::Dot(at, radius, ink, ring) => {
             let paint = if *ring {
-                format!(
-                    "fill:{};stroke:{};stroke-width:1.5px",
-                    Ink::Paper.line(),
-                    ink.line()
-                )
+                format!("fill:{};stroke:{};stroke-width:1.5px", Ink::Paper.line(), ink.line())
             } else {
                 format!("fill:{}", ink.line())
             };
@@ -125,11 +114,7 @@ fn shape(out: &mut String, shape: &Shape) {
 
 fn line(out: &mut String, points: &[Place], closed: bool, stroke: Stroke) -> core::fmt::Result {
     let dash = stroke.dash.pattern().map_or(String::new(), |[on, off]| {
-        let ends = if stroke.dash == Dash::Dotted {
-            " stroke-linecap=\"round\""
-        } else {
-            ""
-        };
+        let ends = if stroke.dash == Dash::Dotted { " stroke-linecap=\"round\"" } else { "" };
         format!(" stroke-dasharray=\"{on} {off}\"{ends}")
     });
     writeln!(
@@ -256,10 +241,7 @@ mod tests {
 
     #[test]
     fn coordinates_are_short() {
-        assert_eq!(
-            [0, 5, -5, 1200, -1250].map(hundredths),
-            ["0", "0.05", "-0.05", "12", "-12.5"]
-        );
+        assert_eq!([0, 5, -5, 1200, -1250].map(hundredths), ["0", "0.05", "-0.05", "12", "-12.5"]);
         assert_eq!(opacity(0.07), " opacity=\"0.07\"");
     }
 }

@@ -55,11 +55,7 @@ impl Sweep {
     pub fn beyond(&self, from: f64) -> Self {
         let (_, to) = self.ends;
         let simulated = self.simulated.iter().copied().filter(|x| *x >= from);
-        Self {
-            ends: (from, to),
-            simulated: simulated.collect(),
-            ..self.clone()
-        }
+        Self { ends: (from, to), simulated: simulated.collect(), ..self.clone() }
     }
 
     /// An empty panel over it, for [`figures!`](crate::figures).

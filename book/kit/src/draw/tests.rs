@@ -15,19 +15,13 @@ fn sheet() -> Sketch {
 /// below it.
 #[test]
 fn a_plane_rises_to_its_top() -> Result<()> {
-    for (angle, top) in [
-        (PI / 6.0, (1.0 + 3.0_f64.sqrt(), 1.0)),
-        (5.0 * PI / 6.0, (1.0 - 3.0_f64.sqrt(), 1.0)),
-    ] {
+    for (angle, top) in
+        [(PI / 6.0, (1.0 + 3.0_f64.sqrt(), 1.0)), (5.0 * PI / 6.0, (1.0 - 3.0_f64.sqrt(), 1.0))]
+    {
         let foot = (1.0, 0.0);
-        let (from, to) = if top.0 > 1.0 {
-            (foot, top)
-        } else {
-            (top, foot)
-        };
-        let by_hand = sheet()
-            .curve(Curve::new([foot, (top.0, 0.0), top], Ink::Frame).thin())
-            .wall(from, to);
+        let (from, to) = if top.0 > 1.0 { (foot, top) } else { (top, foot) };
+        let by_hand =
+            sheet().curve(Curve::new([foot, (top.0, 0.0), top], Ink::Frame).thin()).wall(from, to);
         let plane = sheet().incline(foot, 2.0, angle);
         assert_eq!(plane.figure()?.svg(), by_hand.figure()?.svg());
         let lower = sheet().incline(foot, 1.9, angle);
@@ -45,28 +39,15 @@ fn many_turns_have_their_labels() {
         assert!(ticks.iter().all(|(place, _)| *place <= high));
         ticks.into_iter().map(|(_, label)| label).collect()
     };
-    assert_eq!(
-        labels(40.1 * PI),
-        ["$0$", "$10\\pi$", "$20\\pi$", "$30\\pi$", "$40\\pi$"]
-    );
-    assert_eq!(
-        labels(15.1 * PI),
-        ["$0$", "$5\\pi$", "$10\\pi$", "$15\\pi$"]
-    );
-    assert_eq!(
-        labels(2.1 * PI),
-        ["$0$", "$\\pi/2$", "$\\pi$", "$3\\pi/2$", "$2\\pi$"]
-    );
+    assert_eq!(labels(40.1 * PI), ["$0$", "$10\\pi$", "$20\\pi$", "$30\\pi$", "$40\\pi$"]);
+    assert_eq!(labels(15.1 * PI), ["$0$", "$5\\pi$", "$10\\pi$", "$15\\pi$"]);
+    assert_eq!(labels(2.1 * PI), ["$0$", "$\\pi/2$", "$\\pi$", "$3\\pi/2$", "$2\\pi$"]);
 }
 
 /// The alternative text is a sentence: twenty letters, spaces around it not counted.
 #[test]
 fn a_figure_says_what_is_to_be_seen() {
-    let figure = |alt: &str| {
-        Sketch::new("sheet", alt)
-            .window((0.0, 1.0), (0.0, 1.0))
-            .figure()
-    };
+    let figure = |alt: &str| Sketch::new("sheet", alt).window((0.0, 1.0), (0.0, 1.0)).figure();
     assert!(figure("a sheet of 20 lettrs").is_ok());
     assert!(figure("a sheet of 19 lettr").is_err());
     assert!(figure(" a sheet of 19 lettr ").is_err());
@@ -89,19 +70,10 @@ fn a_window_grows_as_asked() {
     assert_eq!(shown(sheet().high(100)), ((-2.0, 2.0), all));
     assert_eq!(shown(sheet().high(300)), (across, (-0.5, 2.5)));
     let clear = |x, margins| shown(sheet().clear(x, (1.0, 1.0), margins));
-    assert_eq!(
-        clear((0.0, 0.5), [100.0, 50.0, 100.0, 100.0]),
-        (across, all)
-    );
+    assert_eq!(clear((0.0, 0.5), [100.0, 50.0, 100.0, 100.0]), (across, all));
     // Too little on the right, then on both sides.
-    assert_eq!(
-        clear((0.5, 0.5), [0.0, 100.0, 0.0, 0.0]),
-        ((-1.0, 2.0), (-0.5, 2.5))
-    );
-    assert_eq!(
-        clear((-1.0, 1.0), [50.0, 50.0, 0.0, 0.0]),
-        ((-2.0, 2.0), (-1.0, 3.0))
-    );
+    assert_eq!(clear((0.5, 0.5), [0.0, 100.0, 0.0, 0.0]), ((-1.0, 2.0), (-0.5, 2.5)));
+    assert_eq!(clear((-1.0, 1.0), [50.0, 50.0, 0.0, 0.0]), ((-2.0, 2.0), (-1.0, 3.0)));
 }
 
 /// With equal units the plot is as high as its data ask, and margins are added to that.
@@ -123,15 +95,9 @@ fn equal_units_make_the_height() {
 /// The open head of a dashed arrow is drawn in full.
 #[test]
 fn heads_are_not_dashed() -> Result<()> {
-    let dashed = Stroke {
-        dash: Dash::Dashed,
-        ..Stroke::new(Ink::Ink, 1.0)
-    };
+    let dashed = Stroke { dash: Dash::Dashed, ..Stroke::new(Ink::Ink, 1.0) };
     let figure = super::canvas::figure("sheet", "an arrow that is dashed", (100, 100), |canvas| {
-        canvas.sheet().draw(
-            &[(10.0, 10.0), (90.0, 90.0)],
-            &Paint::Arrow(dashed, 9.0, true),
-        )
+        canvas.sheet().draw(&[(10.0, 10.0), (90.0, 90.0)], &Paint::Arrow(dashed, 9.0, true))
     })?;
     let dashes: Vec<Dash> = figure
         .display

@@ -35,15 +35,12 @@ impl Step {
         let turns = [2, 5, 10, 20, 50].map(|n| Self::Pi(n, 1));
         let mut steps = parts.into_iter().chain(turns);
         let step = steps.find(|step| step.count(range) <= most);
-        step.filter(|step| step.count(range) >= 3)
-            .unwrap_or_else(|| Self::decimal(range, most))
+        step.filter(|step| step.count(range) >= 3).unwrap_or_else(|| Self::decimal(range, most))
     }
 
     /// The fewest decades with at most so many ticks.
     pub(super) fn decades(range: Point, most: usize) -> Self {
-        let mut steps = [1, 2, 3, 4, 5, 10, 20, 50, 100]
-            .map(Self::Decades)
-            .into_iter();
+        let mut steps = [1, 2, 3, 4, 5, 10, 20, 50, 100].map(Self::Decades).into_iter();
         let step = steps.find(|step| step.count(range) <= most);
         step.unwrap_or(Self::Decades(100))
     }

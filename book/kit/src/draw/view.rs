@@ -130,10 +130,7 @@ impl View {
         );
         let thin = Stroke::new(Ink::Frame, 0.8).faint(0.55);
         let great = |u, v| Element::OnSphere(circle(SpaceVector::zero(), u, v), thin);
-        let within = Stroke {
-            dash: Dash::Dashed,
-            ..thin
-        };
+        let within = Stroke { dash: Dash::Dashed, ..thin };
         // The axis ends outside the outline, so long as that is not far away.
         let (right, up) = view.camera.project(z);
         let seen = rotation_dynamics::math::hypot(right, up);
@@ -154,10 +151,7 @@ impl View {
     /// Adds a piece of level ground about the point `at`, round, below everything else.
     #[must_use]
     pub fn ground(mut self, at: SpaceVector, radius: f64) -> Self {
-        let (x, y) = (
-            SpaceVector::new(radius, 0.0, 0.0),
-            SpaceVector::new(0.0, radius, 0.0),
-        );
+        let (x, y) = (SpaceVector::new(radius, 0.0, 0.0), SpaceVector::new(0.0, radius, 0.0));
         self.elements.push(Element::Ground(circle(at, x, y)));
         self
     }
@@ -173,8 +167,7 @@ impl View {
     #[must_use]
     pub fn trace(mut self, points: impl IntoIterator<Item = SpaceVector>, ink: Ink) -> Self {
         let points = points.into_iter().collect();
-        self.elements
-            .push(Element::OnSphere(points, Stroke::new(ink, 1.8)));
+        self.elements.push(Element::OnSphere(points, Stroke::new(ink, 1.8)));
         self
     }
 
@@ -187,8 +180,7 @@ impl View {
             SpaceVector::new(s, 0.0, 0.0),
             SpaceVector::new(0.0, s, 0.0),
         );
-        self.elements
-            .push(Element::OnSphere(circle, Stroke::new(Ink::Frame, 0.8)));
+        self.elements.push(Element::OnSphere(circle, Stroke::new(Ink::Frame, 0.8)));
         self
     }
 
@@ -196,8 +188,7 @@ impl View {
     #[must_use]
     pub fn line(mut self, points: impl IntoIterator<Item = SpaceVector>, ink: Ink) -> Self {
         let points = points.into_iter().collect();
-        self.elements
-            .push(Element::Line(points, Stroke::new(ink, 1.2)));
+        self.elements.push(Element::Line(points, Stroke::new(ink, 1.2)));
         self
     }
 
@@ -210,12 +201,8 @@ impl View {
     /// Adds a dashed line anywhere in space: an axis, a construction line.
     #[must_use]
     pub fn dashed(mut self, points: impl IntoIterator<Item = SpaceVector>, ink: Ink) -> Self {
-        let stroke = Stroke {
-            dash: Dash::Dashed,
-            ..Stroke::new(ink, 1.0)
-        };
-        self.elements
-            .push(Element::Line(points.into_iter().collect(), stroke));
+        let stroke = Stroke { dash: Dash::Dashed, ..Stroke::new(ink, 1.0) };
+        self.elements.push(Element::Line(points.into_iter().collect(), stroke));
         self
     }
 
@@ -232,8 +219,7 @@ impl View {
     ) -> Self {
         let thin = matches!(ink, Ink::Body | Ink::Frame | Ink::Ink);
         let stroke = Stroke::new(ink, if thin { 1.4 } else { 2.2 });
-        self.elements
-            .push(Element::Arrow(vec![from, to], stroke, 9.0));
+        self.elements.push(Element::Arrow(vec![from, to], stroke, 9.0));
         self.text(to, label, ink, side)
     }
 
@@ -241,8 +227,7 @@ impl View {
     #[must_use]
     pub fn turn(mut self, points: impl IntoIterator<Item = SpaceVector>, ink: Ink) -> Self {
         let points = points.into_iter().collect();
-        self.elements
-            .push(Element::Arrow(points, Stroke::new(ink, 1.8), 8.0));
+        self.elements.push(Element::Arrow(points, Stroke::new(ink, 1.8), 8.0));
         self
     }
 

@@ -17,12 +17,7 @@ pub(super) struct Rect {
 impl Rect {
     /// The square about a point.
     pub(super) fn about((x, y): Point, half: f64) -> Self {
-        Self {
-            left: x - half,
-            right: x + half,
-            top: y - half,
-            bottom: y + half,
-        }
+        Self { left: x - half, right: x + half, top: y - half, bottom: y + half }
     }
 
     pub(super) fn overlaps(&self, other: &Self) -> bool {
@@ -44,17 +39,11 @@ impl Rect {
 
     /// Its point nearest to a point.
     pub(super) fn nearest(&self, (x, y): Point) -> Point {
-        (
-            x.max(self.left).min(self.right),
-            y.max(self.top).min(self.bottom),
-        )
+        (x.max(self.left).min(self.right), y.max(self.top).min(self.bottom))
     }
 
     pub(super) fn middle(&self) -> Point {
-        (
-            (self.left + self.right) / 2.0,
-            (self.top + self.bottom) / 2.0,
-        )
+        ((self.left + self.right) / 2.0, (self.top + self.bottom) / 2.0)
     }
 
     pub(super) fn grown(&self, by: f64) -> Self {
@@ -132,21 +121,12 @@ impl Words {
             Side::BelowRight => (Anchor::Start, 0.7 * gap, below - 0.3 * gap),
             Side::Centre => (Anchor::Middle, 0.0, middle),
         };
-        Self {
-            label: Label::new(text),
-            ink,
-            halo: true,
-            anchor,
-            shift: (dx, dy),
-        }
+        Self { label: Label::new(text), ink, halo: true, anchor, shift: (dx, dy) }
     }
 
     /// Without a halo: where nothing else is drawn.
     pub(super) fn bare(self) -> Self {
-        Self {
-            halo: false,
-            ..self
-        }
+        Self { halo: false, ..self }
     }
 
     /// The box it fills when drawn at `at` (px).

@@ -16,10 +16,7 @@ pub struct Bearing {
 
 impl Bearing {
     /// A bearing without friction.
-    pub const SMOOTH: Self = Self {
-        viscous: 0.0,
-        dry: 0.0,
-    };
+    pub const SMOOTH: Self = Self { viscous: 0.0, dry: 0.0 };
 
     /// A bearing with this viscous coefficient c (N m s) and dry torque tau (N m).
     ///
@@ -62,12 +59,8 @@ pub struct Bearings {
 
 impl Bearings {
     /// No friction anywhere.
-    pub const SMOOTH: Self = Self {
-        tilt: Bearing::SMOOTH,
-        azimuth: Bearing::SMOOTH,
-        axle: Bearing::SMOOTH,
-        air: None,
-    };
+    pub const SMOOTH: Self =
+        Self { tilt: Bearing::SMOOTH, azimuth: Bearing::SMOOTH, axle: Bearing::SMOOTH, air: None };
 
     const fn all(&self) -> [Bearing; 3] {
         [self.tilt, self.azimuth, self.axle]
@@ -95,11 +88,7 @@ impl Hold {
     }
 
     const fn of(rate: f64) -> Self {
-        if rate < 0.0 {
-            Self::Back
-        } else {
-            Self::Forward
-        }
+        if rate < 0.0 { Self::Back } else { Self::Forward }
     }
 }
 
@@ -180,11 +169,7 @@ impl Rubbing {
             }
             (false, false) => (walk + torques[1] - torques[2] * c) / n,
         };
-        Moved {
-            rates: [tilt, azimuth, torques[2] + air],
-            torques,
-            air,
-        }
+        Moved { rates: [tilt, azimuth, torques[2] + air], torques, air }
     }
 
     /// The states of the bearings from this state on, and the state with the rates of those in
@@ -256,18 +241,7 @@ impl Phased<N> for Rubbing {
         let heat: [f64; 3] = core::array::from_fn(|i| -moved.torques[i] * rates[i]);
         let work = -moved.air * at.axial_momentum / self.gimbals.rotor().i3();
         let [a, b, c] = heat;
-        [
-            at.theta_rate,
-            tilt,
-            at.phi_rate,
-            azimuth,
-            rates[2],
-            axial,
-            a,
-            b,
-            c,
-            work,
-        ]
+        [at.theta_rate, tilt, at.phi_rate, azimuth, rates[2], axial, a, b, c, work]
     }
 
     fn conditions(&self, holds: Holds) -> Vec<Condition<'_, Holds, N>> {

@@ -100,10 +100,7 @@ fn drift(gimbals: &Gimbals, bearings: &Bearings, theta: f64, axial: f64) -> Resu
             let sense = if rate == 0.0 { 0.0 } else { rate.signum() };
             -b.viscous() * rate - b.dry() * sense
         };
-        let (about, axle) = (
-            friction(&bearings.azimuth, rate),
-            friction(&bearings.axle, spin),
-        );
+        let (about, axle) = (friction(&bearings.azimuth, rate), friction(&bearings.axle, spin));
         let air = bearings.air.map_or(0.0, |air| air.axial_torque(axial / i3));
         let slowing = axle + air;
         let sinks = (axle * c - about - n * rate * s / g * slowing) / (g + n * k / g);

@@ -92,27 +92,13 @@ pub struct Pose {
 
 impl Pose {
     const fn of(&[theta, theta_rate, phi, phi_rate, zeta, axial_momentum]: &[f64; 6]) -> Self {
-        Self {
-            theta,
-            theta_rate,
-            phi,
-            phi_rate,
-            zeta,
-            axial_momentum,
-        }
+        Self { theta, theta_rate, phi, phi_rate, zeta, axial_momentum }
     }
 
     /// The six numbers, in the order of the fields: the state of the [`Ode`] that
     /// [`Gimbals`] is.
     pub const fn to_array(self) -> [f64; 6] {
-        [
-            self.theta,
-            self.theta_rate,
-            self.phi,
-            self.phi_rate,
-            self.zeta,
-            self.axial_momentum,
-        ]
+        [self.theta, self.theta_rate, self.phi, self.phi_rate, self.zeta, self.axial_momentum]
     }
 
     /// The pose of these six numbers, the inverse of [`to_array`](Self::to_array).
@@ -289,14 +275,7 @@ impl Gimbals {
     fn sizes(&self, y: &[f64; 6]) -> [f64; 6] {
         let axial = y[5].abs().max(1e-300);
         let rate = axial / (self.tilting() * self.turning(1.0).max(self.turning(y[0]))).sqrt();
-        [
-            1.0,
-            rate,
-            y[2].abs().max(1.0),
-            rate,
-            y[4].abs().max(1.0),
-            axial,
-        ]
+        [1.0, rate, y[2].abs().max(1.0), rate, y[4].abs().max(1.0), axial]
     }
 }
 

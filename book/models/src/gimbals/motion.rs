@@ -88,11 +88,7 @@ impl GimbalMotion {
         start.check()?;
         finite("end time", until)?;
         let stop = stop.unwrap_or(f64::INFINITY);
-        let scene = Rubbing {
-            gimbals,
-            bearings,
-            stop,
-        };
+        let scene = Rubbing { gimbals, bearings, stop };
         if start.theta >= stop {
             return Err(Error::out_of_range(
                 "theta",
@@ -105,12 +101,8 @@ impl GimbalMotion {
         state[..6].copy_from_slice(&start.to_array());
         let (mut phase, first) = scene.at_start(&state);
         state = first;
-        let mut course = Self {
-            pieces: Vec::new(),
-            changes: Vec::new(),
-            end: 0.0,
-            work: Work::default(),
-        };
+        let mut course =
+            Self { pieces: Vec::new(), changes: Vec::new(), end: 0.0, work: Work::default() };
         while course.end < until {
             let t = course.end;
             let (nod, alive) = nodding(&gimbals, &pose(&state));
@@ -217,10 +209,7 @@ impl GimbalMotion {
                     from = to;
                 }
                 // A dry bearing stops there, by a rate that round-off leaves on either side.
-                let next = run
-                    .pieces()
-                    .get(i + 1)
-                    .map(|next| next.solution.start_state());
+                let next = run.pieces().get(i + 1).map(|next| next.solution.start_state());
                 let last = piece.solution.end_state();
                 if next.is_some_and(|y| y[1] == 0.0)
                     && last[1] != 0.0
@@ -251,16 +240,9 @@ fn nodding(gimbals: &Gimbals, at: &Pose) -> (f64, bool) {
         return (TAU / sizes[1], true);
     };
     let nods = gimbals.nodding(at.theta, at.axial_momentum, rate);
-    let nod = if nods > 0.0 {
-        TAU / nods
-    } else {
-        TAU / sizes[1]
-    };
+    let nod = if nods > 0.0 { TAU / nods } else { TAU / sizes[1] };
     let inertia = (gimbals.turning(at.theta) / gimbals.tilting()).sqrt();
-    let nodding = at
-        .theta_rate
-        .abs()
-        .max((at.phi_rate - rate).abs() * inertia);
+    let nodding = at.theta_rate.abs().max((at.phi_rate - rate).abs() * inertia);
     (nod, nodding > OVER * rate.abs())
 }
 

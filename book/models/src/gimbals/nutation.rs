@@ -155,11 +155,7 @@ impl NutationCycle {
         let tilt = |w: f64| {
             // Of small w the difference of the tilts, not of their cosines.
             let (near, u) = (atan2(s0, u0), u0 - w);
-            if w == 0.0 {
-                near.abs()
-            } else {
-                acos(u.clamp(-1.0, 1.0))
-            }
+            if w == 0.0 { near.abs() } else { acos(u.clamp(-1.0, 1.0)) }
         };
         // w and dt/dpsi, over a full turn of psi.
         let step = |psi: f64| match way {
@@ -201,13 +197,7 @@ impl NutationCycle {
             Way::UnderBottom(w1) => [tilt(w1), TAU - tilt(w1)],
             Way::Round => [-PI, PI],
         };
-        Ok(Self {
-            theta_min,
-            theta_max,
-            period,
-            precession,
-            spin,
-        })
+        Ok(Self { theta_min, theta_max, period, precession, spin })
     }
 }
 
@@ -240,11 +230,7 @@ fn around(f: impl Fn(f64) -> [f64; 3]) -> Result<[f64; 3]> {
             return Ok(last);
         }
     }
-    Err(Error::NotDelivered {
-        requested: 4.0 * EPS,
-        best: change,
-        condition: None,
-    })
+    Err(Error::NotDelivered { requested: 4.0 * EPS, best: change, condition: None })
 }
 
 #[cfg(test)]
@@ -262,11 +248,7 @@ mod tests {
         let gimbals = Gimbals::new(rotor, [0.0; 3], 0.0).expect("gimbals");
         let (theta, spin) = (1.0, 300.0);
         let nod = NutationCycle::of(&gimbals, &gimbals.released(theta, spin)).expect("a nod");
-        let start = EulerAngles {
-            phi: 0.0,
-            theta,
-            zeta: 0.0,
-        };
+        let start = EulerAngles { phi: 0.0, theta, zeta: 0.0 };
         let start = Attitude::from_euler(start).expect("an attitude");
         let top = HeavyTop::new(rotor, start, BodyVector::new(0.0, 0.0, spin)).expect("a top");
         let turned = (nod.precession - top.precession_per_period()) / TAU;

@@ -33,22 +33,15 @@ impl Motion {
     }
 
     fn claim(&self, what: &str, meaning: &str, value: f64, unit: &str) -> Claim {
-        let meaning = if self.name.is_empty() {
-            meaning.into()
-        } else {
-            format!("{}: {meaning}", self.name)
-        };
+        let meaning =
+            if self.name.is_empty() { meaning.into() } else { format!("{}: {meaning}", self.name) };
         claim(self.key(what), meaning, value, unit)
     }
 
     /// The same, offered in the answer box.
     fn answer(&self, what: &str, meaning: &str, value: f64, unit: &str) -> Claim {
         let claim = self.claim(what, meaning, value, unit);
-        if self.group.is_empty() {
-            claim
-        } else {
-            claim.answer(self.group)
-        }
+        if self.group.is_empty() { claim } else { claim.answer(self.group) }
     }
 
     /// Turning points, period and advances, against bisection and quadrature.
@@ -63,11 +56,8 @@ impl Motion {
         let refined = 4.0 * nod.refinement + near * nod.leverage + 20.0 * EPS * nod.condition;
         let bound = |value: f64, within: f64| within + 200.0 * EPS * value.abs().max(1.0);
         let (least, most) = (exact.theta_min(), exact.theta_max());
-        let (time_of_nod, walk, spin) = (
-            exact.nutation_period(),
-            exact.precession_per_period(),
-            exact.spin_per_period(),
-        );
+        let (time_of_nod, walk, spin) =
+            (exact.nutation_period(), exact.precession_per_period(), exact.spin_per_period());
         let mut claims = vec![
             (self.answer("theta_min", "least tilt", least, "rad"))
                 .within(bound(least, near))
@@ -212,11 +202,7 @@ impl Motion {
         // distance from it.
         let passages = 1.0 + self.end / self.exact.nutation_period();
         let apart = self.exact.complementary_parameter();
-        let lost = if passages.is_finite() && apart > 0.0 {
-            1e-13 * passages / apart
-        } else {
-            0.0
-        };
+        let lost = if passages.is_finite() && apart > 0.0 { 1e-13 * passages / apart } else { 0.0 };
         let bound = 4.0 * (fine[5] - coarse[5]).abs() + 1e-10 + lost;
         if bound <= 1e-3 {
             let height = self.exact.cos_theta(self.end);
@@ -277,10 +263,7 @@ impl Motion {
 
     /// The same top for a run in vectors, in t' and with I1 = 1 and L_z = sqrt(a).
     fn newton(&self) -> Newton {
-        Newton {
-            i1: 1.0,
-            weight_moment: self.top.c(),
-        }
+        Newton { i1: 1.0, weight_moment: self.top.c() }
     }
 
     /// L and the axis at the start, in the same units: the closed form's own, since tilt

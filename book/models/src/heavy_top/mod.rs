@@ -69,15 +69,7 @@ impl Motion {
             ));
         };
         let end = if exact.body().is_some() { 1.0 } else { 20.0 };
-        Ok(Self {
-            name,
-            group: "",
-            exact,
-            top,
-            energy,
-            unit,
-            end,
-        })
+        Ok(Self { name, group: "", exact, top, energy, unit, end })
     }
 
     /// The motion of this energy that starts at a turning point.
@@ -161,11 +153,7 @@ impl Motion {
 
     /// `what` with the motion it belongs to: for keys and names of figures.
     fn key(&self, what: &str) -> String {
-        if self.name.is_empty() {
-            what.into()
-        } else {
-            format!("{}_{what}", self.name)
-        }
+        if self.name.is_empty() { what.into() } else { format!("{}_{what}", self.name) }
     }
 }
 
@@ -189,16 +177,7 @@ pub fn trajectory(motions: &[Motion]) -> kit::Result<Trajectory> {
         for t in times(0.0, motion.end, 200) {
             let angles = motion.exact.angles(t);
             let [x, y, z] = motion.exact.axis(t).to_array();
-            table.push([
-                f64::from(number),
-                t,
-                angles.theta,
-                angles.phi,
-                angles.zeta,
-                x,
-                y,
-                z,
-            ])?;
+            table.push([f64::from(number), t, angles.theta, angles.phi, angles.zeta, x, y, z])?;
         }
     }
     Ok(table)

@@ -56,16 +56,8 @@ impl Drawn {
         let panel = panel(moments.iter().map(tilt).collect());
         let path: Vec<_> = moments.into_iter().map(|(t, now)| (t, now.axis)).collect();
         MovingPicture::above(panel, 0.0..=self.end, self.stills, move |t| {
-            let Moment {
-                pose,
-                axis,
-                momentum,
-            } = (self.at)(t)?;
-            let time = if self.seconds {
-                format!("t = {t:.3} s")
-            } else {
-                format!("t' = {t:.2}")
-            };
+            let Moment { pose, axis, momentum } = (self.at)(t)?;
+            let time = if self.seconds { format!("t = {t:.3} s") } else { format!("t' = {t:.2}") };
             let alt = format!(
                 "The body at {time}: its axis leans at {:.2} rad and has gone {:.2} rad round the vertical; \
                  arrows show L, the level torque of the weight, and at the tip of L its change, along the torque; \
@@ -127,15 +119,9 @@ impl Pose {
             return view;
         }
         let (centre, tip) = (self.axis() * hub, momentum + torque * CHANGE);
-        view.arrow(
-            centre,
-            centre - UP * (0.55 * sense.abs()),
-            Ink::Force,
-            "$mg$",
-            Side::Right,
-        )
-        .arrow(origin, torque, Ink::Force, "torque", Side::Below)
-        .arrow(momentum, tip, Ink::Momentum, "$\\mathrm{d}L$", Side::Right)
+        view.arrow(centre, centre - UP * (0.55 * sense.abs()), Ink::Force, "$mg$", Side::Right)
+            .arrow(origin, torque, Ink::Force, "torque", Side::Below)
+            .arrow(momentum, tip, Ink::Momentum, "$\\mathrm{d}L$", Side::Right)
     }
 }
 
@@ -143,11 +129,7 @@ impl Motion {
     /// Where it is at time `t`.
     pub(crate) fn pose(&self, t: f64) -> Pose {
         let angles = self.exact.angles(t);
-        Pose {
-            theta: angles.theta,
-            phi: angles.phi,
-            zeta: angles.zeta,
-        }
+        Pose { theta: angles.theta, phi: angles.phi, zeta: angles.zeta }
     }
 
     /// The moving picture: `body` draws the body and what holds it, with its centre of mass
@@ -198,18 +180,10 @@ impl Motion {
             panel
                 .y(axis.range(low, high))
                 .level(acos(b), Ink::Frame, "")
-                .note(
-                    end,
-                    acos(b),
-                    Ink::Frame,
-                    "$\\cos\\theta=b$",
-                    Side::BelowLeft,
-                )
+                .note(end, acos(b), Ink::Frame, "$\\cos\\theta=b$", Side::BelowLeft)
                 .curve(Curve::new(tilt, Ink::Ink))
         } else {
-            panel
-                .y(axis.range(low, high))
-                .curve(Curve::new(tilt, Ink::Ink))
+            panel.y(axis.range(low, high)).curve(Curve::new(tilt, Ink::Ink))
         }
     }
 }

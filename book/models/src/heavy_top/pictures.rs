@@ -37,10 +37,7 @@ impl Motion {
         let mut ranges = [(f64::INFINITY, f64::NEG_INFINITY); 3];
         for t in times(0.0, self.shown(), 400) {
             let angles = self.exact.angles(t);
-            for (range, x) in ranges
-                .iter_mut()
-                .zip([angles.theta, angles.phi, angles.zeta])
-            {
+            for (range, x) in ranges.iter_mut().zip([angles.theta, angles.phi, angles.zeta]) {
                 *range = (range.0.min(x), range.1.max(x));
             }
         }
@@ -114,11 +111,7 @@ impl Motion {
     }
 
     fn figure_name(&self, what: &str) -> String {
-        if self.name.is_empty() {
-            format!("motion_{what}")
-        } else {
-            self.key(what)
-        }
+        if self.name.is_empty() { format!("motion_{what}") } else { self.key(what) }
     }
 
     /// The path of the end of the axis on the sphere, over the time that its angles show.

@@ -66,11 +66,7 @@ impl Steady {
         let (phi, zeta) = (0.0, 0.0);
         let tilted = Attitude::from_euler(EulerAngles { phi, theta, zeta })?;
         let start = body.state(tilted, BodyVector::new(0.0, rate * sin(theta), spin))?;
-        Ok(Self {
-            scene: Scene::new(body).with(gravity),
-            start,
-            turn: TAU / rate.abs(),
-        })
+        Ok(Self { scene: Scene::new(body).with(gravity), start, turn: TAU / rate.abs() })
     }
 
     /// The candidates for the card of effects: what counts is the direction of the axis, at

@@ -92,18 +92,11 @@ const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 /// where there is no line of nodes.
 fn along(vector: SpaceVector, product: f64) -> SpaceVector {
     let square = vector.dot(&vector);
-    if square > 0.0 {
-        vector * (product / square)
-    } else {
-        SpaceVector::zero()
-    }
+    if square > 0.0 { vector * (product / square) } else { SpaceVector::zero() }
 }
 
 type Weight = ((), Option<GravityAtLever>);
-type Acting = (
-    ((Weight, Option<Nodes>), Option<DiscDrag>),
-    Option<CoulombBearing>,
-);
+type Acting = (((Weight, Option<Nodes>), Option<DiscDrag>), Option<CoulombBearing>);
 
 /// A symmetric body about a fixed point under its weight and what is added, followed for a time.
 ///
@@ -200,10 +193,8 @@ impl Stepped {
         tolerance: f64,
         [nodes, air, dry]: [&str; 3],
     ) -> Result<Vec<EffectLine>> {
-        let candidates = (self
-            .plain
-            .neglected_effects(&self.start, self.end, tolerance)?)
-        .of_axis();
+        let candidates =
+            (self.plain.neglected_effects(&self.start, self.end, tolerance)?).of_axis();
         let ([i1, _], body) = (self.moments(), self.scene.body());
         let momentum = body.angular_momentum(&self.start).z().abs();
         let of = format!("rad in {} s, of the axis", exactly(self.end));
@@ -238,10 +229,8 @@ impl Stepped {
         let (axis, along) = (end.attitude.axis(), body.angular_velocity(end).z());
         let [tilt, other] = [axis.to_array(), [x, y, z]].map(|[x, y, z]| atan2(hypot(x, y), z));
         let azimuth = |[x, y]: [f64; 2]| atan2(x, -y);
-        let (phi, beyond) = (
-            azimuth([axis.x(), axis.y()]),
-            azimuth([x, y]) - azimuth([axis.x(), axis.y()]),
-        );
+        let (phi, beyond) =
+            (azimuth([axis.x(), axis.y()]), azimuth([x, y]) - azimuth([axis.x(), axis.y()]));
         let beyond = beyond - TAU * (beyond / TAU).round();
         let (start, i3) = (&self.start, body.moments().i3());
         let momentum = start.angular_momentum.norm();
@@ -254,22 +243,12 @@ impl Stepped {
         let mut claims = vec![
             (claim("theta_end", "tilt at the end", tilt, "rad").within(angle))
                 .against(ROUTE, other),
-            (claim(
-                "spin_end",
-                "angular velocity along the axis at the end",
-                along,
-                "rad/s",
-            ))
-            .within(part * momentum / i3)
-            .against(ROUTE, spin),
-            (claim(
-                "energy_lost",
-                "energy that it has lost at the end",
-                lost,
-                "J",
-            ))
-            .within(part * size)
-            .against("power, summed along the second route", -work),
+            (claim("spin_end", "angular velocity along the axis at the end", along, "rad/s"))
+                .within(part * momentum / i3)
+                .against(ROUTE, spin),
+            (claim("energy_lost", "energy that it has lost at the end", lost, "J"))
+                .within(part * size)
+                .against("power, summed along the second route", -work),
         ];
         // Near the vertical it is not determined so well.
         let level = hypot(axis.x(), axis.y());
@@ -316,15 +295,8 @@ impl Stepped {
     /// Those of the run.
     pub fn trajectory(&self) -> Result<Trajectory> {
         let motion = self.motion()?;
-        let columns = [
-            "t [s]",
-            "theta [rad]",
-            "phi [rad]",
-            "spin [rad/s]",
-            "axis X",
-            "axis Y",
-            "axis Z",
-        ];
+        let columns =
+            ["t [s]", "theta [rad]", "phi [rad]", "spin [rad/s]", "axis X", "axis Y", "axis Z"];
         let (body, mut before) = (self.scene.body(), 0.0);
         Trajectory::sampled(columns, times(0.0, self.end, 200), |t| {
             let now = state(&motion.at(t)?)?;
@@ -341,11 +313,8 @@ impl Stepped {
     /// # Errors
     /// Those of the run and of the drawing.
     pub fn figures(&self, camera: Camera) -> Result<Vec<Figure>> {
-        let (trajectory, other, i3) = (
-            self.trajectory()?,
-            self.vectors()?,
-            self.scene.body().moments().i3(),
-        );
+        let (trajectory, other, i3) =
+            (self.trajectory()?, self.vectors()?, self.scene.body().moments().i3());
         let mut dots: [Vec<(f64, f64)>; 3] = Default::default();
         for row in trajectory.rows().iter().skip(4).step_by(8) {
             let [lx, ly, lz, x, y, z, _] = other.at(row[0])?;
@@ -365,11 +334,7 @@ impl Stepped {
         let labels = ["$\\theta$ / rad", "$\\phi$ / rad", "spin / (rad/s)"];
         let mut stack = Stack::new("motion_angles", &alt).row_height(100);
         for (n, (dots, label)) in dots.into_iter().zip(labels).enumerate() {
-            let line: Vec<_> = trajectory
-                .rows()
-                .iter()
-                .map(|row| (row[0], row[n + 1]))
-                .collect();
+            let line: Vec<_> = trajectory.rows().iter().map(|row| (row[0], row[n + 1])).collect();
             let (low, high) = room(&line);
             let panel = Panel::new("row", "row")
                 .x(Axis::linear("$t$ / s"))
@@ -393,11 +358,7 @@ impl Stepped {
         .sphere();
         // An axis that stands still goes in no direction.
         let goes = (path[919] - path[900]).norm() > 1e-4;
-        let trace = if goes {
-            trace.turn(path[900..920].to_vec(), Ink::Body)
-        } else {
-            trace
-        };
+        let trace = if goes { trace.turn(path[900..920].to_vec(), Ink::Body) } else { trace };
         let trace = trace
             .trace(path, Ink::Body)
             .arrow(SpaceVector::zero(), start, Ink::Body, "", Side::Left)
@@ -421,25 +382,13 @@ impl Stepped {
             end,
             stills: [0.0, 0.5 * end, end],
             seconds: true,
-            sense: if self.weight() == 0.0 {
-                0.0
-            } else {
-                self.weight().signum()
-            },
+            sense: if self.weight() == 0.0 { 0.0 } else { self.weight().signum() },
             at: Box::new(move |t| {
                 let now = state(&motion.at(t)?)?;
                 let angles = now.attitude.euler_angles();
-                let pose = Pose {
-                    theta: angles.theta,
-                    phi: angles.phi,
-                    zeta: angles.zeta,
-                };
+                let pose = Pose { theta: angles.theta, phi: angles.phi, zeta: angles.zeta };
                 let (axis, momentum) = (now.attitude.axis(), now.angular_momentum);
-                Ok(Moment {
-                    pose,
-                    axis,
-                    momentum,
-                })
+                Ok(Moment { pose, axis, momentum })
             }),
         };
         let panel = |tilt: Vec<(f64, f64)>| {
@@ -456,10 +405,8 @@ impl Stepped {
 /// From where to where a line is drawn: what stands still is no zigzag of rounding.
 fn room(line: &[(f64, f64)]) -> (f64, f64) {
     let values = || line.iter().map(|(_, value)| *value);
-    let (low, high) = (
-        values().fold(f64::INFINITY, f64::min),
-        values().fold(f64::NEG_INFINITY, f64::max),
-    );
+    let (low, high) =
+        (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
     let margin = (0.08 * (high - low)).max(1e-3 * high.abs()).max(1e-6);
     (low - margin, high + margin)
 }

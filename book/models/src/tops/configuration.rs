@@ -173,12 +173,7 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect> Top<F, R, E> {
                 let grip = self.friction.sliding(at.slip, omega.z());
                 let (force, couple) = (UP + grip.force, resistance + UP * grip.torque);
                 let normal = -free.z() / self.response(at, force, couple).z();
-                Forces {
-                    normal,
-                    friction: grip.force * normal,
-                    couple: couple * normal,
-                    torque,
-                }
+                Forces { normal, friction: grip.force * normal, couple: couple * normal, torque }
             }
             ContactMode::Rolling => {
                 let x = self.response(at, SpaceVector::new(1.0, 0.0, 0.0), SpaceVector::zero());
@@ -252,9 +247,7 @@ mod tests {
     fn what_rolls_does_not_slip() {
         let shape = Shape::new(0.1, 1e-4, 5e-5, 0.02, 0.005).expect("a shape");
         let top = Top::new(shape, 9.81).expect("a top");
-        let y = [
-            0.8, 0.36, 0.48, 0.0, 0.0, 2e-3, -1e-3, 5e-3, 0.1, 0.2, 0.02, 0.03, -0.01, 0.0,
-        ];
+        let y = [0.8, 0.36, 0.48, 0.0, 0.0, 2e-3, -1e-3, 5e-3, 0.1, 0.2, 0.02, 0.03, -0.01, 0.0];
         let at = |contact| top.configuration(Phase { contact, passed: 0 }, &y);
         assert_eq!(at(ContactMode::Rolling).slip, SpaceVector::zero());
         let sliding = at(ContactMode::Sliding);

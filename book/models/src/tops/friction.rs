@@ -32,10 +32,7 @@ pub trait TipFriction: Copy {
     fn holds(&self) -> f64;
 }
 
-const NOTHING: Grip = Grip {
-    force: SpaceVector::zero(),
-    torque: 0.0,
-};
+const NOTHING: Grip = Grip { force: SpaceVector::zero(), torque: 0.0 };
 
 /// A floor without friction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -101,10 +98,7 @@ impl TipFriction for Dry {
         if speed == 0.0 {
             return NOTHING;
         }
-        Grip {
-            force: slip * (-self.coefficient / speed),
-            torque: 0.0,
-        }
+        Grip { force: slip * (-self.coefficient / speed), torque: 0.0 }
     }
 
     fn holds(&self) -> f64 {
@@ -194,10 +188,7 @@ impl TipFriction for Patch {
         let [per_speed, torque] = if speed <= rim {
             let v2 = (speed / rim) * (speed / rim);
             let unit = 3.0 * PI / 16.0;
-            [
-                unit * (2.0 - 0.5 * v2) / rim,
-                unit * (1.0 - v2 * (1.0 - 0.375 * v2)),
-            ]
+            [unit * (2.0 - 0.5 * v2) / rim, unit * (1.0 - v2 * (1.0 - 0.375 * v2))]
         } else {
             let [f, g] = outside(rim / speed);
             [f / speed, g]

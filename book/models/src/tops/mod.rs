@@ -72,14 +72,7 @@ impl Shape {
         finite("lever", lever)?;
         not_negative("tip radius", tip)?;
         positive("lever + tip radius", lever + tip)?;
-        Ok(Self {
-            mass,
-            across,
-            axial,
-            lever,
-            tip,
-            rim: None,
-        })
+        Ok(Self { mass, across, axial, lever, tip, rim: None })
     }
 
     /// With a rim of this radius (m), so far (m) above the centre of mass: where it touches
@@ -90,14 +83,8 @@ impl Shape {
     pub fn with_rim(self, radius: f64, height: f64) -> Result<Self> {
         positive("rim radius", radius)?;
         finite("height of the rim", height)?;
-        positive(
-            "height of the rim above the floor",
-            self.lever + self.tip + height,
-        )?;
-        Ok(Self {
-            rim: Some([radius, height]),
-            ..self
-        })
+        positive("height of the rim above the floor", self.lever + self.tip + height)?;
+        Ok(Self { rim: Some([radius, height]), ..self })
     }
 
     /// Mass (kg).
@@ -242,11 +229,7 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect> Top<F, R, E> {
     pub fn sloping(self, angle: f64) -> Result<Self> {
         finite("slope", angle)?;
         if angle.abs() >= 1.0 {
-            return Err(Error::out_of_range(
-                "slope",
-                angle,
-                "its size must be less than 1 rad",
-            ));
+            return Err(Error::out_of_range("slope", angle, "its size must be less than 1 rad"));
         }
         let (size, (s, c)) = (self.gravity.norm(), sincos(angle));
         let gravity = SpaceVector::new(size * s, 0.0, -size * c);
@@ -262,11 +245,7 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect> Top<F, R, E> {
         value: f64,
         margin: fn(&Configuration, f64) -> f64,
     ) -> Self {
-        self.marks.push(Mark {
-            name,
-            margin,
-            value,
-        });
+        self.marks.push(Mark { name, margin, value });
         self
     }
 

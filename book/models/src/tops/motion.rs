@@ -65,23 +65,14 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect> Scene<'_, F, R, E> {
     /// A tip that does not move over the floor: it rolls if friction can hold it, and slides
     /// off otherwise.
     pub(super) fn stuck(&self, passed: usize, y: &Coordinates) -> (Phase, Coordinates) {
-        let phase = Phase {
-            contact: ContactMode::Rolling,
-            passed,
-        };
+        let phase = Phase { contact: ContactMode::Rolling, passed };
         let (at, forces) = self.seen(phase, y);
         let force = hypot(forces.friction.x(), forces.friction.y());
         let settled = self.settled(&at, y);
         if force < self.top.friction.holds() * forces.normal {
             return (phase, settled);
         }
-        (
-            Phase {
-                contact: ContactMode::Sliding,
-                passed,
-            },
-            self.let_go(&forces, settled),
-        )
+        (Phase { contact: ContactMode::Sliding, passed }, self.let_go(&forces, settled))
     }
 
     /// Off in the direction in which friction could not hold it any more.
@@ -94,17 +85,8 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect> Scene<'_, F, R, E> {
     }
 
     fn slides(&self, passed: usize, y: &Coordinates) -> (Phase, Coordinates) {
-        let (at, forces) = self.seen(
-            Phase {
-                contact: ContactMode::Rolling,
-                passed,
-            },
-            y,
-        );
-        let phase = Phase {
-            contact: ContactMode::Sliding,
-            passed,
-        };
+        let (at, forces) = self.seen(Phase { contact: ContactMode::Rolling, passed }, y);
+        let phase = Phase { contact: ContactMode::Sliding, passed };
         (phase, self.let_go(&forces, self.settled(&at, y)))
     }
 }
@@ -142,11 +124,8 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect> Phased<14> for Scene<'_, F, 
     }
 
     fn conditions(&self, phase: Phase) -> Vec<Condition<'_, Phase, 14>> {
-        let mut conditions = vec![Condition::contact(
-            "lifts off",
-            move |y| self.seen(phase, y).1.normal,
-            Next::End,
-        )];
+        let mut conditions =
+            vec![Condition::contact("lifts off", move |y| self.seen(phase, y).1.normal, Next::End)];
         if self.top.shape().rim.is_some() {
             let clearance = |y: &Coordinates| self.top.shape().clearance(axis(y));
             conditions.push(Condition::gap("falls", clearance, Next::End));
@@ -174,10 +153,7 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect> Phased<14> for Scene<'_, F, 
             }
         }
         if let Some(mark) = self.top.marks.get(passed) {
-            let next = Phase {
-                passed: passed + 1,
-                ..phase
-            };
+            let next = Phase { passed: passed + 1, ..phase };
             let margin =
                 move |y: &Coordinates| (mark.margin)(&self.top.configuration(phase, y), mark.value);
             conditions.push(Condition::gap(mark.name, margin, Next::Enter(next)));

@@ -28,13 +28,7 @@ pub struct Throw {
 impl Throw {
     /// With this tilt and this spin, and otherwise at rest.
     pub const fn spinning(tilt: f64, spin: f64) -> Self {
-        Self {
-            tilt,
-            spin,
-            precession: 0.0,
-            nutation: 0.0,
-            velocity: Some([0.0; 2]),
-        }
+        Self { tilt, spin, precession: 0.0, nutation: 0.0, velocity: Some([0.0; 2]) }
     }
 
     /// The same with this precession (rad/s).
@@ -46,10 +40,7 @@ impl Throw {
     /// The same with a tip that rolls from the start.
     #[must_use]
     pub const fn rolling(self) -> Self {
-        Self {
-            velocity: None,
-            ..self
-        }
+        Self { velocity: None, ..self }
     }
 }
 
@@ -90,16 +81,10 @@ impl<F: TipFriction, R: ResistingMoment, E: Effect + Clone> Top<F, R, E> {
         tolerance: f64,
     ) -> Result<TopMotion<F, R, E>> {
         let method = Dop853::new(tolerance)?;
-        let scene = Scene {
-            top: self,
-            step: tolerance,
-        };
+        let scene = Scene { top: self, step: tolerance };
         let (phase, start) = self.start(&scene, throw)?;
         let run = simulate(&scene, &method, phase, start, t_end)?;
-        Ok(TopMotion {
-            top: self.clone(),
-            run,
-        })
+        Ok(TopMotion { top: self.clone(), run })
     }
 
     fn start(&self, scene: &Scene<'_, F, R, E>, throw: &Throw) -> Result<(Phase, Coordinates)> {

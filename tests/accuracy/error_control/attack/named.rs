@@ -22,20 +22,13 @@ fn on_a_separatrix_nothing_is_promised() {
     let free = |moments: [f64; 3], attitude: Attitude, rates: [f64; 3]| {
         let [a, b, c] = moments;
         let body = RigidBody::new(PrincipalMoments::new(a, b, c).expect("a body"));
-        let start = body
-            .state(attitude, BodyVector::from_array(rates))
-            .expect("a state");
+        let start = body.state(attitude, BodyVector::from_array(rates)).expect("a state");
         (body, start)
     };
     let tilted = turned(0.3, 0.8, 0.2);
     let mut refused = 0;
     for (moments, attitude, rates, t_end) in [
-        (
-            [1.0, 2.0, 2.5],
-            turned(1.0, 0.5, 2.0),
-            [0.0, 1.0, 0.0],
-            100.0,
-        ),
+        ([1.0, 2.0, 2.5], turned(1.0, 0.5, 2.0), [0.0, 1.0, 0.0], 100.0),
         ([1.0, 2.0, 2.5], tilted, [5e-15, 1.0, 0.0], 100.0),
         ([1.0, 1.5, 2.0], tilted, [0.0, 1.0, 0.0], 200.0),
     ] {
@@ -50,11 +43,7 @@ fn on_a_separatrix_nothing_is_promised() {
                     scene.solve(&start, t_end, tolerance)
                 };
                 match solved {
-                    Err(Error::NotDelivered {
-                        best: attainable,
-                        condition: Some(_),
-                        ..
-                    }) => {
+                    Err(Error::NotDelivered { best: attainable, condition: Some(_), .. }) => {
                         assert!(attainable > tolerance);
                         refused += 1;
                     }
@@ -83,13 +72,7 @@ fn on_a_separatrix_nothing_is_promised() {
     for tolerance in [1e-1, 1e-3, 1e-6] {
         let solved = scene.solve(&start, 80.0, tolerance);
         assert!(
-            matches!(
-                solved,
-                Err(Error::NotDelivered {
-                    condition: Some(_),
-                    ..
-                })
-            ),
+            matches!(solved, Err(Error::NotDelivered { condition: Some(_), .. })),
             "{tolerance:e}: {solved:?}"
         );
     }
@@ -97,9 +80,7 @@ fn on_a_separatrix_nothing_is_promised() {
 
 fn tumbling() -> (RigidBody, State) {
     let body = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8).expect("a body"));
-    let start = body
-        .state(Attitude::IDENTITY, BodyVector::new(0.03, 0.01, 0.2))
-        .expect("a state");
+    let start = body.state(Attitude::IDENTITY, BodyVector::new(0.03, 0.01, 0.2)).expect("a state");
     (body, start)
 }
 
@@ -109,23 +90,16 @@ fn tumbling() -> (RigidBody, State) {
 fn narrow_pulses_are_seen() -> Result<()> {
     let (body, start) = tumbling();
     let push = |t: f64| {
-        if (30.0..30.02).contains(&t) {
-            50.0
-        } else {
-            0.0
-        }
+        if (30.0..30.02).contains(&t) { 50.0 } else { 0.0 }
     };
     let pulse = move |t: f64, _: &RigidBody, _: &State| SpaceVector::new(push(t), 0.0, 0.0);
-    let named = Torque::on_space("pulse", pulse)
-        .smooth()
-        .with_break_points(&[30.0, 30.02])?;
+    let named = Torque::on_space("pulse", pulse).smooth().with_break_points(&[30.0, 30.02])?;
     let solved = Scene::new(body).with(named).solve(&start, 60.0, 1e-9)?;
     // Piece by piece: free, pushed, free.
     let free = Scene::new(body);
-    let steady = Torque::on_space("steady", |_, _: &RigidBody, _: &State| {
-        SpaceVector::new(50.0, 0.0, 0.0)
-    })
-    .smooth();
+    let steady =
+        Torque::on_space("steady", |_, _: &RigidBody, _: &State| SpaceVector::new(50.0, 0.0, 0.0))
+            .smooth();
     let pushed = Scene::new(body).with(steady);
     let before = free.solve(&start, 30.0, 1e-12)?.state;
     let after = pushed.solve(&before, 30.02 - 30.0, 1e-12)?.state;
@@ -133,28 +107,16 @@ fn narrow_pulses_are_seen() -> Result<()> {
     let error = end.attitude.angle_to(&solved.state.attitude);
     assert!(error <= 1e-9, "{error:e}");
     // In the damaged twin the pulse is a break point late.
-    let late = Torque::on_space("late", pulse)
-        .smooth()
-        .with_break_points(&[30.01, 30.02])?;
+    let late = Torque::on_space("late", pulse).smooth().with_break_points(&[30.01, 30.02])?;
     let refused = Scene::new(body).with(late).solve(&start, 60.0, 1e-9);
-    assert!(
-        matches!(refused, Err(Error::Contradiction { .. })),
-        "{refused:?}"
-    );
+    assert!(matches!(refused, Err(Error::Contradiction { .. })), "{refused:?}");
     // Without a name it is seen all the same.
     let unnamed = Torque::on_space("unnamed", pulse);
     match Scene::new(body).with(unnamed).solve(&start, 60.0, 1e-6) {
         Ok(solved) => assert!(end.attitude.angle_to(&solved.state.attitude) <= 1e-6),
-        Err(error) => assert!(
-            matches!(
-                error,
-                Error::NotDelivered {
-                    condition: None,
-                    ..
-                }
-            ),
-            "{error}"
-        ),
+        Err(error) => {
+            assert!(matches!(error, Error::NotDelivered { condition: None, .. }), "{error}")
+        }
     }
     // A smooth one, its width named.
     let bump = move |t: f64, _: &RigidBody, _: &State| {
@@ -163,10 +125,7 @@ fn narrow_pulses_are_seen() -> Result<()> {
     };
     let smooth = Torque::on_space("bump", bump)
         .smooth()
-        .with_narrowest(Feature {
-            time: 0.01,
-            angle: f64::INFINITY,
-        })?;
+        .with_narrowest(Feature { time: 0.01, angle: f64::INFINITY })?;
     let scene = Scene::new(body).with(smooth);
     let [loose, tight] = [1e-6, 1e-11].map(|tolerance| scene.solve(&start, 60.0, tolerance));
     let apart = loose?.state.attitude.angle_to(&tight?.state.attitude);
@@ -194,9 +153,7 @@ fn no_torque_is_forgotten() -> Result<()> {
     let gravity = GravityAtLever::new(1.0, 0.4)?;
     let body = RigidBody::new(PrincipalMoments::new(1.0, 1.5, 0.8)?);
     let start = body.state(turned(0.1, 0.8, 0.2), BodyVector::new(0.3, 0.1, 2.0))?;
-    let plain = Scene::new(body)
-        .with(Plain(gravity))
-        .solve(&start, 20.0, 1e-9)?;
+    let plain = Scene::new(body).with(Plain(gravity)).solve(&start, 20.0, 1e-9)?;
     let own = Scene::new(body).with(gravity).solve(&start, 20.0, 1e-11)?;
     let apart = plain.state.attitude.angle_to(&own.state.attitude);
     assert!(apart <= 1e-9, "{apart:e}");
@@ -216,9 +173,7 @@ fn the_truth_costs_no_answer() -> Result<()> {
     let free = Scene::new(body).solve(&start, inner, 1e-9)?.state;
     let mut answered = 0;
     for tolerance in [1e-6, 1e-8] {
-        let plain = Scene::new(body)
-            .with(driven.clone())
-            .solve(&start, 10.0, tolerance)?;
+        let plain = Scene::new(body).with(driven.clone()).solve(&start, 10.0, tolerance)?;
         let smooth = Scene::new(body).with(driven.clone().smooth());
         let smooth = smooth.solve(&start, 10.0, tolerance)?;
         for solved in [plain, smooth] {
@@ -236,56 +191,35 @@ fn the_truth_costs_no_answer() -> Result<()> {
 fn no_run_without_end() -> Result<()> {
     let body = RigidBody::new(PrincipalMoments::new(1.0, 1.3, 1.7)?);
     let start = body.state(Attitude::IDENTITY, BodyVector::new(0.3, 0.1, 0.5))?;
-    let limits = Limits {
-        budget: 1_000_000,
-        ..Limits::default()
-    };
+    let limits = Limits { budget: 1_000_000, ..Limits::default() };
     let friction = Torque::on_space("dry friction", |_, _: &RigidBody, state: &State| {
         let l = state.angular_momentum;
         l * (-0.1 / l.norm().max(1e-300))
     });
-    let brake = Torque::on_space("brake", |_, _: &RigidBody, state: &State| {
-        state.angular_momentum * -1e7
-    });
+    let brake =
+        Torque::on_space("brake", |_, _: &RigidBody, state: &State| state.angular_momentum * -1e7);
     let mut refused = 0;
     let mut over = |solved: Result<rotation_dynamics::accuracy::Solved>| match solved {
         Err(
-            Error::LimitReached {
-                what: "torques",
-                limit: 1_000_000,
-                ..
-            }
+            Error::LimitReached { what: "torques", limit: 1_000_000, .. }
             | Error::StepUnderflow { .. }
             | Error::Sliding { .. }
-            | Error::NotDelivered {
-                condition: None, ..
-            },
+            | Error::NotDelivered { condition: None, .. },
         ) => refused += 1,
         other => panic!("{other:?}"),
     };
-    over(
-        Scene::new(body)
-            .with(friction)
-            .solve_with(&start, 20.0, 1e-6, &limits),
-    );
-    over(
-        Scene::new(body)
-            .with(brake)
-            .solve_with(&start, 100.0, 1e-6, &limits),
-    );
+    over(Scene::new(body).with(friction).solve_with(&start, 20.0, 1e-6, &limits));
+    over(Scene::new(body).with(brake).solve_with(&start, 100.0, 1e-6, &limits));
     let gravity = GravityAtLever::new(1.0, 0.4)?;
     let heavy = Scene::new(body).with(gravity);
     over(heavy.solve_with(&start, 1e7, 1e-3, &limits));
     assert_eq!(refused, 3);
     // At rest, with a torque that has no scale of its own.
     let rest = body.state(Attitude::IDENTITY, BodyVector::zero())?;
-    let later = Torque::on_space("later", |t, _: &RigidBody, _: &State| {
-        SpaceVector::new(0.0, 0.0, t)
-    });
+    let later =
+        Torque::on_space("later", |t, _: &RigidBody, _: &State| SpaceVector::new(0.0, 0.0, t));
     // L = t^2/2 about e3: an angle of t^3/6 over I3.
-    let solved = Scene::new(body)
-        .with(later.smooth())
-        .solve(&rest, 2.0, 1e-8)?;
+    let solved = Scene::new(body).with(later.smooth()).solve(&rest, 2.0, 1e-8)?;
     let angle = 8.0 / 6.0 / 1.7;
     let exact = Attitude::about_body_axis(BodyVector::new(0.0, 0.0, 1.0), angle)?;
     let error = exact.angle_to(&solved.state.attitude);
@@ -311,23 +245,12 @@ fn contradictions_are_named() -> Result<()> {
     }
     let (body, start) = tumbling();
     let message = |scale: f64| {
-        let refused = Scene::new(body)
-            .with(Scaled(scale))
-            .solve(&start, 1.0, 1e-6);
+        let refused = Scene::new(body).with(Scaled(scale)).solve(&start, 1.0, 1e-6);
         refused.expect_err("no scale").to_string()
     };
-    assert_eq!(
-        message(f64::NAN),
-        "torque_scale = NaN is not a finite number"
-    );
-    assert_eq!(
-        message(f64::INFINITY),
-        "torque_scale = inf is not a finite number"
-    );
-    assert_eq!(
-        message(-1.0),
-        "torque_scale = -1 is not allowed: it must not be negative"
-    );
+    assert_eq!(message(f64::NAN), "torque_scale = NaN is not a finite number");
+    assert_eq!(message(f64::INFINITY), "torque_scale = inf is not a finite number");
+    assert_eq!(message(-1.0), "torque_scale = -1 is not allowed: it must not be negative");
     assert!(message(1e12).contains("\"scaled\" says that its torque comes within a millionth"));
     assert!(message(1e-12).contains("\"scaled\" says that its torque is not a thousand times"));
 
@@ -379,8 +302,6 @@ fn contradictions_are_named() -> Result<()> {
     );
     assert_eq!(named, 10);
     // And without a claim it is solved.
-    Scene::new(body)
-        .with(Claimed::<10>)
-        .solve(&start, 1.0, 1e-6)?;
+    Scene::new(body).with(Claimed::<10>).solve(&start, 1.0, 1e-6)?;
     Ok(())
 }

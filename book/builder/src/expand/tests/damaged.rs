@@ -20,11 +20,7 @@ fn damage_is_named_with_its_line() {
         ("3.1416", "3.1416", &[(5, typed)]),
         ("a\n\n3.1416\n", "a\n\n3.1416\n", &[(7, typed)]),
         ("$a\n+ b$\n3.1416", "«a\n+ b»\n3.1416", &[(7, typed)]),
-        (
-            "$$\na\n$$\n3.1416",
-            "«a|None|None|false»\n3.1416",
-            &[(8, typed)],
-        ),
+        ("$$\na\n$$\n3.1416", "«a|None|None|false»\n3.1416", &[(8, typed)]),
         ("```\na\n```\n3.1416", "```\na\n```\n3.1416", &[(8, typed)]),
         ("<!--\n--> 3.1416", "<!--\n--> 3.1416", &[(6, typed)]),
         ("`a\nb` 3.1416", "`a\nb` 3.1416", &[(6, typed)]),
@@ -34,31 +30,16 @@ fn damage_is_named_with_its_line() {
             &[(6, typed)],
         ),
         ("$x = 3.1416$", "«x = 3.1416»", &[(5, in_formula)]),
-        (
-            "\n$$\nx\n= 3.1416\n$$",
-            "\n«x\n= 3.1416|None|None|false»",
-            &[(8, in_formula)],
-        ),
+        ("\n$$\nx\n= 3.1416\n$$", "\n«x\n= 3.1416|None|None|false»", &[(8, in_formula)]),
         ("$x^{{3.1416}}$", "«x^{{3.1416}}»", &[(5, in_formula)]),
         (
             "$\\frac{dT}{4}$",
             "«\\frac{dT}{4}»",
-            &[(
-                5,
-                "the d of a differential stands upright: \\mathrm{d}, not dT}{4}",
-            )],
+            &[(5, "the d of a differential stands upright: \\mathrm{d}, not dT}{4}")],
         ),
         // Formulas.
-        (
-            "\na \\$ b",
-            "\na  b",
-            &[(6, "a dollar sign is a formula's; write the word")],
-        ),
-        (
-            "a\n$x",
-            "a\nx",
-            &[(6, "a formula that $ opens is not closed in its paragraph")],
-        ),
+        ("\na \\$ b", "\na  b", &[(6, "a dollar sign is a formula's; write the word")]),
+        ("a\n$x", "a\nx", &[(6, "a formula that $ opens is not closed in its paragraph")]),
         (
             "$x\n\ny$ z",
             "x\n\ny z",
@@ -68,21 +49,13 @@ fn damage_is_named_with_its_line() {
             ],
         ),
         ("a\n$$x\n{{", "a\n", &[(6, "$$ is not closed")]),
-        (
-            "$$a\n\nb$$ c",
-            "«a\n\nb|None|None|false» c",
-            &[(5, "a blank line inside $$…$$")],
-        ),
+        ("$$a\n\nb$$ c", "«a\n\nb|None|None|false» c", &[(5, "a blank line inside $$…$$")]),
         (
             "$$x \\label{eq:a}$$",
             "«x|None|Some(\"eq-a\")|false»",
             &[(5, "\\label{eq:a} needs a \\tag{…}")],
         ),
-        (
-            "$$x \\tag{1} \\tag{2}$$ c",
-            " c",
-            &[(5, "\\tag stands twice in one formula")],
-        ),
+        ("$$x \\tag{1} \\tag{2}$$ c", " c", &[(5, "\\tag stands twice in one formula")]),
         (
             "$$x \\tag{1} \\label{eq:a}$$\n$$y \\tag{2} \\label{eq:a}$$",
             "«x|Some(\"1\")|Some(\"eq-a\")|false»\n«y|Some(\"2\")|Some(\"eq-a\")|false»",
@@ -93,39 +66,16 @@ fn damage_is_named_with_its_line() {
         (
             "a\n\\eqref{eq:no}",
             "a\n",
-            &[(
-                6,
-                "no equation is labelled 'eq:no'; labelled are: eq:here, eq:there",
-            )],
+            &[(6, "no equation is labelled 'eq:no'; labelled are: eq:here, eq:there")],
         ),
-        (
-            "\\eqref{eq:here $x$",
-            "\\eqref{eq:here «x»",
-            &[(5, "\\eqref{ is not closed")],
-        ),
+        ("\\eqref{eq:here $x$", "\\eqref{eq:here «x»", &[(5, "\\eqref{ is not closed")]),
         // Directives in a line and in code.
         ("a {{num s:no}} b", "a  b", &[(5, known)]),
-        (
-            "{{num s:period m}}",
-            "",
-            &[(5, "the unit of s:period is s, not m")],
-        ),
+        ("{{num s:period m}}", "", &[(5, "the unit of s:period is s, not m")]),
         ("{{num s:turns s}}", "", &[(5, "s:turns has no unit")]),
-        (
-            "{{num s:period@6}}",
-            "",
-            &[(5, "s:period = 2.0064 cannot be rounded to 6 digits")],
-        ),
-        (
-            "a\n{{num s:turns c",
-            "a\nnum s:turns c",
-            &[(6, "{{ is not closed")],
-        ),
-        (
-            "a {{table s:limits}}",
-            "a ",
-            &[(5, "this directive must have its line for itself")],
-        ),
+        ("{{num s:period@6}}", "", &[(5, "s:period = 2.0064 cannot be rounded to 6 digits")]),
+        ("a\n{{num s:turns c", "a\nnum s:turns c", &[(6, "{{ is not closed")]),
+        ("a {{table s:limits}}", "a ", &[(5, "this directive must have its line for itself")]),
         ("```\n\n{{num s:no}}\n```", "```\n\n\n```", &[(7, known)]),
         ("`{{num s:no}}`\n", "``\n", &[(5, known)]),
         ("$x\n= {{num s:no}}$", "«x\n= »", &[(5, known)]),
@@ -149,10 +99,7 @@ fn damage_is_named_with_its_line() {
         (
             "a\n\n{{table twice:limits}}\nx",
             "a\n\n\nx",
-            &[(
-                7,
-                "'limits' is a section of the output of twice and the name of a table in it",
-            )],
+            &[(7, "'limits' is a section of the output of twice and the name of a table in it")],
         ),
         ("{{figure s:swing}}\n\n\nIt", "", &[(8, bold)]),
         ("{{figure s:swing}}\n\n# It", "", &[(7, caption)]),
@@ -162,10 +109,8 @@ fn damage_is_named_with_its_line() {
     ];
     for (source, want, problems) in cases {
         let page = sample.page(source);
-        let problems: Vec<String> = problems
-            .iter()
-            .map(|(line, message)| format!("a/b.md:{line}: {message}"))
-            .collect();
+        let problems: Vec<String> =
+            problems.iter().map(|(line, message)| format!("a/b.md:{line}: {message}")).collect();
         assert_eq!(page.problems, problems, "{source}");
         // A figure with a bad caption is drawn all the same.
         if !want.is_empty() || !source.starts_with("{{") {

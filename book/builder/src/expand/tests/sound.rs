@@ -11,10 +11,7 @@ fn what_is_sound_is_expanded_without_a_word() {
                 <br>in tests/t.rs»";
     let cases: [(&str, &str); 49] = [
         // Prose is copied, and so is what only looks like a directive or a formula.
-        (
-            "a **b** č { } \\ 15.5\n\nc\n",
-            "a **b** č { } \\ 15.5\n\nc\n",
-        ),
+        ("a **b** č { } \\ 15.5\n\nc\n", "a **b** č { } \\ 15.5\n\nc\n"),
         ("<!-- $ {{ 3.1416 -->x", "<!-- $ {{ 3.1416 -->x"),
         ("x <!-- $ {{ 3.1416", "x <!-- $ {{ 3.1416"),
         // Code: the numbers alone are replaced.
@@ -24,10 +21,7 @@ fn what_is_sound_is_expanded_without_a_word() {
         ("` $x$", "` «x»"),
         ("`` $x$ `", "`` «x» `"),
         ("`{{num s:turns`", "`{{num s:turns`"),
-        (
-            "```\n$x$ {{num s:turns}} 3.1416\n```\n$x$",
-            "```\n$x$ 3 3.1416\n```\n«x»",
-        ),
+        ("```\n$x$ {{num s:turns}} 3.1416\n```\n$x$", "```\n$x$ 3 3.1416\n```\n«x»"),
         ("~~~\n$x$\n```\n~~~ \n$x$", "~~~\n$x$\n```\n~~~ \n«x»"),
         ("````\n```\n$x$\n`````\n$x$", "````\n```\n$x$\n`````\n«x»"),
         ("> ```\n> $x$\n> ```\n> $x$", "> ```\n> $x$\n> ```\n> «x»"),
@@ -42,35 +36,20 @@ fn what_is_sound_is_expanded_without_a_word() {
         ("(($x$)).", "<span class=\"glued\">((«x»)).</span>"),
         ("[$x$](c)", "[«x»](c)"),
         ("a ($x$ b)", "a <span class=\"glued\">(«x»</span> b)"),
-        (
-            "\u{201c}$x$\u{201d}",
-            "<span class=\"glued\">\u{201c}«x»</span>\u{201d}",
-        ),
+        ("\u{201c}$x$\u{201d}", "<span class=\"glued\">\u{201c}«x»</span>\u{201d}"),
         ("$a\n+ b$ c", "«a\n+ b» c"),
         ("$x_{{a}}$", "«x_{{a}}»"),
         ("$x = {{num s:turns}}$", "«x = {3}»"),
-        (
-            "$T = {{num s:period s}} + {{given 3.1416}}$",
-            "«T = {2.0064}\\,\\mathrm{s} + {3.1416}»",
-        ),
+        ("$T = {{num s:period s}} + {{given 3.1416}}$", "«T = {2.0064}\\,\\mathrm{s} + {3.1416}»"),
         ("$l = {{param s:length}}$", "«l = {1.5}»"),
         // Formulas of their own.
         ("$$x$$ y", "«x|None|None|false» y"),
-        (
-            "$$\nx \\tag{1.2345} \\label{eq:a b}\n$$",
-            "«x|Some(\"1.2345\")|Some(\"eq-a-b\")|false»",
-        ),
+        ("$$\nx \\tag{1.2345} \\label{eq:a b}\n$$", "«x|Some(\"1.2345\")|Some(\"eq-a-b\")|false»"),
         ("$$\\boxed{x}$$", "«x|None|None|true»"),
         ("> $$\n> x + \n> y\n> $$", "> «x + \n y|None|None|false»"),
         // References.
-        (
-            "\\eqref{eq:here}",
-            "<a class=\"eqref\" href=\"#eq-here\">1.1 (2)</a>",
-        ),
-        (
-            "\\eqref{eq:there}.",
-            "<a class=\"eqref\" href=\"c.html#eq-there\">1.1 (2)</a>.",
-        ),
+        ("\\eqref{eq:here}", "<a class=\"eqref\" href=\"#eq-here\">1.1 (2)</a>"),
+        ("\\eqref{eq:there}.", "<a class=\"eqref\" href=\"c.html#eq-there\">1.1 (2)</a>."),
         // Directives in a line.
         ("{{num s:period}}", period),
         ("a {{given 9.8066}} b", "a 9.8066 b"),
@@ -78,23 +57,14 @@ fn what_is_sound_is_expanded_without_a_word() {
             "a {{num s:period@2 s}}, b",
             "a <span class=\"glued\">«num proof-a-b-1 2.0\u{202f}s <b>2.0064\u{202f}s</b><br>error below 5\u{202f}\u{d7}\u{202f}10<sup>\u{2212}5</sup><br>checked against: closed form»,</span> b",
         ),
-        (
-            "{{num s:turns}}",
-            "«num proof-a-b-1 3 <b>3</b><br>checked against: counting»",
-        ),
+        ("{{num s:turns}}", "«num proof-a-b-1 3 <b>3</b><br>checked against: counting»"),
         ("{{param s:length m}}", "1.5\u{202f}m"),
         ("{{param s:length unit}}", "1.5\u{202f}m"),
         ("{{test t::it_swings}}", tick),
         ("{{given 2}} {{given 3}}", "2 3"),
         // Directives of a line.
-        (
-            "{{table s:limits}}",
-            "<div class=\"box\">«table s:limits»</div>\n\n",
-        ),
-        (
-            "> {{table s:limits}}",
-            "> <div class=\"box\">«table s:limits»</div>\n\n",
-        ),
+        ("{{table s:limits}}", "<div class=\"box\">«table s:limits»</div>\n\n"),
+        ("> {{table s:limits}}", "> <div class=\"box\">«table s:limits»</div>\n\n"),
         (
             "{{listing s:physics}}\nx",
             "<div class=\"code\"><div class=\"listing\"><a href=\"source/examples/s.rs.html#L3\">examples/s.rs</a></div>\n\n```rust,noplayground\nlet g = 9.8;\n```\n\n</div>\n\n\nx",
@@ -130,18 +100,12 @@ fn a_page_says_what_it_uses() {
     assert_eq!(page.problems, [""; 0]);
     assert_eq!(page.stems, ["s"; 5]);
     assert_eq!(page.sources, ["tests/t.rs", "examples/s.rs"]);
-    let target = Target {
-        page: "a/b.html".into(),
-        tag: "1.1 (1)".into(),
-        place: ("a/b.md".into(), 17),
-    };
+    let target =
+        Target { page: "a/b.html".into(), tag: "1.1 (1)".into(), place: ("a/b.md".into(), 17) };
     assert_eq!(page.found, Labels::from([("eq:x".to_owned(), target)]));
-    for text in [
-        "proof-a-b-1 ",
-        "proof-a-b-2 ",
-        "Figure 1.</span> **A.**",
-        "Figure 2.</span> **B.**",
-    ] {
+    for text in
+        ["proof-a-b-1 ", "proof-a-b-2 ", "Figure 1.</span> **A.**", "Figure 2.</span> **B.**"]
+    {
         assert_eq!(page.html.matches(text).count(), 1, "{text}: {}", page.html);
     }
     // What is searched for: the number, the formula as it is spoken, the words of a figure.
@@ -152,10 +116,9 @@ fn a_page_says_what_it_uses() {
     let tick = sample.page("{{test t::it_swings}}").raw;
     assert!(tick.ends_with("\"></span>"), "{tick}");
     // A strip has a column for its times, other tables stay as they are.
-    for (section, column, other) in [
-        ("accuracy", "time", "relative"),
-        ("limits", "because", "time\n"),
-    ] {
+    for (section, column, other) in
+        [("accuracy", "time", "relative"), ("limits", "because", "time\n")]
+    {
         let raw = sample.page(&format!("{{{{table s:{section}}}}}")).raw;
         assert!(raw.contains(column) && !raw.contains(other), "{raw}");
     }

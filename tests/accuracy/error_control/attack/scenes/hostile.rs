@@ -51,9 +51,8 @@ pub const CAUGHT: [u64; 29] = [
 ];
 
 /// And pulses of millions of steps, each some seconds.
-pub const CAUGHT_PULSES: [u64; 13] = [
-    1046, 2126, 2846, 4286, 5066, 6056, 6086, 6476, 6956, 7286, 7736, 8156, 9596,
-];
+pub const CAUGHT_PULSES: [u64; 13] =
+    [1046, 2126, 2846, 4286, 5066, 6056, 6086, 6476, 6956, 7286, 7736, 8156, 9596];
 
 /// The one of them that takes the least time.
 pub const QUICKEST_PULSE: u64 = 6956;
@@ -67,23 +66,13 @@ fn near_the_middle_axis(dice: &mut Dice, stepped: bool) -> Result<Case> {
     let rates = match (dice.part() * 4.0) as u32 {
         0 => BodyVector::new(0.0, 1.0, 0.0),
         1 => BodyVector::new(off, 1.0, 0.0),
-        _ => BodyVector::new(
-            off * dice.between(-1.0, 1.0),
-            1.0,
-            off * dice.between(-1.0, 1.0),
-        ),
+        _ => BodyVector::new(off * dice.between(-1.0, 1.0), 1.0, off * dice.between(-1.0, 1.0)),
     };
     let scene = Scene::new(RigidBody::new(moments));
-    let start = scene
-        .body()
-        .state(Attitude::from_euler(dice.attitude())?, rates)?;
+    let start = scene.body().state(Attitude::from_euler(dice.attitude())?, rates)?;
     let t_end = dice.between(3.0, 45.0) / growth;
     Ok(Case {
-        kind: if stepped {
-            "separatrix, stepped"
-        } else {
-            "separatrix"
-        },
+        kind: if stepped { "separatrix, stepped" } else { "separatrix" },
         text: format!("{moments:?} {rates:?} {t_end}"),
         exact: truth::attitude(scene.body(), 0.0, &start, t_end),
         solve: Box::new(move |tolerance| {
@@ -100,17 +89,10 @@ fn near_the_middle_axis(dice: &mut Dice, stepped: bool) -> Result<Case> {
 fn near_the_upright(dice: &mut Dice) -> Result<Case> {
     let moments = PrincipalMoments::symmetric(1.0, dice.between(0.2, 1.8))?;
     let gravity = GravityAtLever::new(1.0, dice.scale(0.3, 3.0))?;
-    let angles = EulerAngles {
-        theta: dice.between(0.5, 3.0),
-        ..dice.attitude()
-    };
+    let angles = EulerAngles { theta: dice.between(0.5, 3.0), ..dice.attitude() };
     let growth = gravity.moment().sqrt();
     let sign = if dice.part() < 0.5 { 1.0 } else { -1.0 };
-    let off = if dice.part() < 0.3 {
-        0.0
-    } else {
-        sign * dice.scale(1e-17, 1e-2)
-    };
+    let off = if dice.part() < 0.3 { 0.0 } else { sign * dice.scale(1e-17, 1e-2) };
     let rate = 2.0 * growth * sin(0.5 * angles.theta) * (1.0 + off);
     let rates = BodyVector::new(rate * cos(angles.zeta), -rate * sin(angles.zeta), 0.0);
     let scene = Scene::new(RigidBody::new(moments)).with(gravity);
@@ -166,9 +148,7 @@ enum Named {
 fn jumps(dice: &mut Dice, named: Named) -> Result<Case> {
     let t_end = dice.scale(1.0, 20.0);
     let count = 1 + (dice.part() * 6.0) as usize;
-    let mut times: Vec<f64> = (0..count)
-        .map(|_| t_end * dice.between(0.02, 0.98))
-        .collect();
+    let mut times: Vec<f64> = (0..count).map(|_| t_end * dice.between(0.02, 0.98)).collect();
     times.sort_by(f64::total_cmp);
     let narrow = dice.scale(1e-6, 0.1) * t_end;
     if named == Named::Jumps && times[0] + narrow < t_end {
@@ -176,13 +156,7 @@ fn jumps(dice: &mut Dice, named: Named) -> Result<Case> {
         times = vec![times[0], times[0] + narrow];
     }
     let strength: Vec<f64> = (0..=times.len())
-        .map(|n| {
-            if n % 2 == 0 {
-                0.0
-            } else {
-                dice.between(-1.0, 1.0) / t_end.max(narrow * 20.0)
-            }
-        })
+        .map(|n| if n % 2 == 0 { 0.0 } else { dice.between(-1.0, 1.0) / t_end.max(narrow * 20.0) })
         .collect();
     let strength = if named == Named::Jumps {
         strength.iter().map(|p| p * t_end / narrow).collect()
@@ -214,14 +188,7 @@ fn jumps(dice: &mut Dice, named: Named) -> Result<Case> {
     match named {
         Named::Jumps => {
             let torque = torque.smooth().with_break_points(&times)?;
-            along(
-                "jumps, named",
-                dice,
-                inner,
-                t_end,
-                solver(torque, t_end),
-                text,
-            )
+            along("jumps, named", dice, inner, t_end, solver(torque, t_end), text)
         }
         Named::Nothing => along("jumps", dice, inner, t_end, solver(torque, t_end), text),
         Named::Falsely => {
@@ -257,11 +224,7 @@ pub fn unnamed_pulse(n: u64) -> Result<Case> {
 /// width.
 fn pulses(dice: &mut Dice, named: bool) -> Result<Case> {
     let t_end = dice.scale(1.0, 20.0);
-    let waves = if named {
-        0.0
-    } else {
-        (dice.between(-8.0, 24.0)).max(0.0)
-    };
+    let waves = if named { 0.0 } else { (dice.between(-8.0, 24.0)).max(0.0) };
     let narrowest = if named { 1e-5 } else { (1.0 + waves) / 4096.0 };
     let width = dice.scale(narrowest, 0.1) * t_end;
     let middle = dice.between(0.2, 0.8) * t_end;
@@ -275,10 +238,7 @@ fn pulses(dice: &mut Dice, named: bool) -> Result<Case> {
     })
     .smooth();
     let torque = if named {
-        torque.with_narrowest(Feature {
-            time: width,
-            angle: f64::INFINITY,
-        })?
+        torque.with_narrowest(Feature { time: width, angle: f64::INFINITY })?
     } else {
         torque
     };
@@ -296,9 +256,7 @@ fn pulses(dice: &mut Dice, named: bool) -> Result<Case> {
                 terms.map(|(c, b)| b * length * pulse(a + c * length)).sum()
             };
             let terms = NODES.iter().zip(WEIGHTS);
-            sum += terms
-                .map(|(c, b)| b * h * exp(grown + part(c * h)))
-                .sum::<f64>();
+            sum += terms.map(|(c, b)| b * h * exp(grown + part(c * h))).sum::<f64>();
             grown += part(h);
         }
         sum + (t - to).max(0.0) * exp(grown)
@@ -328,11 +286,8 @@ struct Misreported {
 }
 
 impl Effect for Misreported {
-    const PROPERTIES: Properties = Properties {
-        on_time: false,
-        smooth: true,
-        ..Properties::ANYTHING
-    };
+    const PROPERTIES: Properties =
+        Properties { on_time: false, smooth: true, ..Properties::ANYTHING };
 
     fn name(&self) -> &'static str {
         "misreported"
@@ -357,14 +312,7 @@ fn misreported(dice: &mut Dice) -> Result<Case> {
     let effect = Misreported { rate, factor };
     let inner = move |t: f64| expm1(rate * t) / rate;
     let text = format!("rate {rate} scale times {factor:e}");
-    along(
-        "misreported",
-        dice,
-        inner,
-        t_end,
-        solver(effect, t_end),
-        text,
-    )
+    along("misreported", dice, inner, t_end, solver(effect, t_end), text)
 }
 
 /// A free body for 100 to 3000 turns, stepped.

@@ -25,9 +25,7 @@ pub fn case(n: u64) -> Result<Case> {
         0 => powers("cusps in time", &mut dice, 0.5),
         1 => powers("kinks in time", &mut dice, 1.0),
         2 => powers("3/2 in time", &mut dice, 1.5),
-        3 => wave("triangles in time", &mut dice, |u| {
-            (u - 2.0 * (0.5 * u).round()).abs() - 0.5
-        }),
+        3 => wave("triangles in time", &mut dice, |u| (u - 2.0 * (0.5 * u).round()).abs() - 0.5),
         4 => at_an_attitude(&mut dice, true),
         _ => at_an_attitude(&mut dice, false),
     }
@@ -44,12 +42,8 @@ pub fn dozens(n: u64) -> Result<Case> {
 fn powers(kind: &'static str, dice: &mut Dice, power: f64) -> Result<Case> {
     let t_end = dice.scale(1.0, 20.0);
     let count = 1 + (dice.part() * 6.0) as usize;
-    let times: Vec<f64> = (0..count)
-        .map(|_| t_end * dice.between(0.02, 0.98))
-        .collect();
-    let sizes: Vec<f64> = (0..count)
-        .map(|_| dice.between(-3.0, 3.0) / t_end)
-        .collect();
+    let times: Vec<f64> = (0..count).map(|_| t_end * dice.between(0.02, 0.98)).collect();
+    let sizes: Vec<f64> = (0..count).map(|_| dice.between(-3.0, 3.0) / t_end).collect();
     let at = times.clone();
     let p = move |t: f64| -> f64 {
         let one = |(at, size): (&f64, &f64)| size * pow((t - at).abs() / t_end, power);
@@ -141,11 +135,7 @@ fn at_an_attitude(dice: &mut Dice, kink: bool) -> Result<Case> {
     let value = weight * dice.between(-1.0, 1.0);
     let torque = Switched {
         at: dice.between(-0.8, 0.8),
-        sides: if kink {
-            [[value, below], [value, above]]
-        } else {
-            [[below, 0.0], [above, 0.0]]
-        },
+        sides: if kink { [[value, below], [value, above]] } else { [[below, 0.0], [above, 0.0]] },
     };
     let fastest = (body.kinetic_energy(&start) + weight).sqrt();
     let least = moments.to_array().into_iter().fold(f64::INFINITY, f64::min);
@@ -156,11 +146,7 @@ fn at_an_attitude(dice: &mut Dice, kink: bool) -> Result<Case> {
     });
     let solve = solver(effect, t_end);
     Ok(Case {
-        kind: if kink {
-            "kink in space"
-        } else {
-            "jump in space"
-        },
+        kind: if kink { "kink in space" } else { "jump in space" },
         text: format!("{moments:?} {torque:?} {start:?} {t_end}"),
         exact: switched(&body, &torque, &start, t_end),
         solve: Box::new(move |tolerance| solve(&body, &start, tolerance)),

@@ -55,23 +55,13 @@ fn effect<const SMOOTH: bool>(
             let above = Torque::on_body("above", move |_, _, _| torque).smooth();
             let below = control.law.clone();
             let below = Torque::on_body("law", move |t, b, s| below(t, b, s)).smooth();
-            Box::new(Switched::new(
-                "switch",
-                move |t, b, s| signal(t, b, s),
-                below,
-                above,
-            ))
+            Box::new(Switched::new("switch", move |t, b, s| signal(t, b, s), below, above))
         }
         Rule::Switched(signal, torque) => {
             let above = Torque::on_body("above", move |_, _, _| torque);
             let below = control.law.clone();
             let below = Torque::on_body("law", move |t, b, s| below(t, b, s));
-            Box::new(Switched::new(
-                "switch",
-                move |t, b, s| signal(t, b, s),
-                below,
-                above,
-            ))
+            Box::new(Switched::new("switch", move |t, b, s| signal(t, b, s), below, above))
         }
     })
 }
@@ -80,11 +70,7 @@ impl Control {
     pub fn effect(&self) -> Result<BoxedEffect> {
         let law = self.law.clone();
         let law = Torque::on_body("law", move |t, b, s| law(t, b, s));
-        if self.is_declared {
-            effect(self, law.smooth())
-        } else {
-            effect(self, law)
-        }
+        if self.is_declared { effect(self, law.smooth()) } else { effect(self, law) }
     }
 
     /// What is held from here on: a sample, or sides.
@@ -102,15 +88,9 @@ impl Control {
                     0.0
                 }
             }),
-            Rule::Switched(signal, _) => [
-                if signal(t, body, state) < 0.0 {
-                    -1.0
-                } else {
-                    1.0
-                },
-                0.0,
-                0.0,
-            ],
+            Rule::Switched(signal, _) => {
+                [if signal(t, body, state) < 0.0 { -1.0 } else { 1.0 }, 0.0, 0.0]
+            }
         }
     }
 
@@ -203,9 +183,7 @@ fn end(
     t_end: f64,
     steps: usize,
 ) -> End {
-    let mut cuts: Vec<f64> = (0..=steps)
-        .map(|n| t_end * n as f64 / steps as f64)
-        .collect();
+    let mut cuts: Vec<f64> = (0..=steps).map(|n| t_end * n as f64 / steps as f64).collect();
     for control in controls {
         match &control.rule {
             Rule::Table(_, _, times) => cuts.extend(times),
@@ -222,10 +200,7 @@ fn end(
     let l = body.angular_momentum(start).to_array();
     let [w, x, y, z] = start.attitude.quaternion();
     let mut now = [w, x, y, z, l[0], l[1], l[2]];
-    let mut held: Vec<_> = controls
-        .iter()
-        .map(|c| c.held(0.0, body, &state(&now)))
-        .collect();
+    let mut held: Vec<_> = controls.iter().map(|c| c.held(0.0, body, &state(&now))).collect();
     let (mut switches, mut at_once) = (0, 0);
     for cut in cuts.windows(2) {
         for (control, held) in controls.iter().zip(&mut held) {
@@ -249,8 +224,7 @@ fn end(
             let sides = |at: f64, y: &[f64; 7]| -> Vec<[f64; 3]> {
                 let at = at.max(cut[0] + inside).min(cut[1] - inside);
                 let all = controls.iter().zip(&held);
-                all.map(|(c, held)| c.now(*held, at, body, &state(y)))
-                    .collect()
+                all.map(|(c, held)| c.now(*held, at, body, &state(y))).collect()
             };
             let h = cut[1] - t;
             let to = |part: f64| extrapolated(&slope, t, &now, h * part);
@@ -270,11 +244,7 @@ fn end(
                 return End::Unknown;
             }
             switches += 1;
-            at_once = if h * high < SLIDES.1 * t_end {
-                at_once + 1
-            } else {
-                0
-            };
+            at_once = if h * high < SLIDES.1 * t_end { at_once + 1 } else { 0 };
             if at_once > SLIDES.0 {
                 return End::Slides;
             }
@@ -285,20 +255,13 @@ fn end(
             (t, now, held) = (t + h * high, next, beyond);
         }
     }
-    if now.iter().all(|y| y.is_finite()) {
-        End::At(state(&now).attitude)
-    } else {
-        End::Unknown
-    }
+    if now.iter().all(|y| y.is_finite()) { End::At(state(&now).attitude) } else { End::Unknown }
 }
 
 fn state([w, x, y, z, a, b, c]: &[f64; 7]) -> State {
     // Steps that are too long for the motion blow up: shorter ones follow.
     let attitude = Attitude::from_quaternion([*w, *x, *y, *z]).unwrap_or(Attitude::IDENTITY);
-    State {
-        attitude,
-        angular_momentum: attitude.to_space(BodyVector::new(*a, *b, *c)),
-    }
+    State { attitude, angular_momentum: attitude.to_space(BodyVector::new(*a, *b, *c)) }
 }
 
 /// Euler's equations.
@@ -358,9 +321,7 @@ fn extrapolated(
             let ratio = (j as f64 / (j - k) as f64).powi(2) - 1.0;
             let finer = row[k - 1];
             let coarser = table[k - 1];
-            row.push(core::array::from_fn(|i| {
-                finer[i] + (finer[i] - coarser[i]) / ratio
-            }));
+            row.push(core::array::from_fn(|i| finer[i] + (finer[i] - coarser[i]) / ratio));
         }
         table = row;
     }
@@ -421,14 +382,8 @@ fn thrown(n: u64, times: f64, dice: &mut Dice) -> Result<Option<Case>> {
     }))
 }
 
-const NAMES: [&str; KINDS as usize] = [
-    "a table",
-    "sampled",
-    "saturated",
-    "dead band",
-    "at an angle",
-    "at a rate",
-];
+const NAMES: [&str; KINDS as usize] =
+    ["a table", "sampled", "saturated", "dead band", "at an angle", "at a rate"];
 
 /// What acts besides.
 #[derive(Debug, Clone, Copy)]
@@ -445,11 +400,7 @@ impl Background {
             let size = dice.scale(low, high);
             if is_there { size } else { 0.0 }
         };
-        Self {
-            gravity: some(0.01, 1.0),
-            orbit: some(0.01, 1.0),
-            friction: some(0.001, 0.3),
-        }
+        Self { gravity: some(0.01, 1.0), orbit: some(0.01, 1.0), friction: some(0.001, 0.3) }
     }
 
     fn list(&self, controls: &[Control]) -> Result<EffectList> {
@@ -458,13 +409,9 @@ impl Background {
             all.push(Box::new(GravityAtLever::new(self.gravity, 1.0)?));
         }
         if self.orbit > 0.0 {
-            let [normal, towards] = [
-                SpaceVector::new(0.0, 0.0, 1.0),
-                SpaceVector::new(1.0, 0.0, 0.0),
-            ];
-            all.push(Box::new(GravityGradient::on_orbit(
-                self.orbit, normal, towards,
-            )?));
+            let [normal, towards] =
+                [SpaceVector::new(0.0, 0.0, 1.0), SpaceVector::new(1.0, 0.0, 0.0)];
+            all.push(Box::new(GravityGradient::on_orbit(self.orbit, normal, towards)?));
         }
         if self.friction > 0.0 {
             all.push(Box::new(ViscousFriction::isotropic(self.friction)?));
@@ -495,14 +442,9 @@ fn control(kind: u64, body: &RigidBody, dice: &mut Dice, t_end: f64) -> Result<C
     let rule = match kind {
         0 => {
             let count = 3 + (dice.part() * 12.0) as usize;
-            let mut times: Vec<f64> = (0..count)
-                .map(|_| t_end * dice.between(-0.1, 1.1))
-                .collect();
+            let mut times: Vec<f64> = (0..count).map(|_| t_end * dice.between(-0.1, 1.1)).collect();
             times.sort_by(f64::total_cmp);
-            let rows: Vec<_> = times
-                .iter()
-                .map(|t| (*t, dice.between(-1.0, 1.0)))
-                .collect();
+            let rows: Vec<_> = times.iter().map(|t| (*t, dice.between(-1.0, 1.0))).collect();
             let profile = match (dice.part() * 3.0) as u32 {
                 0 => Profile::steps(&rows)?,
                 1 => Profile::lines(&rows)?,
@@ -516,10 +458,7 @@ fn control(kind: u64, body: &RigidBody, dice: &mut Dice, t_end: f64) -> Result<C
         4 => {
             let at = dice.between(-0.8, 0.8);
             let above = dice.vector() * limit;
-            Rule::Switched(
-                Arc::new(move |_, _, s: &State| s.attitude.axis().z() - at),
-                above,
-            )
+            Rule::Switched(Arc::new(move |_, _, s: &State| s.attitude.axis().z() - at), above)
         }
         _ => {
             let axis = (dice.part() * 3.0) as usize;
@@ -536,9 +475,5 @@ fn control(kind: u64, body: &RigidBody, dice: &mut Dice, t_end: f64) -> Result<C
         4 | 5 if dice.part() < 0.5 => Arc::new(move |_: f64, _: &RigidBody, _: &State| steady),
         _ => law,
     };
-    Ok(Control {
-        rule,
-        law,
-        is_declared,
-    })
+    Ok(Control { rule, law, is_declared })
 }

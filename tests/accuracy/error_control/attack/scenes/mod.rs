@@ -43,15 +43,9 @@ impl Tally {
 /// The reason of a refusal, if it is one that `solve` may give.
 fn reason(error: &Error) -> Option<&'static str> {
     Some(match error {
-        Error::NotDelivered {
-            condition: Some(_), ..
-        } => "beyond the condition",
-        Error::NotDelivered {
-            condition: None, ..
-        } => "not delivered",
-        Error::LimitReached {
-            what: "torques", ..
-        } => "over the budget",
+        Error::NotDelivered { condition: Some(_), .. } => "beyond the condition",
+        Error::NotDelivered { condition: None, .. } => "not delivered",
+        Error::LimitReached { what: "torques", .. } => "over the budget",
         Error::Contradiction { .. } => "contradiction",
         Error::Sliding { .. } => "sliding",
         _ => return None,
@@ -70,12 +64,7 @@ pub fn attacked(
     let mut tallies: BTreeMap<&str, Tally> = BTreeMap::new();
     let mut failures = Vec::new();
     for n in scenes {
-        let Case {
-            kind,
-            text,
-            solve,
-            exact,
-        } = case(n)?;
+        let Case { kind, text, solve, exact } = case(n)?;
         let tally = tallies.entry(kind).or_default();
         let first = (n / kinds) as usize;
         for tolerance in [first, first + 3].map(|k| TOLERANCES[k % TOLERANCES.len()]) {
@@ -107,9 +96,8 @@ fn table(tallies: &BTreeMap<&str, Tally>) -> String {
         vec!["kind                  granted  median   0.99     largest  refused".to_owned()];
     for (kind, tally) in tallies {
         let [median, most, largest] = [0.5, 0.99, 1.0].map(|part| tally.quantile(part));
-        let refused: Vec<String> = (tally.refused.iter())
-            .map(|(reason, count)| format!("{count} {reason}"))
-            .collect();
+        let refused: Vec<String> =
+            (tally.refused.iter()).map(|(reason, count)| format!("{count} {reason}")).collect();
         lines.push(format!(
             "{kind:<22}{:>7}  {median:.1e}  {most:.1e}  {largest:.1e}  {}",
             tally.ratios.len(),
@@ -122,11 +110,7 @@ fn table(tallies: &BTreeMap<&str, Tally>) -> String {
 /// Prints what came of an attack.
 pub fn told((tallies, failures): &Attacked) {
     println!("{}", table(tallies));
-    println!(
-        "{} above the request\n{}",
-        failures.len(),
-        failures.join("\n")
-    );
+    println!("{} above the request\n{}", failures.len(), failures.join("\n"));
 }
 
 /// How many were granted, and refused; none may be above its request.

@@ -84,11 +84,7 @@ fn like_a_clock(dice: &mut Dice, chosen: &Chosen) -> Result<Case> {
     let t_end = dice.scale(3.0, 3000.0) / rates.norm();
     let k = dice.scale(1e-6, 6.0) / t_end;
     let friction = ViscousFriction::new(k * i1, k * i3)?;
-    let free = FreeBody::new(
-        body.moments(),
-        start.attitude,
-        body.angular_velocity(&start),
-    )?;
+    let free = FreeBody::new(body.moments(), start.attitude, body.angular_velocity(&start))?;
     let exact = free.attitude(-expm1(-k * t_end) / k);
     let scene = Scene::new(body).with(friction);
     Ok(known("like a clock", scene, start, t_end, exact, chosen))
@@ -105,10 +101,7 @@ fn in_oil(kind: &'static str, dice: &mut Dice, symmetric: bool, chosen: &Chosen)
     let [across, along] = [0; 2].map(|_| dice.scale(1e-4, 30.0) / t_end);
     let [i1, i2, i3] = body.moments().to_array();
     let friction = ViscousFriction::new(across * i1, along * i3)?;
-    let resisting = Resisting {
-        rates: [across, across * i1 / i2, along],
-        law: Law::None,
-    };
+    let resisting = Resisting { rates: [across, across * i1 / i2, along], law: Law::None };
     let exact = resisted(&body, gravity.moment(), &resisting, &start, t_end);
     let scene = Scene::new(body).with(gravity).with(friction);
     Ok(known(kind, scene, start, t_end, exact, chosen))
@@ -120,10 +113,7 @@ fn backwards(dice: &mut Dice, chosen: &Chosen) -> Result<Case> {
     let t_end = -dice.scale(3.0, 60.0) / turning;
     let [across, along] = [0; 2].map(|_| dice.scale(1e-3, 2.0) / -t_end);
     let friction = ViscousFriction::new(across * body.moments().i1(), along * body.moments().i3())?;
-    let resisting = Resisting {
-        rates: [across, across, along],
-        law: Law::None,
-    };
+    let resisting = Resisting { rates: [across, across, along], law: Law::None };
     let exact = resisted(&body, gravity.moment(), &resisting, &start, t_end);
     let scene = Scene::new(body).with(friction).with(gravity);
     Ok(known("backwards", scene, start, t_end, exact, chosen))
@@ -139,19 +129,15 @@ fn in_air(dice: &mut Dice, chosen: &Chosen) -> Result<Case> {
     // A disc in a fluid that is as dense as it takes.
     let (radius, viscosity) = (0.3, dice.scale(1e-7, 1e-3));
     let lost = dice.scale(1e-3, 30.0) / t_end;
-    let of_unit = DiscDrag::new(radius, 1.0, viscosity, spin)?
-        .axial_torque(spin)
-        .abs();
+    let of_unit = DiscDrag::new(radius, 1.0, viscosity, spin)?.axial_torque(spin).abs();
     let drag = DiscDrag::new(radius, lost * i3 * spin.abs() / of_unit, viscosity, spin)?;
     let power = match drag.regime() {
         FlowRegime::Laminar => 0.5,
         FlowRegime::Turbulent => 0.8,
     };
     let across = dice.scale(1e-4, 3.0) / t_end;
-    let resisting = Resisting {
-        rates: [across, across, 0.0],
-        law: Law::Power(-drag.axial_torque(1.0), power),
-    };
+    let resisting =
+        Resisting { rates: [across, across, 0.0], law: Law::Power(-drag.axial_torque(1.0), power) };
     let exact = resisted(&body, gravity.moment(), &resisting, &start, t_end);
     let oil = ViscousFriction::new(across * body.moments().i1(), 0.0)?;
     let scene = Scene::new(body).with(drag).with(gravity).with(oil);
@@ -164,10 +150,7 @@ fn to_the_stop(dice: &mut Dice, chosen: &Chosen) -> Result<Case> {
     let t_end = dice.scale(3.0, 60.0) / turning;
     let torque = body.angular_momentum(&start).z().abs() / t_end * dice.scale(0.1, 10.0);
     let bearing = CoulombBearing::new(torque, &body, &start, 0.0)?;
-    let resisting = Resisting {
-        law: Law::Dry(torque),
-        ..Resisting::NOTHING
-    };
+    let resisting = Resisting { law: Law::Dry(torque), ..Resisting::NOTHING };
     let exact = resisted(&body, gravity.moment(), &resisting, &start, t_end);
     let scene = Scene::new(body).with(gravity).with(bearing);
     Ok(known("to the stop", scene, start, t_end, exact, chosen))
@@ -177,7 +160,5 @@ fn to_the_stop(dice: &mut Dice, chosen: &Chosen) -> Result<Case> {
 pub fn by_splitting(chosen: &Chosen) -> usize {
     let chosen = chosen.borrow();
     let resisted = |name: &&str| name.ends_with(", resisted");
-    (chosen.iter().filter(|(name, _)| resisted(name)))
-        .map(|(_, n)| n)
-        .sum()
+    (chosen.iter().filter(|(name, _)| resisted(name))).map(|(_, n)| n).sum()
 }

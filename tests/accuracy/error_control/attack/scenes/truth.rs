@@ -23,10 +23,7 @@ fn product(a: &Series, b: &Series, n: usize) -> Dd {
 }
 
 fn sum(series: &Series, h: f64) -> Dd {
-    series
-        .iter()
-        .rev()
-        .fold(Dd::from(0.0), |sum, c| sum * h + *c)
+    series.iter().rev().fold(Dd::from(0.0), |sum, c| sum * h + *c)
 }
 
 /// What resists: l_i' = -k_i l_i on the body's axes, and a law of l_3 besides.
@@ -47,10 +44,7 @@ pub enum Law {
 }
 
 impl Resisting {
-    pub const NOTHING: Self = Self {
-        rates: [0.0; 3],
-        law: Law::None,
-    };
+    pub const NOTHING: Self = Self { rates: [0.0; 3], law: Law::None };
 }
 
 /// The attitude at the time `t` of a body with gravity of the largest torque `moment`
@@ -75,11 +69,7 @@ fn began(body: &RigidBody, start: &State) -> (Vec<Dd>, f64) {
     };
     let momentum = back(start.angular_momentum.to_array().map(Dd::from));
     let vertical = back([0.0, 0.0, 1.0].map(Dd::from));
-    let energy: f64 = momentum
-        .iter()
-        .zip(inertia)
-        .map(|(l, i)| l.hi() * l.hi() / i)
-        .sum();
+    let energy: f64 = momentum.iter().zip(inertia).map(|(l, i)| l.hi() * l.hi() / i).sum();
     let now = [[w, x, y, z].to_vec(), momentum.to_vec(), vertical.to_vec()].concat();
     (now, energy)
 }
@@ -108,10 +98,7 @@ pub fn resisted(
         Law::Dry(torque) if t * torque > 0.0 => t.min(spin.abs() / torque),
         _ => t,
     };
-    let rolling = Resisting {
-        law: Law::None,
-        ..*resisting
-    };
+    let rolling = Resisting { law: Law::None, ..*resisting };
     for (span, resisting) in [(stop, resisting), (t - stop, &rolling)] {
         let steps = (rate * span.abs() / ANGLE).ceil();
         for _ in 0..steps as u64 {
@@ -149,9 +136,8 @@ pub fn switched(body: &RigidBody, torque: &Switched, start: &State, t: f64) -> A
     let (mut now, energy) = began(body, start);
     let inertia = body.moments().to_array();
     let least = inertia.iter().copied().fold(f64::INFINITY, f64::min);
-    let largest = (torque.sides.iter()).fold(0.0_f64, |most, [value, slope]| {
-        most.max(value.abs() + 2.0 * slope.abs())
-    });
+    let largest = (torque.sides.iter())
+        .fold(0.0_f64, |most, [value, slope]| most.max(value.abs() + 2.0 * slope.abs()));
     let whole = ANGLE / ((energy + 4.0 * largest) / least).sqrt();
     let (mut left, mut side) = (t, torque.side(now[9].hi()));
     while left > 0.0 {
@@ -221,11 +207,7 @@ fn series(
         // m g, and where the size depends on it n g_3 g.
         let weight = |g: &Series| {
             let steady = g[n] * moment;
-            if slope == 0.0 {
-                steady
-            } else {
-                steady + of(g3, g) * slope
-            }
+            if slope == 0.0 { steady } else { steady + of(g3, g) * slope }
         };
         let slopes = [
             (of(x, p) + of(yy, q) + of(z, r)) * -0.5,
@@ -251,8 +233,7 @@ fn power_of(l: &Series, y: &Series, e: Dd, n: usize) -> Dd {
     if n == 0 {
         return (l[0].abs().ln() * e).exp() * l[0].hi().signum();
     }
-    let sum = (1..=n).fold(Dd::from(0.0), |sum, k| {
-        sum + (e * k as f64 - (n - k) as f64) * l[k] * y[n - k]
-    });
+    let sum = (1..=n)
+        .fold(Dd::from(0.0), |sum, k| sum + (e * k as f64 - (n - k) as f64) * l[k] * y[n - k]);
     sum / (l[0] * n as f64)
 }
