@@ -73,15 +73,6 @@ impl Answer {
 
     /// The value in this unit: an angle may be given in degrees.
     ///
-    /// ```
-    /// use kit::Answer;
-    /// let read = |text: &str, unit: &str| Answer::read(text)?.in_unit(unit);
-    /// assert_eq!(read("45°", "rad"), Ok(core::f64::consts::FRAC_PI_4));
-    /// assert_eq!(read("1/2 m", "m"), Ok(0.5));
-    /// assert_eq!(read("3 s", "m"), Err("the unit is m, not s".into()));
-    /// # Ok::<(), &str>(())
-    /// ```
-    ///
     /// # Errors
     /// Which unit it must have.
     pub(crate) fn in_unit(&self, unit: &str) -> Result<f64, String> {

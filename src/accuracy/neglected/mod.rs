@@ -118,7 +118,7 @@ impl<E: Effect> Scene<E> {
     ///
     /// ```
     /// # use rotation_dynamics::{attitude::Attitude, body::RigidBody, frame::BodyVector};
-    /// # use rotation_dynamics::{effects::{GravityGradient, Torque}, frame::SpaceVector};
+    /// # use rotation_dynamics::{effects::{Effect, GravityGradient, Torque}, frame::SpaceVector};
     /// # use rotation_dynamics::{inertia::PrincipalMoments, scene::Scene};
     /// # fn main() -> rotation_dynamics::Result<()> {
     /// // A satellite that tumbles once in two minutes, for a quarter of an hour, to 1e-3.
@@ -191,7 +191,7 @@ impl<E: Effect> NeglectedEffects<'_, E> {
     ///
     /// ```
     /// # use rotation_dynamics::{attitude::Attitude, body::RigidBody, frame::BodyVector};
-    /// # use rotation_dynamics::{effects::CoulombBearing, inertia::PrincipalMoments};
+    /// # use rotation_dynamics::{effects::{CoulombBearing, Effect}, inertia::PrincipalMoments};
     /// # use rotation_dynamics::scene::Scene;
     /// # fn main() -> rotation_dynamics::Result<()> {
     /// // A bearing that brakes a free spin leaves its axis where it is.
