@@ -2,8 +2,9 @@
 //! becomes `theta'' = W^2 sin theta`. It stands in the search index only.
 
 /// Commands with an argument that is kept without a mark.
-const PLAIN: [&str; 12] = [
+const PLAIN: [&str; 13] = [
     "mathrm",
+    "mathcal",
     "text",
     "mathbf",
     "boldsymbol",
@@ -177,6 +178,7 @@ mod tests {
             (r"t \approx 2\pi\sqrt{l/g}", "t = 2 pi sqrt(l/g)"),
             (r"E &= 1 \\ x &\to 0", "E = 1; x -> 0"),
             (r"N_\text{wall} \ge 0", "N_wall >= 0"),
+            (r"\mathcal L = T - U", "L = T - U"),
         ];
         for (tex, spoken) in cases {
             assert_eq!(text(tex), spoken, "{tex}");

@@ -153,14 +153,15 @@ fn summary(lines: &[Line], more: &str) -> String {
                     None => "a time that has not been measured".into(),
                 };
                 format!(
-                    "`solve`, which knows no answer to compare with, takes {ratio} and delivers \
-                     {}.{more}",
+                    "<code>solve</code>, which knows no answer to compare with, takes {ratio} and \
+                     delivers {}.{more}",
                     power(solved.delivered)
                 )
             }
             None => format!(
-                "It is not known here, because `solve` was not used: each line was run at its own \
-                 setting, and its error was found afterwards, against a known result.{more}"
+                "It is not known here, because <code>solve</code> was not used: each line was run \
+                 at its own setting, and its error was found afterwards, against a known \
+                 result.{more}"
             ),
         };
         if rivals(error).all(|line| line.time.is_none()) {

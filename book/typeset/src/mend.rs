@@ -6,6 +6,7 @@ use crate::fonts;
 ///
 /// - Primes: the variants for superscripts are ignored; they get a class for the style sheet.
 /// - Greek: one shape of each letter, in formulas as in text and figures.
+/// - Script letters: the font has one shape, so the selector of a shape is dropped.
 /// - Roots: the sign is as low as its content; a strut makes all of one line equally high.
 /// - Accents: the point of attachment is ignored, so a dot over a slanted letter sits
 ///   too far left; it is moved by what the font says, and a dot lifted off its letter.
@@ -15,7 +16,7 @@ use crate::fonts;
 /// - Fences: a stretchy one gets the width of its largest variant; around content
 ///   that is one line high it need not stretch.
 pub fn mend(mathml: &str) -> String {
-    let mut mended = mathml.replace('ϕ', "φ").replace('ϵ', "ε");
+    let mut mended = mathml.replace('ϕ', "φ").replace('ϵ', "ε").replace('\u{fe00}', "");
     for prime in ['\u{2032}', '\u{2033}', '\u{2034}'] {
         mended = mended
             .replace(&format!("<mo>{prime}</mo>"), &format!("<mo class=\"prime\">{prime}</mo>"));
@@ -232,6 +233,8 @@ mod tests {
                 && product.contains("<mi>x</mi><mo lspace=\"0.1667em\""),
             "{product}"
         );
+        let script = html(r"\frac{\partial\mathcal L}{\partial x}");
+        assert!(script.contains("<mi>ℒ</mi>"), "{script}");
         let root = html(r"\sqrt{\phi}");
         assert!(root.contains(&format!("<msqrt>{STRUT}<mi>φ</mi>")), "{root}");
         let low = html(r"\left(b - \left[c\right]\right)^2");
