@@ -25,12 +25,12 @@ pub fn momentum(p: &Parameters, arm: f64) -> f64 {
     p.inertia_a * p.rate + carried + p.inertia_b * rate_b(p, arm)
 }
 
-/// What the rims have pushed on each other until B is up to speed, force times time.
+/// Impulse of one rim on the other until B is up to speed, N s.
 pub fn push(p: &Parameters) -> f64 {
     p.inertia_b * rate_b(p, 0.0).abs() / p.radius_b
 }
 
-/// How long friction takes for this.
+/// How long friction takes for this, s.
 pub fn time(p: &Parameters) -> f64 {
     push(p) / p.friction
 }
@@ -92,7 +92,7 @@ pub fn spun_up(p: &Parameters, driven: bool, tolerance: f64) -> Result<Run> {
 // ANCHOR_END: physics
 
 // ANCHOR: particles
-/// Where the axis of B and a point of it are, at this distance and angle from its axis, by turns alone.
+/// Where a point of B is, at this distance and angle from its axis, by the turns of arm and gear.
 fn place(p: &Parameters, [arm, rate]: [f64; 2], t: f64, [distance, angle]: [f64; 2]) -> [f64; 2] {
     let ((s, c), (u, v)) = (sincos(arm * t), sincos(rate * t + angle));
     let apart = p.radius_a + p.radius_b;

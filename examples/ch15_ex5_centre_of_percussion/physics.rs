@@ -1,22 +1,22 @@
-//! Bat and ball: in closed form, and a scene of contacts that hold and push, whose bodies are rigid
-//! and bounce, or whose ball pushes as one does that is pressed flat.
+//! Bat and ball: in closed form, and as a scene of contacts that hold and push, with rigid bodies
+//! that bounce or with a soft ball.
 
 // ANCHOR: physics
 use super::Parameters;
 use kit::prelude::*;
 use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState};
 
-/// From the middle of the bat to the hands, and from the hands to the blow.
+/// Distances from the middle of the bat to the hands, and from the hands to the blow, m.
 pub fn arms(p: &Parameters) -> [f64; 2] {
     [0.5 * p.length - p.hands, p.hit - p.hands]
 }
 
-/// Moment of inertia over the mass, about the middle (`arm` = 0) or a point so far from it.
+/// Moment of inertia over the mass, about a point at the distance `arm` from the middle, m^2.
 pub fn inertia(p: &Parameters, arm: f64) -> f64 {
     p.length * p.length / 12.0 + arm * arm
 }
 
-/// Where a blow is not felt, from the hands.
+/// Distance of the centre of percussion from the hands, m.
 pub fn centre(p: &Parameters) -> f64 {
     let [arm, _] = arms(p);
     inertia(p, arm) / arm
@@ -37,7 +37,7 @@ pub fn impulse(p: &Parameters, held: bool) -> f64 {
     (1.0 + p.restitution) * p.speed / (1.0 / p.ball + yielding / p.mass)
 }
 
-/// Velocity that the place of the hands gets by an impulse on a free bat, over J/m.
+/// Velocity that the impulse J gives to the place of the hands on a free bat, over J/m.
 pub fn free_hands(p: &Parameters) -> f64 {
     let [arm, hit] = arms(p);
     1.0 - (hit - arm) * arm / inertia(p, 0.0)
@@ -52,12 +52,13 @@ pub struct Strike {
 }
 
 impl Strike {
-    /// Rigid bodies; the ball comes along y, whatever the sign of its velocity.
+    /// Rigid bodies; the ball comes along y, whatever the sign of `speed`.
     pub fn rigid(p: &Parameters, held: bool) -> Self {
         Self { p: p.but(|p| p.speed = p.speed.abs()), held, stiffness: None }
     }
 
-    /// A soft, elastic ball that touches the bat for about the time `contact` (Hertz's law).
+    /// A soft, elastic ball that touches the bat for about the time `contact`. By Hertz's law this
+    /// is 2.943 times the greatest depth over the speed.
     pub fn soft(p: &Parameters) -> Self {
         let p = p.but(|p| (p.speed, p.restitution) = (p.speed.abs(), 1.0));
         let (reduced, depth) = (0.5 * impulse(&p, true) / p.speed, p.speed * p.contact / 2.943_275);

@@ -1,5 +1,5 @@
-//! A particle on a table, on a string through a hole: in closed form, and Newton's law in the plane,
-//! with the string as what cannot be longer than it is.
+//! A particle on a table, on a string through a hole: in closed form, and by Newton's law in the
+//! plane, with a string that cannot stretch.
 
 // ANCHOR: physics
 use core::f64::consts::TAU;
@@ -28,7 +28,7 @@ impl Answer {
     pub fn force(&self, t: f64) -> f64 {
         self.angular_velocity(t) / self.radius(t)
     }
-    /// Work of the hand up to `t`, without the jerk: 1/r^2 - 1 without its cancellation.
+    /// Work of the hand up to `t`, without the jerk: (1/r^2 - 1)/2, written without the difference.
     pub fn work(&self, t: f64) -> f64 {
         0.5 * self.pull * t * (1.0 + self.radius(t)) * self.angular_velocity(t)
     }

@@ -1,5 +1,5 @@
-//! A ball hits a dumbbell, simulated with contacts that push: no conservation law is used, and
-//! whoever meets again is hit again. Mass of the ball, length of the stick and speed are 1.
+//! A ball hits a dumbbell: in closed form, and simulated with contacts that push and know no
+//! conservation law. The mass of the ball, the length of the stick and the speed are 1.
 
 // ANCHOR: physics
 use rotation_dynamics::integrators::{Dop853, Work, ode, size_or};
@@ -24,15 +24,15 @@ pub struct Answer {
 impl Answer {
     pub fn new(restitution: f64, slant: f64) -> Self {
         let across = cos(slant);
-        // Struck by the impulse J at this slant the mass gets away with J (1 + across^2).
+        // The impulse J at this slant gives the struck mass the velocity J (1 + across^2) along it.
         let impulse = (1.0 + restitution) / (2.0 + across * across);
         let (ball, angular_velocity) = (1.0 - impulse, 2.0 * impulse * across);
         Self { impulse, ball, centre: impulse, angular_velocity }
     }
 }
 
-/// After a hit at right angles, in l, when the stick has turned by `angle`: the ball, from the
-/// sum of the radii on, and the two masses on their cycloids.
+/// Places after a hit at right angles, in l, when the stick has turned by `angle`: the ball, which
+/// starts at the sum of the radii behind the struck mass, and the two masses on their cycloids.
 pub fn cycloids(a: Answer, reach: f64, angle: f64) -> [Plane; 3] {
     let (s, c) = sincos(angle);
     let mass = |sign: f64| [0.5 * (angle + sign * s), 0.5 * (1.0 - sign * c)];

@@ -8,8 +8,8 @@ use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, after, ode, size_or};
 use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
 
-/// The machine. Its state is the way and the velocity of the mass on the left downward, and the
-/// same of a point of the rim.
+/// The machine. Its state is the way and the velocity of the mass on the left, downward, and of
+/// a point of the rim.
 #[derive(Debug, Clone, Copy)]
 pub struct Machine {
     pub masses: [f64; 2], // on the left and on the right, kg
@@ -32,7 +32,7 @@ pub enum Grip {
 pub type Forces = [f64; 4];
 
 impl Machine {
-    /// In closed form, for a rope without mass; each tension without g - a, which may lose digits.
+    /// In closed form, for a rope without mass; the tensions as sums, since g - a may lose digits.
     pub fn closed_form(&self) -> (Grip, Forces) {
         let ([m1, m2], pulley, k) = (self.masses, self.pulley, self.grip);
         let part = self.gravity / (m1 + m2 + pulley);
@@ -53,8 +53,9 @@ impl Machine {
     }
 
     // ANCHOR: newton
-    /// Newton's law for both masses, with their rope, and for the pulley; what the rope does on
-    /// the pulley is the fourth equation. Unknown are the two accelerations and the two tensions.
+    /// Newton's law for both masses, with their rope, and for the pulley. The fourth equation says
+    /// whether the rope holds on the pulley or slips. Unknown are the two accelerations and the
+    /// two tensions.
     pub fn forces(&self, grip: Grip, way: f64) -> Forces {
         let left = self.masses[0] + self.rope * (self.height + way);
         let right = self.masses[1] + self.rope * (self.height - way);
@@ -74,7 +75,7 @@ impl Machine {
     }
     // ANCHOR_END: newton
 
-    /// How far each tension, over the other, is from dragging the rope over the pulley.
+    /// How far each of the tensions is from dragging the rope over the pulley, N.
     fn lacks(&self, way: f64) -> [f64; 2] {
         let [_, _, t1, t2] = self.forces(Grip::Holds, way);
         [self.grip * t2 - t1, self.grip * t1 - t2]

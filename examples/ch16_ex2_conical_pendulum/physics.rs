@@ -6,12 +6,12 @@ use kit::prelude::*;
 use rotation_dynamics::exact::carlson;
 use rotation_dynamics::integrators::{Dop853, Ode, Solution, newton, second_order, size_or};
 
-/// Time is in 1/w, below the threshold in sqrt(l/g): the squares of w and of sqrt(g/l) then.
+/// Squares of w and of sqrt(g/l). The unit of time is 1/w, or sqrt(l/g) below the threshold.
 pub fn squares(q: f64) -> [f64; 2] {
     [(1.0 / q).min(1.0), q.min(1.0)]
 }
 
-/// The angle whose cosine is q, or 0 if there is none: that of the cone, rad.
+/// Angle of the cone, rad: its cosine is q. It is 0 if there is no cone.
 pub fn cone(q: f64) -> f64 {
     atan2(((1.0 - q) * (1.0 + q)).max(0.0).sqrt(), q)
 }

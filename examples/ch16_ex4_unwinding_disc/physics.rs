@@ -44,8 +44,8 @@ pub struct Taut {
     pub tension: f64,
     pub acceleration: [f64; 2], // of the centre
     pub spin: f64,              // angular acceleration
-    pub margin: f64,            // not negative: length wound up, or how far the knot has turned
-    pub winds: f64,             // the rate at which string is wound up or, negative, unwound
+    pub margin: f64, // not negative: angle still wound up, or cosine between knot and string
+    pub winds: f64,  // the rate at which string is wound up or, negative, unwound
 }
 
 // ANCHOR: newton
@@ -56,7 +56,8 @@ impl Disc {
 
     /// The string where it is taut. The state: the centre, the direction from it to the knot,
     /// and their rates. The string pulls along `-u` at the end of the arm, which turns the disc
-    /// by `-tension * lever`; its far end is at rest, so there the acceleration is known.
+    /// by `-tension * lever`. As it does not stretch, the acceleration of that end along `u` is
+    /// known.
     pub fn taut(&self, leaves: Leaves, &[x, y, knot, vx, vy, rate]: &[f64; 6]) -> Taut {
         let (sk, ck) = sincos(knot);
         // The side of the string on which the disc is.

@@ -12,7 +12,7 @@ use rotation_dynamics::planar::contact::{
 #[derive(Debug, Clone, Copy)]
 pub struct Ball {
     pub pull: f64,  // qE/m, m/s^2
-    pub press: f64, // N/m: g, and more if an image charge pulls at the ball
+    pub press: f64, // normal force over the mass, m/s^2: g, or more with an image charge
     pub radius: f64,
     pub shape: f64, // I/(m R^2)
     pub mu: f64,
@@ -30,7 +30,7 @@ impl Mechanism<3, 1> for Ball {
 
     fn force(&self, ball: &MechanismState<3>) -> [f64; 3] {
         let ([arm, drag], [vx, ..]) = (self.resisting, ball.v);
-        // The field pulls where the charge is, and its moment is against the arm's height.
+        // The field pulls at the charge; its lever is the height of the charge above the middle.
         let moment = -self.pull * self.spot * sin(ball.q[2]);
         let slowed = self.pull - drag * vx * vx.abs();
         [slowed, -self.press, moment + self.side() * arm * self.press]

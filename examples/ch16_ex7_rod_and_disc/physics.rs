@@ -7,7 +7,7 @@ use kit::prelude::*;
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
 use rotation_dynamics::integrators::{Ode, ode, second_order, size_or};
 
-/// What counts in the pendulum, each about the pivot but for the disc's own.
+/// Moments of inertia of the pendulum, about the pivot but for the disc's own, and its torque.
 #[derive(Debug, Clone, Copy)]
 pub struct Moments {
     pub carried: f64, // rod, and disc as if all of it were at its centre, kg m^2
@@ -26,8 +26,7 @@ impl Moments {
         Ok(Self { carried, own, gravity, share })
     }
 
-    /// Whether the disc is so small that some grease cannot stop the swinging within a swing, and
-    /// not so small that it is not felt.
+    /// Whether the disc is felt, and yet so small that no grease stops the swinging within a swing.
     pub fn is_felt(&self) -> bool {
         (1e-8..=1.0).contains(&self.share)
     }
@@ -53,7 +52,7 @@ pub fn two_angles(share: f64, drag: f64) -> impl Ode<4> {
     coupled(share, drag, sin)
 }
 
-/// With another pull of gravity: of small swings, the angle itself.
+/// The same with another law for the pull of gravity: for small swings it is the angle itself.
 pub fn coupled(share: f64, drag: f64, pull: fn(f64) -> f64) -> impl Ode<4> {
     ode(move |_, [theta, rate, _, spin]: &[f64; 4]| {
         let torque = drag * (rate - spin); // on the disc, over J

@@ -19,8 +19,8 @@ pub struct Plank {
 }
 
 // ANCHOR: scene
-/// The coordinates are `[x, y, tilt]`: how far the middle of the plank is to the right of that
-/// between the rollers and above its place when it lies flat, and its angle, counterclockwise.
+/// The coordinates are `[x, y, tilt]`: how far the middle of the plank is to the right of the
+/// middle between the rollers, how far above its place when flat, and its angle, counterclockwise.
 impl Mechanism<3, 2> for Plank {
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
         let (long, thick) = (2.4 * self.p.distance, self.p.thickness);
@@ -78,12 +78,12 @@ pub fn lift(p: &Parameters, sense: f64) -> f64 {
     0.5 * (p.distance - sense * p.kinetic * p.thickness)
 }
 
-/// Up to where the roller holds the plank that carries it away from it.
+/// How far beyond the middle a roller still holds the plank that it carries away from itself, m.
 pub fn held(p: &Parameters) -> f64 {
     0.5 * p.distance * (p.holding - p.kinetic) / (p.holding + p.kinetic)
 }
 
-/// Amplitude and period of the cycle of stick and slip.
+/// Amplitude, m, and period, s, of the cycle of stick and slip.
 pub fn cycle(p: &Parameters) -> (f64, f64) {
     let (rate, held) = (rate(p, 1.0), held(p));
     let widest = p.runs() / rate;
