@@ -53,9 +53,8 @@ impl Machine {
     }
 
     // ANCHOR: newton
-    /// Newton's law for both masses, with their rope, and for the pulley. The fourth equation says
-    /// whether the rope holds on the pulley or slips. Unknown are the two accelerations and the
-    /// two tensions.
+    /// Newton's law for both masses, with their rope, and for the pulley; the fourth equation says
+    /// whether the rope holds or slips. Unknown are both accelerations and both tensions.
     pub fn forces(&self, grip: Grip, way: f64) -> Forces {
         let left = self.masses[0] + self.rope * (self.height + way);
         let right = self.masses[1] + self.rope * (self.height - way);

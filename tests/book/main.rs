@@ -647,7 +647,7 @@ fn a_time_is_shown_beside_its_own_line_alone() {
     let html = page();
     for shown in [
         "<th scope=\"col\" class=\"n\">time</th>",
-        "The cheapest method that delivered 10<sup>\u{2212}9</sup>, of those that are timed:",
+        "The cheapest method set by hand that delivered 10<sup>\u{2212}9</sup>, of those that are timed:",
         // Not the least: that of a rival is not known.
         "<td class=\"n\">5123</td>",
         "<td class=\"n\">6789</td>",

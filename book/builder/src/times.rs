@@ -120,7 +120,7 @@ fn cells_number(table: &Table, row: &[String], name: &str) -> Option<f64> {
     cells(table, row, &[name])?[0].parse().ok()
 }
 
-/// The two lines: the cheapest method that delivered the error at which most compete, and
+/// The two lines: the cheapest method set by hand that delivered the error at which most compete, and
 /// what `solve` takes more. Without rivals: what `solve` takes, and what digits cost.
 fn summary(lines: &[Line], more: &str) -> String {
     let delivering: Vec<&Line> = lines.iter().filter(|line| line.delivers()).collect();
@@ -172,7 +172,7 @@ fn summary(lines: &[Line], more: &str) -> String {
         }
         return paragraph(
             &format!(
-                "The cheapest method that delivered {}{}:",
+                "The cheapest method set by hand that delivered {}{}:",
                 power(error),
                 if all { "" } else { ", of those that are timed" }
             ),

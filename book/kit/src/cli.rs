@@ -25,9 +25,7 @@ fn brackets(flag: &Flag, default: Option<&str>) -> String {
         "-" => String::new(),
         unit => format!(" {unit}"),
     };
-    let range = flag.allowed().map(|allowed| allowed.to_string());
-    let range =
-        range.filter(|range| range != "it must be finite" && !flag.meaning().contains(": from "));
+    let range = flag.allowed_words().filter(|_| !flag.meaning().contains(": from "));
     let range = range.map(|range| {
         let short = range.strip_prefix("it must be ").map(str::to_owned);
         short.unwrap_or(range)

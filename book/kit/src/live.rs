@@ -131,7 +131,7 @@ pub(super) fn declared(run: &dyn Run) -> String {
             quoted(flag.meaning()),
             or_null(default),
             or_null(flag.usual().map(super::number::exactly)),
-            or_null(flag.allowed().map(|allowed| allowed.to_string())),
+            or_null(flag.allowed_words()),
             words.join(", "),
         );
     }

@@ -367,6 +367,12 @@ impl Flag {
         self.allowed
     }
 
+    /// The same in words; `None` also where every finite number will do.
+    pub(crate) fn allowed_words(&self) -> Option<String> {
+        let words = self.allowed?.to_string();
+        (words != "it must be finite").then_some(words)
+    }
+
     /// The values that a problem sheet draws; `None` if it leaves the parameter alone.
     pub fn grid(&self) -> Option<Grid> {
         self.grid

@@ -186,6 +186,8 @@ impl Label {
                     }
                 }
                 '-' => "\u{2212}".into(),
+                // A prime that follows a slanted letter closely reads as part of it.
+                '\'' if self.spans.last().is_some_and(|s| s.slanted) => "\u{200a}′".into(),
                 '\'' => "′".into(),
                 ',' => ",\u{2009}".into(),
                 // A slanted letter leans on a slash that follows closely.
@@ -233,7 +235,7 @@ impl Label {
 pub(crate) fn plain(text: &str) -> String {
     let label = Label::new(text);
     let spans = label.spans.iter().map(|span| &*span.text);
-    spans.collect::<String>().replace('\u{2009}', " ")
+    spans.collect::<String>().replace('\u{2009}', " ").replace('\u{200a}', "")
 }
 
 fn glyph_width(c: char) -> f64 {
@@ -271,7 +273,7 @@ mod tests {
         assert_eq!(plain(r"$t'$"), "t′");
         assert_eq!(plain("a - b"), "a - b");
         assert_eq!(plain(r"$\cos\theta=b$"), "cos\u{2009}θ\u{2009}=\u{2009}b");
-        assert_eq!(plain(r"$\ell/2$"), "ℓ\u{200a}/2");
+        assert_eq!(plain(r"$\ell/2$"), "ℓ/2");
     }
 
     #[test]
