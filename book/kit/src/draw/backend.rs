@@ -23,7 +23,7 @@ use plotters_backend::{BackendColor, BackendStyle, BackendTextStyle, DrawingBack
 
 type Drawn<T = ()> = Result<T, plotters_backend::DrawingErrorKind<Infallible>>;
 
-/// A sheet of paper. Of itself plotters draws axes, ticks and their texts on it, all in ink.
+/// A sheet of paper. Plotters itself draws axes, ticks and their texts on it, all in ink.
 #[derive(Clone, Copy)]
 pub(super) struct Sheet<'a>(pub(super) &'a RefCell<Display>);
 
