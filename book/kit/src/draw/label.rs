@@ -270,10 +270,10 @@ mod tests {
         assert_ne!(Label::new("$U_{1x}$"), Label::new(r"$U_{\mathrm{1x}}$"));
         assert_eq!(plain(r"$\tilde E$"), "E\u{303}");
         assert_eq!(plain(r"$\dot\phi$"), "φ\u{307}");
-        assert_eq!(plain(r"$t'$"), "t′");
+        assert_eq!(plain(r"$t'$"), "t\u{200a}′");
         assert_eq!(plain("a - b"), "a - b");
         assert_eq!(plain(r"$\cos\theta=b$"), "cos\u{2009}θ\u{2009}=\u{2009}b");
-        assert_eq!(plain(r"$\ell/2$"), "ℓ/2");
+        assert_eq!(plain(r"$\ell/2$"), "ℓ\u{200a}/2");
     }
 
     #[test]
