@@ -57,8 +57,7 @@ impl Strike {
         Self { p: p.but(|p| p.speed = p.speed.abs()), held, stiffness: None }
     }
 
-    /// A soft, elastic ball that touches the bat for about the time `contact`. By Hertz's law this
-    /// is 2.943 times the greatest depth over the speed.
+    /// A soft ball by Hertz's law: `contact` is 2.943 times the greatest depth over the speed.
     pub fn soft(p: &Parameters) -> Self {
         let p = p.but(|p| (p.speed, p.restitution) = (p.speed.abs(), 1.0));
         let (reduced, depth) = (0.5 * impulse(&p, true) / p.speed, p.speed * p.contact / 2.943_275);

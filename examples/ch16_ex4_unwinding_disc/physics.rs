@@ -56,8 +56,7 @@ impl Disc {
 
     /// The string where it is taut. The state: the centre, the direction from it to the knot,
     /// and their rates. The string pulls along `-u` at the end of the arm, which turns the disc
-    /// by `-tension * lever`. As it does not stretch, the acceleration of that end along `u` is
-    /// known.
+    /// by `-tension * lever`. As it does not stretch, that end's acceleration along `u` is known.
     pub fn taut(&self, leaves: Leaves, &[x, y, knot, vx, vy, rate]: &[f64; 6]) -> Taut {
         let (sk, ck) = sincos(knot);
         // The side of the string on which the disc is.
