@@ -104,8 +104,8 @@ const PULSE: f64 = 0.1;
 /// # Ok(())
 /// # }
 /// ```
-pub fn check<E: AnyEffect>(
-    effect: &E,
+pub fn check(
+    effect: &dyn AnyEffect,
     body: &RigidBody,
     span: [f64; 2],
     state: &State,

@@ -102,16 +102,10 @@ fn its_claims_hold_and_damaged_ones_do_not() {
     let state = tumbling(&body);
     let power = "says at what power it changes the energy";
     refused([
-        (check(&Twin::<_, OTHER_POTENTIAL>(&orbit), &body, span, &state), power),
-        (check(&Twin::<_, OTHER_POWER>(&orbit), &body, span, &state), power),
-        (
-            check(&Twin::<_, KEEPS_ENERGY>(&orbit), &body, span, &state),
-            "says that it keeps the energy",
-        ),
-        (
-            check(&Twin::<_, NOT_ON_TIME>(&orbit), &body, span, &state),
-            "does not depend on the time",
-        ),
+        (check(&Twin(&orbit, OTHER_POTENTIAL), &body, span, &state), power),
+        (check(&Twin(&orbit, OTHER_POWER), &body, span, &state), power),
+        (check(&Twin(&orbit, KEEPS_ENERGY), &body, span, &state), "says that it keeps the energy"),
+        (check(&Twin(&orbit, NOT_ON_TIME), &body, span, &state), "does not depend on the time"),
     ]);
 }
 

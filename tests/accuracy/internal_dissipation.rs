@@ -139,19 +139,16 @@ fn its_claims_hold_and_damaged_ones_do_not() {
 
     let (dissipation, told) = (loss(0.1), "only a torque on the axis");
     refused([
-        (check(&Twin::<_, NO_SLIP>(&dissipation), &body, span, &start), "slips: false"),
-        (check(&Twin::<_, KEEPS_ENERGY>(&dissipation), &body, span, &start), "keeps the energy"),
+        (check(&Twin(&dissipation, NO_SLIP), &body, span, &start), "slips: false"),
+        (check(&Twin(&dissipation, KEEPS_ENERGY), &body, span, &start), "keeps the energy"),
         // Only of a symmetric body is L_z there to be kept.
+        (check(&Twin(&dissipation, KEEPS_AXIAL), &symmetric, span, &start), "leaves L_z alone"),
         (
-            check(&Twin::<_, KEEPS_AXIAL>(&dissipation), &symmetric, span, &start),
-            "leaves L_z alone",
-        ),
-        (
-            check(&Twin::<_, NOT_ON_RATES>(&dissipation), &body, span, &start),
+            check(&Twin(&dissipation, NOT_ON_RATES), &body, span, &start),
             "slip does not depend on how",
         ),
-        (check(&Twin::<_, TORQUE_FREE>(&dissipation), &body, span, &start), told),
-        (check(&Twin::<_, AXIS_ONLY>(&dissipation), &body, span, &start), told),
+        (check(&Twin(&dissipation, TORQUE_FREE), &body, span, &start), told),
+        (check(&Twin(&dissipation, AXIS_ONLY), &body, span, &start), told),
     ]);
     let told = InternalDissipation::new(-1.0).expect_err("negative");
     assert_eq!(told.to_string(), "coefficient = -1 is not allowed: it must be greater than 0");

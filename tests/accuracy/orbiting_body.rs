@@ -252,14 +252,8 @@ fn its_claims_hold_and_damaged_ones_do_not() {
     refused([
         (check(&Erring::<false>(planet), &body, span, &state), power),
         (check(&Erring::<true>(planet), &body, span, &state), power),
-        (
-            check(&Twin::<_, KEEPS_ENERGY>(&planet), &body, span, &state),
-            "says that it keeps the energy",
-        ),
-        (
-            check(&Twin::<_, NOT_ON_TIME>(&planet), &body, span, &state),
-            "does not depend on the time",
-        ),
+        (check(&Twin(&planet, KEEPS_ENERGY), &body, span, &state), "says that it keeps the energy"),
+        (check(&Twin(&planet, NOT_ON_TIME), &body, span, &state), "does not depend on the time"),
     ]);
 }
 

@@ -1,13 +1,13 @@
 //! Every claim of every effect is true, and its damaged twin is refused.
 
 use super::{body, tilted};
-use crate::twin::{LIES, Twin, damaged};
-use rotation_dynamics::Result;
+use crate::twin::*;
 use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::erased::AnyEffect;
 use rotation_dynamics::effects::{
-    CoulombBearing, DiscDrag, Effect, Feature, Gravity, GravityAtLever, GravityGradient,
-    KeplerOrbit, OrbitingBody, PrescribedTorque, Profile, Properties, Resistance, Torque,
-    ViscousFriction, check,
+    CoulombBearing, DiscDrag, Effect, EffectList, Feature, Gravity, GravityAtLever,
+    GravityGradient, KeplerOrbit, OrbitingBody, PrescribedTorque, Profile, Properties, Resistance,
+    Torque, ViscousFriction, check,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::math::Lane;
@@ -24,42 +24,25 @@ const SPAN: [f64; 2] = [0.0, 10.0];
 
 impl Tally {
     /// The effect itself passes, and every twin whose claim is false is refused.
-    fn judge<E: Effect>(&mut self, effect: &E, body: &RigidBody, state: &State) {
+    fn judge(&mut self, effect: &(dyn AnyEffect + Sync), body: &RigidBody, state: &State) {
         check(effect, body, SPAN, state).expect("true claims");
+        let properties = effect.properties();
         self.checked += 1;
-        let twins: [Result<()>; LIES.len()] = [
-            check(&Twin::<E, 0>(effect), body, SPAN, state),
-            check(&Twin::<E, 1>(effect), body, SPAN, state),
-            check(&Twin::<E, 2>(effect), body, SPAN, state),
-            check(&Twin::<E, 3>(effect), body, SPAN, state),
-            check(&Twin::<E, 4>(effect), body, SPAN, state),
-            check(&Twin::<E, 5>(effect), body, SPAN, state),
-            check(&Twin::<E, 6>(effect), body, SPAN, state),
-            check(&Twin::<E, 7>(effect), body, SPAN, state),
-            check(&Twin::<E, 8>(effect), body, SPAN, state),
-            check(&Twin::<E, 9>(effect), body, SPAN, state),
-            check(&Twin::<E, 10>(effect), body, SPAN, state),
-            check(&Twin::<E, 11>(effect), body, SPAN, state),
-            check(&Twin::<E, 12>(effect), body, SPAN, state),
-            check(&Twin::<E, 13>(effect), body, SPAN, state),
-            check(&Twin::<E, 14>(effect), body, SPAN, state),
-            check(&Twin::<E, 15>(effect), body, SPAN, state),
-        ];
-        for (lie, verdict) in twins.into_iter().enumerate() {
+        for (lie, said) in LIES.into_iter().enumerate() {
+            let verdict = check(&Twin(effect, lie), body, SPAN, state);
             let breaks = !effect.break_points().is_empty();
             let true_all_the_same = match lie {
                 // Of an effect that keeps no energy it is true where there is no potential.
-                9 => effect.potential_energy(SPAN[0], body, state) == 0.0,
-                10 => E::PROPERTIES.conserved.energy,
-                11 => false,
+                OTHER_POTENTIAL => effect.potential_energy(SPAN[0], body, state) == 0.0,
+                OTHER_POWER => properties.conserved.energy,
+                SMALL_SCALE | CLOSED_FORM => false,
                 // It may be that none of the places lie where it is that large.
-                12 => breaks || effect.narrowest() != Some(Feature::WIDE),
-                13 => !breaks,
-                14 => false,
-                _ => damaged(E::PROPERTIES, lie) == E::PROPERTIES,
+                LARGE_SCALE => breaks || effect.narrowest() != Some(Feature::WIDE),
+                NO_BREAKS => !breaks,
+                _ => damaged(properties, lie) == properties,
             };
-            let name = effect.name();
-            assert_eq!(verdict.is_ok(), true_all_the_same, "{name}, {}: {verdict:?}", LIES[lie]);
+            let name = effect.names()[0];
+            assert_eq!(verdict.is_ok(), true_all_the_same, "{name}, {said}: {verdict:?}");
             if let Err(error) = verdict {
                 let told = error.to_string();
                 assert!(told.contains(&format!("\"{name}\" says")), "{told}");
@@ -345,11 +328,11 @@ fn a_scale_that_is_not_stated_claims_nothing() {
         let on = (2000.0..5600.0).contains(&t);
         BodyVector::new(if on { 100.0 } else { 0.0 }, 0.0, 0.0)
     });
-    let told = [
-        check(&Twin::<_, 11>(&gradient), &body, span, &start),
-        check(&(Twin::<_, 11>(&gradient), thruster), &body, span, &start),
-    ]
-    .map(|verdict| verdict.expect_err("a lie").to_string());
+    let gradient: &'static GravityGradient = Box::leak(Box::new(gradient));
+    let small = || Box::new(Twin(gradient, SMALL_SCALE));
+    let beside = EffectList::new(vec![small(), Box::new(thruster)]).expect("no weight");
+    let told = [check(&*small(), &body, span, &start), check(&beside, &body, span, &start)]
+        .map(|verdict| verdict.expect_err("a lie").to_string());
     for told in told {
         assert!(told.contains("a thousand times longer than torque_scale"), "{told}");
     }

@@ -5,9 +5,10 @@
 use super::pairs::{ALL, WithWork, air, anywhere, creaks, held, lever, motor, oil, on_orbit, push};
 use super::{body, tilted};
 use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::effects::erased::AnyEffect;
 use rotation_dynamics::effects::{
-    CoulombBearing, Effect, ElasticYielding, KeplerOrbit, OrbitingBody, PrescribedTorque, Profile,
-    Properties, check,
+    BoxedEffect, Conserved, CoulombBearing, Effect, EffectList, ElasticYielding, KeplerOrbit,
+    OrbitingBody, PrescribedTorque, Profile, Properties, check,
 };
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::scene::{components, state};
@@ -25,34 +26,18 @@ const PLACES: u32 = 50;
 /// The steps (s) of the runs whose balance shows its order.
 const STEPS: [f64; 4] = [END / 8.0, END / 10.0, END / 13.0, END / 16.0];
 
-/// An effect through which a little momentum leaks in, though its properties says as before.
-struct Leaky<'e, E>(&'e E);
+/// A little momentum leaks in, though it says that it keeps everything.
+struct Leak;
 
-impl<E: Effect> Effect for Leaky<'_, E> {
-    const PROPERTIES: Properties = E::PROPERTIES;
+impl Effect for Leak {
+    const PROPERTIES: Properties = Properties { conserved: Conserved::ALL, ..Properties::ANYTHING };
 
     fn name(&self) -> &'static str {
-        self.0.name()
+        "leak"
     }
 
-    fn torque(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        self.0.torque(t, body, state) + SpaceVector::new(1e-10, 2e-10, -1e-10)
-    }
-
-    fn slip(&self, t: f64, body: &RigidBody, state: &State) -> SpaceVector {
-        self.0.slip(t, body, state)
-    }
-
-    fn potential_energy(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        self.0.potential_energy(t, body, state)
-    }
-
-    fn power(&self, t: f64, body: &RigidBody, state: &State) -> f64 {
-        self.0.power(t, body, state)
-    }
-
-    fn break_points(&self) -> Vec<f64> {
-        self.0.break_points()
+    fn torque(&self, _t: f64, _body: &RigidBody, _state: &State) -> SpaceVector {
+        SpaceVector::new(1e-10, 2e-10, -1e-10)
     }
 }
 
@@ -65,8 +50,8 @@ struct Place {
 }
 
 /// A run through equal places, cut where the torque jumps: a piece ends before the jump.
-fn run<E: Effect>(
-    scene: &Scene<E>,
+fn run(
+    scene: &Scene<EffectList>,
     start: &State,
     method: &Dop853,
     places: u32,
@@ -97,7 +82,7 @@ fn run<E: Effect>(
 
 /// The largest drift of each quantity that is said to be kept, in eps a step: of |L|, of the
 /// kinetic energy at the start.
-fn drifts<E: Effect>(scene: &Scene<E>, start: &State, places: &[Place]) -> Vec<(Invariant, f64)> {
+fn drifts(scene: &Scene<EffectList>, start: &State, places: &[Place]) -> Vec<(Invariant, f64)> {
     let kept: Vec<Invariant> = scene.invariants().collect();
     let said = ALL.into_iter().filter(|quantity| kept.contains(quantity));
     let drift = |quantity| {
@@ -161,13 +146,21 @@ impl Book {
     }
 
     /// An effect by the name of its type.
-    fn alone<E: Effect>(&mut self, name: &'static str, effect: E) {
+    fn alone<E: Effect + Clone + Send + Sync + 'static>(&mut self, name: &'static str, effect: E) {
         assert!(core::any::type_name::<E>().contains(name), "{name}");
+        self.judge(name, [Box::new(effect.clone()), Box::new(effect)]);
+    }
+
+    /// Two of the same effect: alone, and beside a leak.
+    fn judge(&mut self, name: &'static str, [effect, other]: [BoxedEffect; 2]) {
         let (body, start) = (self.body, self.start);
-        check(&effect, &body, [0.0, END], &start).expect("true claims");
+        check(&*effect, &body, [0.0, END], &start).expect("true claims");
+        let keeps_energy = effect.properties().conserved.energy;
+        let of =
+            |effects| Scene::new(body).with_list(EffectList::new(effects).expect("one weight"));
         self.ran.insert(name);
         self.forms += 1;
-        let scene = Scene::new(body).with(effect);
+        let scene = of(vec![effect]);
         let fine = Dop853::new(1e-15).and_then(|method| method.with_longest_step(0.05));
         let fine = fine.expect("a method");
         let places = run(&scene, &start, &fine, PLACES, 1.0);
@@ -175,12 +168,12 @@ impl Book {
             self.drift.push_at(drift, (name, quantity));
             self.kept += 1;
         }
-        let leaky = Scene::new(body).with(Leaky(&scene.effects().1));
+        let leaky = of(vec![other, Box::new(Leak)]);
         let leaked = run(&leaky, &start, &fine, PLACES, 1.0);
         for (quantity, drift) in drifts(&leaky, &start, &leaked) {
             self.leaked.push_at(drift, (name, quantity));
         }
-        if E::PROPERTIES.conserved.energy {
+        if keeps_energy {
             return;
         }
         let worst = |places: &[Place]| places.iter().map(|p| p.balance.abs()).fold(0.0, f64::max);
