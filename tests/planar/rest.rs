@@ -74,11 +74,11 @@ impl Mechanism<3, 1> for Ball {
 
 /// Errors of the time of rest after a fall from rest, if the restitution is off by the part
 /// `damage`: of a particle whose coordinate is its gap, and of balls.
-fn limits(damage: f64) -> [Errors; 3] {
+fn limits(restitutions: &[f64], damage: f64) -> [Errors; 3] {
     let mut particle = Errors::in_units_of(EPS, "limit time of a particle");
     let mut small = Errors::of("limit time of a ball of 0.1 m");
     let mut large = Errors::of("limit time of a ball of 1 m");
-    for restitution in [0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99] {
+    for &restitution in restitutions {
         for height in [0.3, 1.0, 4.0] {
             let fall = f64::sqrt(2.0 * height / G);
             let limit = fall * (1.0 + restitution) / (1.0 - restitution);
@@ -105,12 +105,12 @@ fn limits(damage: f64) -> [Errors; 3] {
 /// sqrt(2 h/g) (1 + 2 e + 2 e^2 + ...) = sqrt(2 h/g) (1 + e)/(1 - e).
 #[test]
 fn a_fall_ends_at_the_limit_of_its_bounces() {
-    let [particle, small, large] = limits(0.0);
+    let [particle, small, large] = limits(&[0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99], 0.0);
     assert_largest!(particle, 21, @"358");
     assert_largest!(small, 21, @"1.37e-11");
     assert_largest!(large, 21, @"2.06e-9");
-    for damaged in limits(1e-6) {
-        damaged.exceed(1e-8, 21);
+    for damaged in limits(&[0.5], 1e-6) {
+        damaged.exceed(1e-8, 3);
     }
 }
 
@@ -168,13 +168,14 @@ fn bounced(ball: &Ball, [height, mut v, mut slip]: [f64; 3], t_end: f64) -> [f64
     [x + 0.5 * (before + v) * slides + v * (t_end - t - slides), v]
 }
 
-/// Speed and place of balls that roll in the end, if their inertia is off by the part `damage`.
-fn rolled(damage: f64) -> [Errors; 2] {
+/// Speed and place of so many balls that roll in the end, if their inertia is off by the part
+/// `damage`.
+fn rolled(balls: usize, damage: f64) -> [Errors; 2] {
     let mut speeds = Errors::in_units_of(EPS, "speed of a ball that rolls after a fall");
     let mut places = Errors::in_units_of(EPS, "its place");
     let mut random = Random(5);
     let mut slid = 0;
-    for _ in 0..300 {
+    for _ in 0..balls {
         let ball = Ball {
             shape: 0.4 * (1.0 + damage),
             ..Ball::new(random.size(0.03, 3.0), random.size(0.01, 1.0), random.between(0.0, 0.95))
@@ -199,17 +200,17 @@ fn rolled(damage: f64) -> [Errors; 2] {
         assert_eq!(found.modes(end).unwrap(), [Mode::Stick]);
         slid += usize::from(found.events().last().unwrap().name == "floor sticks");
     }
-    assert!((50..250).contains(&slid), "{slid}");
+    assert!((balls / 6..balls * 5 / 6).contains(&slid), "{slid} of {balls}");
     [speeds, places]
 }
 
 /// However it falls, a uniform sphere rolls at 5/7 of its speed, and 2/7 of that of its rim.
 #[test]
 fn after_any_fall_a_ball_rolls_at_five_sevenths() {
-    let [speeds, places] = rolled(0.0);
+    let [speeds, places] = rolled(300, 0.0);
     assert_largest!(speeds, 600, @"5.95");
     assert_largest!(places, 300, @"13.3");
-    let [speeds, places] = rolled(1e-6);
+    let [speeds, places] = rolled(30, 1e-6);
     assert!(speeds.largest() > 1e6 && places.largest() > 1e6);
 }
 
