@@ -4,6 +4,7 @@
 
 mod inventory;
 mod prose;
+mod readme;
 mod sample;
 
 use kit::parse;
