@@ -12,6 +12,7 @@ mod colour;
 mod contents;
 mod coverage;
 mod directive;
+mod edition;
 mod exercises;
 mod expand;
 mod frame;
@@ -61,6 +62,13 @@ fn command() -> Command {
                 .value_name("DIR")
                 .value_parser(value_parser!(PathBuf))
                 .help("Build into this directory instead of book/book"),
+        )
+        .arg(
+            Arg::new("pdf")
+                .long("pdf")
+                .value_name("FILE")
+                .value_parser(value_parser!(PathBuf))
+                .help("Print the book to this file as well, through Chromium"),
         )
         .arg(
             Arg::new("root")
@@ -114,6 +122,9 @@ fn run(matches: &ArgMatches) -> Result<(), Box<dyn Error>> {
                 None => project.path("book/book"),
             };
             build::once(&project, &out)?;
+            if let Some(pdf) = matches.get_one::<PathBuf>("pdf") {
+                edition::print(&project, &out, &here.join(pdf))?;
+            }
             if matches.get_flag("open") {
                 open::that_detached(out.join("index.html"))?;
             }
