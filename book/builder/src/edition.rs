@@ -396,12 +396,30 @@ fn printed(
     Err(format!("Chromium printed nothing:\n{}", String::from_utf8_lossy(&told.stderr)).into())
 }
 
-/// Prints the book in `out` to `pdf`.
+/// What prints to `pdf`.
 ///
 /// # Errors
-/// No Chromium, or a book that it does not print.
-pub fn print(project: &Project, out: &Path, pdf: &Path) -> Result<(), Box<dyn Error>> {
-    let program = chromium()?;
+/// No Chromium, or no place for the file.
+pub fn printer(pdf: &Path) -> Result<OsString, String> {
+    match pdf.parent() {
+        Some(directory) if !directory.is_dir() => {
+            Err(format!("--pdf: there is no directory {}", directory.display()))
+        }
+        _ if pdf.is_dir() => Err(format!("--pdf: {} is a directory", pdf.display())),
+        _ => chromium(),
+    }
+}
+
+/// Prints the book in `out` to `pdf`, through a [`printer`].
+///
+/// # Errors
+/// A book that Chromium does not print.
+pub fn print(
+    program: &OsString,
+    project: &Project,
+    out: &Path,
+    pdf: &Path,
+) -> Result<(), Box<dyn Error>> {
     let html = fs::read_to_string(out.join("print.html"))?;
     let summary = project.read("book/src/SUMMARY.md")?;
     let out = out.canonicalize()?;
@@ -414,7 +432,7 @@ pub fn print(project: &Project, out: &Path, pdf: &Path) -> Result<(), Box<dyn Er
         // With numbers instead of their places nothing moves as a rule; if it does, once more.
         for _ in 0..4 {
             fs::write(&page, edition(&html, &summary, &pages)?)?;
-            printed(&program, &page, &fresh, &profile)?;
+            printed(program, &page, &fresh, &profile)?;
             let found =
                 pages_in(&fs::read(&fresh)?).ok_or("Chromium wrote a PDF of another form")?;
             if found == pages {

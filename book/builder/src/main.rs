@@ -121,9 +121,11 @@ fn run(matches: &ArgMatches) -> Result<(), Box<dyn Error>> {
                 Some(out) => here.join(out),
                 None => project.path("book/book"),
             };
+            let pdf = matches.get_one::<PathBuf>("pdf").map(|pdf| here.join(pdf));
+            let printer = pdf.as_deref().map(edition::printer).transpose()?;
             build::once(&project, &out)?;
-            if let Some(pdf) = matches.get_one::<PathBuf>("pdf") {
-                edition::print(&project, &out, &here.join(pdf))?;
+            if let (Some(printer), Some(pdf)) = (printer, pdf) {
+                edition::print(&printer, &project, &out, &pdf)?;
             }
             if matches.get_flag("open") {
                 open::that_detached(out.join("index.html"))?;
