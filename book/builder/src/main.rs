@@ -21,6 +21,7 @@ mod live;
 mod measured;
 mod modules;
 mod pages;
+mod paper;
 mod place;
 mod preprocess;
 mod problem;
@@ -122,10 +123,10 @@ fn run(matches: &ArgMatches) -> Result<(), Box<dyn Error>> {
                 None => project.path("book/book"),
             };
             let pdf = matches.get_one::<PathBuf>("pdf").map(|pdf| here.join(pdf));
-            let printer = pdf.as_deref().map(edition::printer).transpose()?;
+            let printer = pdf.as_deref().map(paper::printer).transpose()?;
             build::once(&project, &out)?;
             if let (Some(printer), Some(pdf)) = (printer, pdf) {
-                edition::print(&printer, &project, &out, &pdf)?;
+                paper::print(&printer, &project, &out, &pdf)?;
             }
             if matches.get_flag("open") {
                 open::that_detached(out.join("index.html"))?;
