@@ -29,8 +29,11 @@ use std::borrow::Cow;
 /// # Ok(())
 /// # }
 /// ```
+/// In all of them `name` is that of an input, an event or a contact, `value` is its value, `t` is a
+/// time and `allowed` is what would be allowed.
 #[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
+#[expect(missing_docs, reason = "the line of a variant names its fields")]
 pub enum Error {
     /// An input is NaN or infinite.
     NotFinite { name: &'static str, value: f64 },

@@ -24,6 +24,7 @@ impl Attitude {
     /// assert!((third.rotation_vector().x() - 0.4).abs() < 1e-15);
     /// # Ok::<(), rotation_dynamics::Error>(())
     /// ```
+    #[doc(alias = "slerp")]
     pub fn toward(&self, other: &Self, part: f64) -> Result<Self> {
         finite("part", part)?;
         self.turned_in_body(self.arc_to(other)? * part)

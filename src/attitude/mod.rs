@@ -75,6 +75,7 @@ impl Attitude {
     ///
     /// Errors: a component that is not finite; all components zero.
     /// Accuracy: correctly rounded, in all 100 references of `tests/bodies/attitude`.
+    #[doc(alias = "from_wxyz")]
     pub fn from_quaternion(quaternion: [f64; 4]) -> Result<Self> {
         for (name, value) in ["w", "x", "y", "z"].into_iter().zip(quaternion) {
             finite(name, value)?;
@@ -103,6 +104,7 @@ impl Attitude {
     }
 
     /// The unit quaternion (w, x, y, z); its sign is free.
+    #[doc(alias = "wxyz")]
     #[inline]
     pub const fn quaternion(&self) -> [f64; 4] {
         self.quaternion

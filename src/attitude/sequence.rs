@@ -40,17 +40,29 @@ use core::f64::consts::FRAC_1_SQRT_2;
 /// S. Viollet, PLoS ONE 17, e0276302 (2022).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sequence {
+    /// x-y'-x''.
     Xyx,
+    /// x-z'-x''.
     Xzx,
+    /// y-x'-y''.
     Yxy,
+    /// y-z'-y''.
     Yzy,
+    /// z-x'-z''.
     Zxz,
+    /// z-y'-z''.
     Zyz,
+    /// x-y'-z''.
     Xyz,
+    /// x-z'-y''.
     Xzy,
+    /// y-x'-z''.
     Yxz,
+    /// y-z'-x''.
     Yzx,
+    /// z-x'-y''.
     Zxy,
+    /// z-y'-x''.
     Zyx,
 }
 

@@ -189,10 +189,15 @@ impl From<f64> for DoubleDouble {
 }
 
 impl DoubleDouble {
+    /// 0.
     pub const ZERO: Self = Self::from_parts(0.0, 0.0);
+    /// 1.
     pub const ONE: Self = Self::from_parts(1.0, 0.0);
+    /// pi to 106 bits.
     pub const PI: Self = Self::from_parts(core::f64::consts::PI, 1.224_646_799_147_353_2e-16);
+    /// 2 pi.
     pub const TWO_PI: Self = Self::from_parts(core::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
+    /// pi/2.
     pub const FRAC_PI_2: Self =
         Self::from_parts(core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
     pub(crate) const LN_2: Self =

@@ -97,9 +97,11 @@ pub trait Number:
 
 /// Two lanes that go through the same arithmetic.
 pub trait Pair<L>: Number {
+    /// The two, in this order.
     fn new(first: L, second: L) -> Self;
     /// Two numbers, the same in every lane.
     fn both(values: &[f64; 2]) -> Self;
+    /// The first and the second.
     fn parts(self) -> (L, L);
     /// The two exchanged.
     fn swapped(self) -> Self;

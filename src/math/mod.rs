@@ -9,6 +9,7 @@ pub(crate) mod bracket;
 pub mod double_double;
 mod hyperbolic;
 mod hypot;
+#[allow(unsafe_code)]
 pub mod lane;
 mod order;
 mod product;

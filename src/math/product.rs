@@ -71,6 +71,7 @@ mod known {
 
 /// Where the processor has to be asked.
 #[cfg(all(target_arch = "x86_64", not(target_feature = "fma")))]
+#[allow(unsafe_code)]
 mod asked {
     use super::super::lane::{Pair, Two, fused, has_fma};
     use super::{Exact, halves};

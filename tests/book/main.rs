@@ -4,6 +4,7 @@
 
 mod inventory;
 mod prose;
+mod readme;
 mod sample;
 
 use kit::parse;
@@ -119,6 +120,27 @@ fn the_book_is_built_and_every_page_is_in_it() {
             };
             assert!(on_page(&stem) || pages.iter().any(on_page), "{stem}: {figure} is on no page");
         }
+    }
+}
+
+#[test]
+fn what_cannot_print_says_so_before_the_book_is_built() {
+    let out = Sample::directory("unprinted");
+    for (pdf, words) in
+        [("book.pdf", "no-such-browser (named by CHROMIUM)"), ("none/book.pdf", "no directory")]
+    {
+        let run = std::process::Command::new(env!("CARGO_BIN_EXE_book"))
+            .arg("--root")
+            .arg(root())
+            .arg("--out")
+            .arg(&out)
+            .args(["--pdf", pdf])
+            .env("CHROMIUM", "no-such-browser")
+            .output()
+            .expect("the builder runs");
+        let told = String::from_utf8_lossy(&run.stderr);
+        assert!(!run.status.success() && told.contains(words), "{told}");
+        assert!(!out.join("index.html").exists());
     }
 }
 

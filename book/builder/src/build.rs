@@ -38,6 +38,10 @@ pub fn build(project: &Project, out: &Path) -> Result<(), Box<dyn Error>> {
     let mut book = MDBook::load(project.path("book"))?;
     warnings::none()?;
     book.config.build.build_dir = out.to_owned();
+    let repository = env!("CARGO_PKG_REPOSITORY");
+    if !repository.is_empty() {
+        book.config.set("output.pages.html.git-repository-url", repository)?;
+    }
     book.with_preprocessor(Directives);
     book.execute_build_process(&Pages)?;
     Ok(warnings::none()?)

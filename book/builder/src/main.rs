@@ -12,6 +12,7 @@ mod colour;
 mod contents;
 mod coverage;
 mod directive;
+mod edition;
 mod exercises;
 mod expand;
 mod frame;
@@ -20,6 +21,7 @@ mod live;
 mod measured;
 mod modules;
 mod pages;
+mod paper;
 mod place;
 mod preprocess;
 mod problem;
@@ -61,6 +63,13 @@ fn command() -> Command {
                 .value_name("DIR")
                 .value_parser(value_parser!(PathBuf))
                 .help("Build into this directory instead of book/book"),
+        )
+        .arg(
+            Arg::new("pdf")
+                .long("pdf")
+                .value_name("FILE")
+                .value_parser(value_parser!(PathBuf))
+                .help("Print the book to this file as well, through Chromium"),
         )
         .arg(
             Arg::new("root")
@@ -113,7 +122,12 @@ fn run(matches: &ArgMatches) -> Result<(), Box<dyn Error>> {
                 Some(out) => here.join(out),
                 None => project.path("book/book"),
             };
+            let pdf = matches.get_one::<PathBuf>("pdf").map(|pdf| here.join(pdf));
+            let printer = pdf.as_deref().map(paper::printer).transpose()?;
             build::once(&project, &out)?;
+            if let (Some(printer), Some(pdf)) = (printer, pdf) {
+                paper::print(&printer, &project, &out, &pdf)?;
+            }
             if matches.get_flag("open") {
                 open::that_detached(out.join("index.html"))?;
             }

@@ -78,6 +78,7 @@ impl Tableau {
 
 impl<const STEADY: bool> GaussLegendre<STEADY> {
     /// Every step, with its work added, in the widest registers that the processor has and the method may use.
+    #[cfg_attr(target_arch = "x86_64", expect(unsafe_code))]
     pub(super) fn run<const N: usize, O: StageOde<N>, C: Companion<N>>(
         &self,
         ode: &O,

@@ -3,7 +3,9 @@
 /// Coordinates and velocities.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MechanismState<const N: usize> {
+    /// The coordinates.
     pub q: [f64; N],
+    /// Their velocities.
     pub v: [f64; N],
 }
 
@@ -200,7 +202,9 @@ impl<const N: usize> Contact<N> {
 /// the normal, a unit vector; the tangent is the normal turned clockwise by a right angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Surface {
+    /// The unit vector across it, towards the body.
     pub normal: [f64; 2],
+    /// Its distance from the origin, along the normal (m).
     pub offset: f64,
 }
 
