@@ -48,7 +48,7 @@ function made(part, small) {
   const crates = join(process.env.CARGO_HOME ?? join(homedir(), '.cargo'), 'registry/src');
   const env = {
     ...process.env,
-    PAGES: examples.map((name) => name.replace(/\.rs$/, '')).filter((stem) => partOf(stem) === part).join(','),
+    PAGES: examples.filter((name) => name.endsWith('.rs') && partOf(name) === part).map((name) => name.slice(0, -3)).join(','),
     // The same bytes wherever it is compiled; lanes of two doubles, the same bits as one by one.
     CARGO_ENCODED_RUSTFLAGS: [`--remap-path-prefix=${root.slice(0, -1)}=.`, `--remap-path-prefix=${crates}=crates`, '-Ctarget-feature=+simd128'].join('\x1f'),
   };
