@@ -2,7 +2,7 @@
 
 use kit::cli::{Leaf, Outcome};
 use kit::draw::{PALETTE, Turn};
-use kit::{Error, Figure, Lab, MovingPicture, Result, quoted};
+use kit::{Answer, Error, Figure, Lab, MovingPicture, Result, Verdict, claim, quoted};
 use rotation_dynamics::integrators::Method;
 
 /// `{"error": …}`.
@@ -134,4 +134,34 @@ fn choices(lab: &Lab) -> String {
         )
     });
     format!("{{\"methods\": {}, \"span\": {:?}}}", list(methods), lab.span())
+}
+
+/// What became of a reader's answer: its kind, and what to say. The lines are the answer, then of
+/// the claim its value, its unit, its bound and the relative error within which it is judged, then
+/// a value and a hint for each slip.
+pub fn judged(lines: &str) -> String {
+    let mut lines = lines.lines();
+    let mut line = || lines.next().unwrap_or_default();
+    let (text, value, unit, bound, within) = (line(), line(), line(), line(), line());
+    let number = |text: &str| text.parse().unwrap_or(f64::NAN);
+    let mut claim =
+        claim("", "", number(value), unit).within(number(bound)).judged_within(number(within));
+    while let (Some(value), Some(hint)) = (lines.next(), lines.next()) {
+        claim = claim.slip(number(value), hint);
+    }
+    let (kind, words) = match Answer::read(text) {
+        Err(words) => ("refused", words.to_owned()),
+        Ok(answer) => {
+            let verdict = claim.verdict(answer);
+            let kind = match verdict {
+                Verdict::Right => "right",
+                Verdict::AsFarAsItGoes(..) | Verdict::RightTo(..) => "nearly",
+                Verdict::Slip(_) => "slip",
+                Verdict::Unit(..) => "unit",
+                Verdict::Wrong => "wrong",
+            };
+            (kind, verdict.words())
+        }
+    };
+    format!("{{\"kind\": \"{kind}\", \"words\": {}}}", quoted(&words))
 }

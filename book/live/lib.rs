@@ -159,6 +159,14 @@ pub extern "C" fn report(n: usize) -> usize {
     leave(text.unwrap_or_else(|error| format!("error: {error}")))
 }
 
+/// Judges an answer by the numbers that were written, line by line: see [`answers::judged`]. Leaves
+/// `{"kind", "words"}`.
+#[unsafe(no_mangle)]
+pub extern "C" fn judged() -> usize {
+    let lines = taken();
+    leave(answers::judged(&lines))
+}
+
 /// Runs the example with the arguments that were written, parted by NUL, as a terminal would.
 /// Leaves `{"stdout", "stderr", "code", "files": [{"name", "text"}]}`.
 #[unsafe(no_mangle)]

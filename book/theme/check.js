@@ -1,4 +1,4 @@
-// What a page does beside being read: it judges answers (by the rules of answer.js), opens
+// What a page does beside being read: it has answers judged by the page's module, opens
 // its folds for printing and for links, and tells of boxes that scroll.
 "use strict";
 
@@ -70,10 +70,24 @@
         const kind = code === 0 ? "right" : stdout.startsWith("nearly") ? "nearly" : "wrong";
         return [kind, sentence((stdout || stderr.replace(/^error: /, "")).trim())];
     };
+    /** The verdict on an answer by the numbers of `check`. */
+    const judged = async (stem, { value, unit, bound, within, slips }, answer) => {
+        const lines = [answer, value, unit, bound, within, ...slips.flatMap((slip) => [slip.value, slip.hint])];
+        const { kind, words } = await Live.machine(stem, "told").ask("judged", lines.join("\n"));
+        return [kind === "right" || kind === "nearly" ? kind : "wrong",
+            kind === "slip" ? `Not yet: ${words}.`
+            : kind === "wrong" ? "Not this. Check the units and the starting values."
+            : sentence(words)];
+    };
     for (const form of document.querySelectorAll("form.answer")) {
-        const { checks: ours, rules } = JSON.parse(form.querySelector("script").textContent);
+        const { checks: ours } = JSON.parse(form.querySelector("script").textContent);
         const checks = forSheet(form, ours);
         if (checks === null) continue;
+        if (!Live.has(form.dataset.stem)) {
+            for (const control of form.elements) control.disabled = true;
+            tell(form, "refused", "This box needs WebAssembly, which this browser does not run. The command line does the same.");
+            continue;
+        }
         const { key, value } = form.elements;
         const output = form.querySelector("output");
         const asked = form.querySelector(".asked");
@@ -82,30 +96,28 @@
             output.className = kind;
             output.textContent = words;
         };
-        const follows = Live.has(form.dataset.stem) && form.dataset.sheet === undefined;
+        const follows = form.dataset.sheet === undefined;
         if (follows) {
             Live.listen((state) => { show(form, state); told(); });
             show(form, Live.state);
         }
         form.addEventListener("submit", async (event) => {
             event.preventDefault();
-            const answer = Answer.read(value.value);
-            if (answer.error) return say("wrong", sentence(answer.error));
-            if (follows && Live.state.size > 0) {
-                say("", "Computing for these parameters …");
-                try {
-                    say(...await computed(form, key.value, value.value));
-                } catch (error) {
-                    say("wrong", sentence(error.message));
-                }
-                return;
+            const others = follows && Live.state.size > 0;
+            say("", others ? "Computing for these parameters …" : "");
+            const loading = setInterval(() => {
+                const words = Live.arriving(form.dataset.stem);
+                if (words !== "") say("", sentence(words));
+            }, 500);
+            try {
+                say(...await (others ? computed(form, key.value, value.value) : judged(form.dataset.stem, check(), value.value)));
+            } catch (error) {
+                say("wrong", sentence(error.message));
             }
-            const [kind, words] = Answer.judge(answer, check(), rules);
-            say(kind === "right" || kind === "nearly" ? kind : "wrong",
-                kind === "slip" ? `Not yet: ${words}.`
-                : kind === "wrong" ? "Not this. Check the units and the starting values."
-                : sentence(words));
+            clearInterval(loading);
         });
+        // What judges is on its way while the reader types.
+        form.addEventListener("focusin", () => Live.machine(form.dataset.stem, "told").prepare().catch(() => {}), { once: true });
         // The arrow keys turn pages, but not while one types.
         form.addEventListener("keydown", (event) => event.stopPropagation());
         const told = () => {

@@ -1,8 +1,8 @@
 // The modules of the examples, run beside the page, and what the page's address sets.
 //
-// A module is joined from packs (module.js) in a worker, when it is first asked; a call is a
-// message, its answer a promise. Pages that are opened as files may not fetch: there packs come
-// as scripts, as the source of the worker always does.
+// A module holds the examples of a part of the book. A worker (module.js) compiles it when it is
+// first asked; a call is a message, its answer a promise. Pages that are opened as files may not
+// fetch: there modules come as scripts, as the source of the worker always does.
 "use strict";
 
 const Live = (() => {
@@ -21,29 +21,51 @@ const Live = (() => {
         element.onerror = () => failed(new Error(`modules/${name}.js did not arrive`));
         document.head.append(element);
     });
-    async function pack(name) {
+    const reached = new Map(); // of a module on its way: the share that has come
+    async function fetched(name, size) {
         if (location.protocol === "file:") return Uint8Array.from(atob(await script(name)), (c) => c.charCodeAt(0));
+        reached.set(name, 0);
         const answer = await fetch(`modules/${name}`).catch(() => null);
         if (!answer?.ok) throw new Error(`modules/${name} did not arrive`);
-        return new Uint8Array(await answer.arrayBuffer());
+        const [bytes, parts] = [new Uint8Array(size), answer.body.getReader()];
+        for (let at = 0; ;) {
+            const { done, value } = await parts.read();
+            if (done && at === size) return bytes;
+            if (done || at + value.length > size) throw new Error(`modules/${name} is not as long as it was`);
+            bytes.set(value, at);
+            at += value.length;
+            reached.set(name, at / size);
+        }
     }
     /** What `bring(name)` gives, asked for once unless it fails. */
     const once = (name, bring) => {
-        if (!files.has(name)) files.set(name, bring(name).catch((error) => { files.delete(name); throw error; }));
+        if (!files.has(name)) files.set(name, bring(name).catch((error) => { files.delete(name); reached.delete(name); throw error; }));
         return files.get(name);
     };
 
+    /** The module of a page. */
+    const brought = (stem) => once(pages[stem].module, (name) => fetched(name, pages[stem].size));
+    /** Brings it before it is asked for, unless the reader saves data or pays for it. */
+    function ahead(stem) {
+        const { saveData, type } = navigator.connection ?? {};
+        if (location.protocol === "file:" || saveData || type === "cellular") return;
+        brought(stem).catch(() => {}); // What fails is told when it is asked for.
+    }
+    /** How much of the module has come, in words, while it is on its way; then nothing. */
+    function arriving(stem) {
+        const { module: name, size } = pages[stem];
+        const share = reached.get(name) ?? 1;
+        return share < 1 ? `loading, ${Math.floor(100 * share)} % of ${Math.round(size / 1000)} kB` : "";
+    }
+
     // ---- Machines: a worker with the module of a page.
-    const bytes = (names) => Promise.all(names.map((name) => once(name, pack)));
     class Machine {
-        /** Of the page `stem`, with its packs for `use`: `motion`, `told` or `full`; longer lists follow. */
-        constructor(stem, use) {
-            const lists = use === "told" ? ["told", "full", "rest"] : [use, "rest"];
-            [this.page, this.lists] = [pages[stem].page, lists.map((list) => pages[stem][list])];
+        constructor(stem) {
+            [this.stem, this.page] = [stem, pages[stem].page];
             [this.worker, this.started, this.waiting, this.asked, this.calls] = [null, null, new Map(), 0, 0];
         }
 
-        /** Brings the packs, and the worker that joins them, before it is asked. */
+        /** Brings the module, and the worker that compiles it, before it is asked. */
         prepare() {
             this.started ??= this.start();
             return this.started;
@@ -51,21 +73,21 @@ const Live = (() => {
 
         async start() {
             // What it needs is on its way while the worker starts.
-            const brought = Promise.all([once("module", script), bytes(this.lists[0])]);
+            const needed = Promise.all([once("module", script), brought(this.stem)]);
             const address = URL.createObjectURL(new Blob(["onmessage = ({ data }) => (0, eval)(data)"], { type: "text/javascript" }));
             const worker = new Worker(address);
             URL.revokeObjectURL(address);
-            worker.onmessage = ({ data: { id, error, trapped, ...answer } }) => {
+            worker.onmessage = ({ data: { id, error, ...answer } }) => {
                 const [done, failed] = this.waiting.get(id) ?? [];
                 this.waiting.delete(id);
                 if (error === undefined) done?.(answer);
-                else failed?.(Object.assign(new Error(error), { trapped }));
+                else failed?.(new Error(error));
             };
             worker.onerror = (event) => this.end(new Error(event.message || "the module cannot run here"));
             try {
-                const [source, packs] = await brought;
+                const [source, gz] = await needed;
                 worker.postMessage(source);
-                worker.postMessage({ packs });
+                worker.postMessage({ gz });
             } catch (error) {
                 worker.terminate();
                 throw error;
@@ -99,16 +121,7 @@ const Live = (() => {
             const message = { call, ...(call === "frame" ? {} : { page: this.page }), ...more };
             this.calls += 1;
             try {
-                for (let packs = {}; ;) {
-                    try {
-                        return await this.send({ ...message, ...packs });
-                    } catch (error) {
-                        // The packs hold what is usual; a rare wish needs more.
-                        if (!error.trapped || this.lists.length === 1) throw error;
-                        this.lists.shift();
-                        packs = { packs: await bytes(this.lists[0]) };
-                    }
-                }
+                return await this.send(message);
             } finally {
                 this.calls -= 1;
             }
@@ -137,10 +150,10 @@ const Live = (() => {
     }
 
     const machines = new Map();
-    /** The machine of a page for `use`, the same for all that ask, or one for some of them `apart`. */
-    function machine(stem, use, apart = "") {
-        const key = `${stem} ${use} ${apart}`;
-        if (!machines.has(key)) machines.set(key, new Machine(stem, use));
+    /** The machine of a page for a use, the same for all that ask: none waits for another's answer. */
+    function machine(stem, use) {
+        const key = `${stem} ${use}`;
+        if (!machines.has(key)) machines.set(key, new Machine(stem));
         return machines.get(key);
     }
 
@@ -177,13 +190,13 @@ const Live = (() => {
     }
 
     // ---- What runs commands and methods is brought when it is first asked for.
-    let brought = false;
+    let runs = false;
     const bring = async (event) => {
         const opener = event.target.closest("button.run, .bench > button");
-        if (brought || opener === null) return;
+        if (runs || opener === null) return;
         try {
             await once("run", script);
-            if (!brought) [brought] = [true, document.removeEventListener("click", bring)];
+            if (!runs) [runs] = [true, document.removeEventListener("click", bring)];
             opener.click();
         } catch (error) {
             opener.disabled = true;
@@ -200,17 +213,16 @@ const Live = (() => {
         const part = control?.closest("button.run, .terminal, .bench, .player");
         const stem = part?.dataset.stem;
         if (!(stem in pages)) return;
-        const runs = control.matches("button.run, .bench > button");
-        const brought = [
-            ...(runs ? [once("run", script)] : []),
+        const needed = [
+            ...(control.matches("button.run, .bench > button") ? [once("run", script)] : []),
             ...(control.dataset.predict === undefined ? [machine(stem, part.matches(".player") ? "motion" : "told").prepare()] : []),
         ];
         // What fails is told when it is asked for.
-        for (const one of brought) one.catch(() => {});
+        for (const one of needed) one.catch(() => {});
     };
     if (able) for (const type of ["pointerdown", "keydown"]) document.addEventListener(type, begin, { capture: true, passive: true });
 
-    return { able, inks, packed, has: (stem) => able && stem in pages, machine, state, change, listen, remember, commanded };
+    return { able, inks, packed, has: (stem) => able && stem in pages, machine, ahead, arriving, state, change, listen, remember, commanded };
 })();
 
 if (typeof module !== "undefined") module.exports = Live;

@@ -1,13 +1,15 @@
-// Drives live.js without a browser: which packs a machine is given and when, how its answers come
+// Drives live.js without a browser: which module a machine is given and when, how its answers come
 // back, what a stop does, and how parameters become arguments. `node book/theme/live.test.js`
 "use strict";
 const assert = require("node:assert");
 
-// ---- A page with one module, a server of packs, a worker that answers as it is told.
-const pages = { rod: { page: 3, motion: ["a.gz"], told: ["a.gz", "b.gz"], full: ["a.gz", "e.gz"], rest: ["c.gz"] } };
+// ---- A page, a server of modules in two pieces, a worker that answers as it is told.
+const pages = { rod: { module: "a.gz", page: 3, size: 5 }, disc: { module: "d.gz", page: 0, size: 5 } };
 const asked = [];
 const workers = [];
 let missing = "";
+let more = []; // pieces that were not announced
+let late; // what an answer waits for
 globalThis.document = {
     getElementById: () => ({ textContent: JSON.stringify({ pages, inks: ["fig-ink"] }) }),
     documentElement: { classList: { contains: () => true } },
@@ -19,7 +21,9 @@ globalThis.location = { protocol: "http:", search: "?angle=1&highlight=wall", pa
 globalThis.history = { state: null, replaceState: (_, __, address) => { location.address = address; } };
 globalThis.fetch = async (address) => {
     asked.push(address);
-    return { ok: address !== missing, arrayBuffer: async () => Uint8Array.of(address.length).buffer };
+    const pieces = [Uint8Array.of(1, 2), Uint8Array.of(3, 4, 5), ...more];
+    await late;
+    return { ok: address !== missing, body: { getReader: () => ({ read: async () => ({ done: pieces.length === 0, value: pieces.shift() }) }) } };
 };
 globalThis.URL.createObjectURL = () => "blob:";
 globalThis.URL.revokeObjectURL = () => {};
@@ -30,7 +34,7 @@ globalThis.Worker = class {
         if (message.call === "run" && message.text === "endless") return;
         const answer = message.call !== "open" ? { text: "{}" }
             : message.text === "bad" ? { text: '{"error": "refused"}' }
-            : message.text === "rare" && message.packs === undefined ? { error: "unreachable", trapped: true }
+            : message.text === "broken" ? { error: "unreachable" }
             : { text: '{"span": [0, 1]}' };
         setTimeout(() => this.onmessage({ data: { id: message.id, ...answer } }));
     }
@@ -48,19 +52,17 @@ globalThis.Live = Live;
     assert.deepStrictEqual([first, second], [{ span: [0, 1] }, { span: [0, 1] }]);
     assert.deepStrictEqual(asked.sort(), ["modules/a.gz", "modules/module.js"]);
     const [{ got }] = workers;
-    assert.deepStrictEqual(got.map(({ call, page, text, packs }) => [call, page, text, packs?.length]),
-        [[undefined, undefined, undefined, undefined], [undefined, undefined, undefined, 1], ["open", 3, "angle=1", undefined], ["open", 3, "", undefined]],
-        "the source and the packs go once, before the first call");
+    assert.deepStrictEqual(got.map(({ call, page, text, gz }) => [call, page, text, gz && [...gz]]),
+        [[undefined, undefined, undefined, undefined], [undefined, undefined, undefined, [1, 2, 3, 4, 5]], ["open", 3, "angle=1", undefined], ["open", 3, "", undefined]],
+        "the source and the module go once, before the first call");
     await machine.call("frame", { numbers: [0, 0, 0] });
     assert.strictEqual(got[4].page, undefined, "a frame is of the page that is open");
     await assert.rejects(machine.ask("open", "bad"), /^Error: refused$/);
 
-    // What traps is asked again, with all packs; only once.
-    await machine.ask("open", "rare");
-    assert.deepStrictEqual(got.slice(6).map(({ packs }) => packs?.length), [undefined, 1]);
-    assert.ok(asked.includes("modules/c.gz"));
+    await assert.rejects(machine.ask("open", "broken"), /^Error: unreachable$/);
+    await machine.ask("open", "");
 
-    // A stop: whoever waits is told, and the next call has a worker and packs of its own.
+    // A stop: whoever waits is told, and the next call has a worker of its own.
     const told = Live.machine("rod", "told");
     await told.ask("run", "short");
     const endless = told.ask("run", "endless");
@@ -68,11 +70,11 @@ globalThis.Live = Live;
     await assert.rejects(endless, /^Error: stopped$/);
     assert.ok(workers[1].ended);
     await told.ask("run", "short");
-    assert.strictEqual(workers[2].got[1].packs.length, 2);
-    assert.strictEqual(asked.filter((address) => address === "modules/a.gz").length, 1, "a pack is fetched once");
+    assert.strictEqual(workers[2].got[1].gz.length, 5);
+    assert.strictEqual(asked.filter((address) => address === "modules/a.gz").length, 1, "a module is fetched once");
 
     // What is prepared at a touch is what the click then asks; a machine apart has a worker of its own.
-    const apart = Live.machine("rod", "full", "figures");
+    const apart = Live.machine("rod", "figures");
     const count = workers.length;
     await apart.prepare();
     assert.deepStrictEqual([workers.length, workers.at(-1).got.length, apart.busy], [count + 1, 2, false]);
@@ -81,17 +83,27 @@ globalThis.Live = Live;
     await drawn;
     assert.deepStrictEqual([workers.length, workers.at(-1).got.length, apart.busy], [count + 1, 3, false]);
 
-    // What prints has a list between its own and all.
-    await told.ask("open", "rare");
-    assert.ok(asked.includes("modules/e.gz"));
-
-    // A pack that is not there is an error in words, and is asked for again.
+    // One that is not there, or not as long as it was, is an error in words, and is asked for again.
+    const other = Live.machine("disc", "motion");
     missing = "modules/d.gz";
-    const other = new machine.constructor("rod", "motion");
-    other.lists = [["d.gz"]];
     await assert.rejects(other.ask("open"), /modules\/d.gz did not arrive/);
-    missing = "";
+    [missing, more] = ["", [Uint8Array.of(6)]];
+    await assert.rejects(other.ask("open"), /modules\/d.gz is not as long as it was/);
+    more = [];
+
+    // How much has come is told while it is on its way. A reader who saves data gets none ahead.
+    Object.defineProperty(globalThis, "navigator", { value: { connection: { saveData: true } }, configurable: true });
+    const before = asked.length;
+    Live.ahead("disc");
+    assert.strictEqual(asked.length, before);
+    navigator.connection.saveData = false;
+    let arrive;
+    late = new Promise((done) => { arrive = done; });
+    Live.ahead("disc");
+    assert.deepStrictEqual([asked.length, Live.arriving("disc"), Live.arriving("rod")], [before + 1, "loading, 0 % of 0 kB", ""]);
+    arrive();
     await other.ask("open");
+    assert.deepStrictEqual([asked.length, Live.arriving("disc")], [before + 1, ""]);
 
     // Parameters as arguments, and in the address: what the search marked stays there.
     const values = new Map([["length", "-1e-3"], ["friction", "0.1"], ["gravity", ""]]);

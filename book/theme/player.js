@@ -159,6 +159,7 @@ class Knobs {
             root.addEventListener("keydown", (event) => event.stopPropagation());
             new IntersectionObserver(([{ isIntersecting }]) => {
                 this.visible = isIntersecting;
+                if (isIntersecting) Live.ahead(this.root.dataset.stem);
                 if (isIntersecting && this.wished) this.touch();
                 this.wake();
             }).observe(this.panel);
@@ -177,6 +178,11 @@ class Knobs {
             this.resized ??= new ResizeObserver(() => this.fit());
             this.resized.observe(this.figure);
             this.now.textContent = "…";
+            const told = setInterval(() => {
+                const words = Live.arriving(this.root.dataset.stem);
+                if (words === "") clearInterval(told);
+                else this.now.textContent = words;
+            }, 500);
             this.open();
             // What painting needs is looked up while the worker computes.
             this.canvas.getContext("2d");

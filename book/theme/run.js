@@ -52,13 +52,13 @@
     }
 
     /**
-     * What `answer` comes to, while `status` counts the seconds; then it says what `done` says, or
-     * how it failed, for which the answer is null.
+     * What `answer` comes to, while `status` counts the seconds or tells how much of the page's
+     * module has come; then it says what `done` says, or how it failed, for which the answer is null.
      */
-    async function counted(status, answer, doing, done) {
+    async function counted(stem, status, answer, doing, done) {
         const begun = performance.now();
         const seconds = () => `${((performance.now() - begun) / 1000).toFixed(1)} s`;
-        const clock = setInterval(() => { status.textContent = doing + seconds(); }, 100);
+        const clock = setInterval(() => { status.textContent = Live.arriving(stem) || doing + seconds(); }, 100);
         status.setAttribute("aria-live", "off");
         let ended = "";
         try {
@@ -87,7 +87,7 @@
         constructor(opener) {
             terminals += 1;
             const { stem, arguments: typed, predict } = opener.dataset;
-            [this.stem, this.use] = [stem, "told"];
+            this.stem = stem;
             const id = (name) => `run${terminals}-${name}`;
             this.line = make("input", { id: id("line"), value: typed, spellcheck: "false", autocomplete: "off", autocapitalize: "off" });
             this.go = make("button", { type: "submit" }, "Run");
@@ -115,12 +115,12 @@
         }
 
         get machine() {
-            return Live.machine(this.stem, this.use);
+            return Live.machine(this.stem, "told");
         }
 
         /** What draws figures: a worker of its own, for which nothing waits. */
         get drawer() {
-            return Live.machine(this.stem, "full", "figures");
+            return Live.machine(this.stem, "figures");
         }
 
         /** Takes the page's parameters as arguments. */
@@ -138,10 +138,9 @@
 
         /** Asks the machine, with the time that it takes shown and a way to stop it. */
         async working(words) {
-            this.use = words.some((word) => /^--(csv|svg)\b/.test(word)) ? "full" : "told";
             [this.go.disabled, this.stop.hidden] = [true, false];
             for (const control of this.more.querySelectorAll("button")) control.disabled = true;
-            const told = await counted(this.elapsed, this.machine.ask("run", words.join("\0")), "", (_, seconds) => `done in ${seconds}`);
+            const told = await counted(this.stem, this.elapsed, this.machine.ask("run", words.join("\0")), "", (_, seconds) => `done in ${seconds}`);
             [this.go.disabled, this.stop.hidden] = [false, true];
             for (const control of this.more.querySelectorAll("button")) control.disabled = false;
             return told;
@@ -170,7 +169,7 @@
             this.drawn.replaceChildren(status, " ", stop);
             this.drawn.hidden = false;
             stop.addEventListener("click", () => this.drawer.end());
-            const told = await counted(status, this.drawer.ask("figures", words.join("\0")), "The page’s figures are drawn for this: ", ({ figures }) => {
+            const told = await counted(this.stem, status, this.drawer.ask("figures", words.join("\0")), "The page’s figures are drawn for this: ", ({ figures }) => {
                 const count = redraw(this.stem, figures, words.join(" "));
                 return count === 0 ? "None of the page’s figures shows this."
                     : `${count === 1 ? "One figure" : `${count} figures`} of this page ${count === 1 ? "is" : "are"} drawn for this.`;

@@ -491,12 +491,10 @@ fn what_moves_is_made_where_there_are_modules() {
     let flag = json!({"name": "length", "unit": "m", "meaning": "length of the rod", "kind": "number",
         "default": "1.5", "usual": null, "allowed": null, "from": null, "to": null, "words": []});
     let declared = json!({"moves": true, "flags": [flag]});
-    let page =
-        json!({"page": 0, "motion": ["a.gz"], "full": ["a.gz", "b.gz"], "declared": declared});
+    let page = json!({"module": "a.gz", "page": 0, "declared": declared});
     let index = json!({"pages": {"sample": page}, "palette": [{"name": "fig-ink"}]}).to_string();
     write("book/modules/index.json", &index);
     write("book/modules/a.gz", "abc");
-    write("book/modules/b.gz", "");
     write("book/theme/module.js", "\"joins\"\n");
     write("book/theme/run.js", "runs\n");
     let built = build();
@@ -521,7 +519,7 @@ fn what_moves_is_made_where_there_are_modules() {
             index.replace("palette", "colours"),
             "must hold \"pages\" and \"palette\"",
         ),
-        ("book/modules/index.json", index.replace("b.gz", "c.gz"), "cannot read book/modules/c.gz"),
+        ("book/modules/index.json", index.replace("a.gz", "c.gz"), "cannot read book/modules/c.gz"),
         (
             "book/src/two.md",
             two.replace("length=1.5", "width=1.5"),

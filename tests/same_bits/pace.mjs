@@ -8,8 +8,8 @@ const read = (path) => readFileSync(new URL(path, root));
 const [stem, rounds] = process.argv.slice(2);
 const index = JSON.parse(read('book/modules/index.json'));
 const call = runInThisContext(`${read('book/theme/module.js')};caller`)();
-const { page, rest } = index.pages[stem];
-const packs = rest.map((name) => read(`book/modules/${name}`));
+const { page, module } = index.pages[stem];
+const gz = read(`book/modules/${module}`);
 const report = async () => {
   const began = process.cpuUsage();
   const { error } = await call({ call: 'report', page });
@@ -17,7 +17,7 @@ const report = async () => {
   const { user, system } = process.cpuUsage(began);
   return (user + system) / 1e6;
 };
-await call({ packs });
+await call({ gz });
 await report();
 await report();
 let least = Infinity;

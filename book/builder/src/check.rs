@@ -3,7 +3,7 @@
 use crate::notation;
 use crate::project::Project;
 use crate::text::{escape, number_html, unit_html};
-use kit::{DEGREES, RECIPROCAL, Table, USUAL_SLIPS, digits_asked, name_of_flag};
+use kit::{Table, digits_asked, name_of_flag};
 use serde_json::{Value, json};
 
 /// A claim that a reader can answer.
@@ -13,26 +13,15 @@ struct Question {
     data: Value,
 }
 
-/// The box for an example. The scripts `theme/answer.js` and `theme/check.js` read the data
-/// and judge by the rules of `Claim::verdict`.
+/// The box for an example. The script `theme/check.js` gives its data and the answer to the page's
+/// module, which judges by `Claim::verdict`.
 ///
 /// # Errors
 /// If the locked output has no `checks`, or a check without its claim.
 pub fn html(project: &Project, stem: &str) -> Result<String, String> {
     let questions = questions(project, stem)?;
-    let usual: Vec<_> = USUAL_SLIPS
-        .iter()
-        .map(|(factor, hint, units)| json!({"factor": factor, "hint": hint, "units": units}))
-        .collect();
-    let angles = USUAL_SLIPS.iter().find(|(_, hint, _)| *hint == DEGREES);
-    let rules = json!({
-        "usual": usual,
-        "reciprocal": RECIPROCAL,
-        "degrees": DEGREES,
-        "angles": angles.map_or(&[][..], |(_, _, units)| *units),
-    });
     let checks: Vec<&Value> = questions.iter().map(|question| &question.data).collect();
-    let data = json!({"checks": checks, "rules": rules});
+    let data = json!({"checks": checks});
     // In a script element only `</` could end it.
     let data = data.to_string().replace("</", "<\\/");
     let first = questions.first().map(|q| &q.data);

@@ -1,7 +1,7 @@
 //! What moves in a page: the markup of players, Run buttons and the bench of methods, and the
 //! modules beside the pages.
 //!
-//! The modules and their index (`book/modules`, made by `cargo modules`) hold the code of the
+//! The modules and their index (`book/modules`, made by `book/live/modules.mjs`) hold the code of the
 //! examples; `theme/live.js` and its kin load them when they are touched. A page without them, or
 //! in a browser that cannot run them, is as it was: nothing of this is shown.
 
@@ -13,10 +13,10 @@ use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use kit::{STEPPING, Table};
 use serde_json::{Map, Value, json};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-/// What joins modules and calls them, in a worker. A page that is opened as a file may start no
+/// What compiles modules and calls them, in a worker. A page that is opened as a file may start no
 /// worker from one: the source comes as a text.
 const SOURCE: &str = "book/theme/module.js";
 
@@ -70,22 +70,19 @@ impl fmt::Display for Setting {
     }
 }
 
-/// The packs of a page: for its moving picture; for what it prints; for its figures besides; for
-/// all that it can.
-const LISTS: [&str; 4] = ["motion", "told", "full", "rest"];
-
-/// The modules that there are: `{"pages": {STEM: {"page", a key for each of LISTS, "declared"}},
-/// "palette": [{"name"}]}`.
+/// The modules that there are: `{"pages": {STEM: {"module", "page", "declared"}}, "palette":
+/// [{"name"}]}`: the file of the page's part of the book, and the page's number in it.
 pub struct Modules {
-    directory: &'static str,
     index: Value,
+    /// The bytes of each, by the names of the files.
+    files: BTreeMap<String, Vec<u8>>,
 }
 
 impl Modules {
     /// Those of the project; `None` before they are made.
     ///
     /// # Errors
-    /// An index that cannot be read.
+    /// An index, or a module that it names, that cannot be read.
     pub fn of(project: &Project) -> Result<Option<Self>, String> {
         let directory = modules::directory(project);
         let file = format!("{directory}/index.json");
@@ -94,10 +91,18 @@ impl Modules {
         }
         let index = serde_json::from_str(&project.read(&file)?);
         let index: Value = index.map_err(|e| format!("{file}: {e}"))?;
-        match index["pages"].is_object() && index["palette"].is_array() {
-            true => Ok(Some(Self { directory, index })),
-            false => Err(format!("{file} must hold \"pages\" and \"palette\"")),
-        }
+        let (Some(pages), true) = (index["pages"].as_object(), index["palette"].is_array()) else {
+            return Err(format!("{file} must hold \"pages\" and \"palette\""));
+        };
+        let names = pages.values().filter_map(|page| page["module"].as_str());
+        let names: BTreeSet<String> = names.map(str::to_owned).collect();
+        let files = names.into_iter().map(|name| {
+            let file = format!("{directory}/{name}");
+            let bytes = std::fs::read(project.path(&file));
+            Ok((name, bytes.map_err(|e| format!("cannot read {file}: {e}"))?))
+        });
+        let files = files.collect::<Result<_, String>>()?;
+        Ok(Some(Self { index, files }))
     }
 
     fn page(&self, stem: &str) -> Option<&Map<String, Value>> {
@@ -263,10 +268,9 @@ impl Modules {
             .into_iter()
             .filter_map(|stem| {
                 let page = self.page(stem)?;
-                let needed = page.iter().filter(|(key, _)| *key != "declared");
-                let needed: Map<String, Value> =
-                    needed.map(|(key, value)| (key.clone(), value.clone())).collect();
-                Some((stem.to_owned(), needed.into()))
+                let [module, number] = [page.get("module")?, page.get("page")?];
+                let size = self.files.get(module.as_str()?)?.len();
+                Some((stem.to_owned(), json!({"module": module, "page": number, "size": size})))
             })
             .collect();
         let palette = self.index["palette"].as_array().into_iter().flatten();
@@ -279,26 +283,18 @@ impl Modules {
     /// module as it is and as a script for pages that are opened as files, where nothing can be fetched.
     ///
     /// # Errors
-    /// A module that the index names and that is not there.
+    /// A script that is not there.
     pub fn files(&self, project: &Project) -> Result<Vec<(String, Vec<u8>)>, String> {
-        let pages = self.index["pages"].as_object().into_iter().flatten();
-        let lists = pages.flat_map(|(_, page)| LISTS.map(|list| &page[list]));
-        let names: BTreeSet<&str> =
-            lists.filter_map(Value::as_array).flatten().filter_map(Value::as_str).collect();
         let source = json!(project.read(SOURCE)?);
         let source = format!("Live.packed(\"module\",{source})\n");
         let mut files = vec![
             ("modules/module.js".to_owned(), source.into_bytes()),
             ("modules/run.js".to_owned(), project.read(RUNS)?.into_bytes()),
         ];
-        for name in names {
-            let file = format!("{}/{name}", self.directory);
-            let bytes = std::fs::read(project.path(&file))
-                .map_err(|e| format!("cannot read {file}: {e}"))?;
-            let script =
-                format!("Live.packed(\"{name}\",\"{}\")\n", BASE64_STANDARD.encode(&bytes));
+        for (name, bytes) in &self.files {
+            let script = format!("Live.packed(\"{name}\",\"{}\")\n", BASE64_STANDARD.encode(bytes));
             files.push((format!("modules/{name}.js"), script.into_bytes()));
-            files.push((format!("modules/{name}"), bytes));
+            files.push((format!("modules/{name}"), bytes.clone()));
         }
         Ok(files)
     }
@@ -471,14 +467,11 @@ mod tests {
             ),
             flag("friction", "effect", json!({"usual": "0.02"})),
         ]);
-        let page = |n: u32, moves: bool| {
-            json!({"page": n, "motion": ["a.gz"], "told": ["a.gz", "b.gz"], "full": ["a.gz", "b.gz"], "rest": ["c.gz"],
-                "declared": {"moves": moves, "flags": flags}})
-        };
+        let page = |n: u32, moves: bool| json!({"module": "a.gz", "page": n, "declared": {"moves": moves, "flags": flags}});
         let pages = json!({"rod": page(3, true), "table": page(4, false)});
         Modules {
-            directory: "",
             index: json!({"pages": pages, "palette": [{"name": "fig-ink"}, {"name": "fig-axis"}]}),
+            files: [("a.gz".to_owned(), vec![0; 5])].into(),
         }
     }
 
@@ -600,7 +593,7 @@ mod tests {
         let data =
             head.split("id=\"live\">").nth(1).and_then(|rest| rest.strip_suffix("</script>"));
         let data: Value = serde_json::from_str(data.expect("data")).expect("JSON");
-        let page = json!({"page": 3, "motion": ["a.gz"], "told": ["a.gz", "b.gz"], "full": ["a.gz", "b.gz"], "rest": ["c.gz"]});
+        let page = json!({"module": "a.gz", "page": 3, "size": 5});
         assert_eq!(data, json!({"pages": {"rod": page}, "inks": ["fig-ink", "fig-axis"]}));
         // The damaged twins: no module, or nothing that uses it.
         assert_eq!(modules().head("<div class=\"player\" data-stem=\"other\">"), None);

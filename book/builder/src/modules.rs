@@ -14,7 +14,7 @@ const COMMITTED: &str = "book/modules";
 const OWN: &str = "target/modules";
 
 /// What `rustc` compiles the modules for.
-const TARGET: &str = "wasm32-unknown-unknown";
+const TARGET: &str = "wasm32-wasip1";
 
 /// The directory of the modules that belong to the sources, as far as [`renew`] could make them.
 pub fn directory(project: &Project) -> &'static str {
@@ -24,12 +24,8 @@ pub fn directory(project: &Project) -> &'static str {
     }
 }
 
-/// Whether the standard library is there for the target, of the installed compiler or of the
-/// one that `book/packs/toolchain.sh` names in the environment.
+/// Whether the standard library is there for the target.
 fn target_is_there() -> bool {
-    if env::var_os("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS").is_some() {
-        return true;
-    }
     let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
     let told = Command::new(rustc).args(["--print", "target-libdir", "--target", TARGET]).output();
     let told = told.ok().and_then(|told| String::from_utf8(told.stdout).ok());
@@ -40,10 +36,9 @@ fn target_is_there() -> bool {
 /// made; without the target this is a question to `rustc`, and no more.
 pub fn renew(project: &Project) {
     if target_is_there() && project.path(COMMITTED).is_dir() {
-        let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
-        let made = Command::new(cargo)
+        let made = Command::new("node")
             .current_dir(project.path("."))
-            .args(["modules", "--out", OWN])
+            .args(["book/live/modules.mjs", "--out", OWN])
             .status();
         if made.is_ok_and(|status| status.success()) {
             return;

@@ -1,7 +1,6 @@
 //! A reader's answer: how it is written, and how it is judged.
 //!
-//! The answer box of a page (`book/theme/answer.js`) has the same two halves, line for
-//! line; both are driven by the cases in `tests/data/answers.json`.
+//! The answer box of a page asks the module for this; the cases are in `tests/data/answers.json`.
 //!
 //! ```text
 //! answer  = sum [ unit ]
@@ -372,7 +371,7 @@ fn powers(unit: &str) -> Option<BTreeMap<String, i32>> {
 
 /// Factors by which an answer is often off, with what to say and the units for which it is
 /// tried (none: for all), in the order tried.
-pub const USUAL_SLIPS: [(f64, &str, &[&str]); 7] = [
+const USUAL_SLIPS: [(f64, &str, &[&str]); 7] = [
     (-1.0, "the size is right, the sign is not", &[]),
     (2.0, "too large by a factor 2", &[]),
     (0.5, "too small by a factor 2", &[]),
@@ -387,9 +386,9 @@ const TURNS: &[&str] = &["rad", "rad/s", "1/s", "s"];
 /// What can be given in degrees.
 const ANGLES: &[&str] = &["rad", "rad/s"];
 /// What to say to degrees.
-pub const DEGREES: &str = "that is in degrees; give radians";
+const DEGREES: &str = "that is in degrees; give radians";
 /// What to say to an answer `1/v`.
-pub const RECIPROCAL: &str = "that is one over the value";
+const RECIPROCAL: &str = "that is one over the value";
 
 /// What became of a reader's answer; see [`Claim::verdict`].
 #[derive(Debug, Clone, PartialEq)]

@@ -202,7 +202,7 @@ impl Claim {
     /// 4. right as far as it goes, if `x` was typed with fewer than `N` digits and is `v`
     ///    rounded to them;
     /// 5. right to `n >= 2` digits, if `|x - v| <= 10^(e+1-n) / 2`;
-    /// 6. one of [`USUAL_SLIPS`](super::USUAL_SLIPS) for the claim's unit (or the
+    /// 6. a usual slip (a sign, a factor of 2 or 2 pi, degrees) for the claim's unit (or the
     ///    reciprocal), if `x` is that close to it;
     /// 7. wrong.
     pub fn verdict(&self, answer: impl Into<Answer>) -> Verdict {

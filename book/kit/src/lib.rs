@@ -74,7 +74,7 @@ mod table;
 mod trajectory;
 
 pub use air::{driven_in_air, taken_by_air};
-pub use answer::{Answer, DEGREES, RECIPROCAL, USUAL_SLIPS, Verdict, digits_asked};
+pub use answer::{Answer, Verdict, digits_asked};
 pub use card::EffectEntry;
 pub use claim::{Claim, Oracle, Slip, claim};
 pub use computation::{ClosedForm, Computation};
