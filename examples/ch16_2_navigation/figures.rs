@@ -24,13 +24,6 @@ figures! { p: &Parameters, [out, back] = flights(p)?, latitude = p.latitude.to_r
             .dot(drawn(towards(star(latitude, 0.0, EARTH * 6.0 * HOUR))), Ink::Momentum, "6 h", Side::Below)
     };
 
-    /// Rate of drift against the latitude: a sine, from nothing at the equator to 15 degrees an
-    /// hour at the pole. Simulated dots lie on the line.
-    rates: Sweep::over(r"latitude $\lambda$ / deg", 0.0, 90.0).at([5.0, 20.0, 35.0, 50.0, 65.0, 80.0])
-        .exact_and_simulated(Axis::linear("drift / (deg/h)").range(0.0, 16.0),
-            |x| (EARTH * sin(x.to_radians())).to_degrees() * HOUR,
-            |x| Ok(carry(parallel(x.to_radians(), 0.0, HOUR), EARTH, 0.0, 1e-9)?.0.to_degrees()))?;
-
     /// The globe. The planned great circle leads from the start to the destination over the far
     /// north. The track of a pilot who steers by the axle bends away to the right, ever farther from it.
     track: {
@@ -42,7 +35,7 @@ figures! { p: &Parameters, [out, back] = flights(p)?, latitude = p.latitude.to_r
             .trace(plan, Ink::Ink).trace(flown, Ink::Body)
             .dot(drawn(out.from), Ink::Ink, "start", Side::Right)
             .dot(drawn(back.from), Ink::Ink, "destination", Side::Left)
-            .dot(lost, Ink::Body, "by the axle", Side::Left)
+            .dot(lost, Ink::Body, "by the axle", Side::Right)
     };
 }
 

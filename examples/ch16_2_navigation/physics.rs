@@ -88,7 +88,6 @@ impl Journey {
         [path, EARTH * self.time / self.angle * sines]
     }
 
-    // ANCHOR: carried
     /// The vertical in space, and its rate, on an Earth that turns at the rate `earth`.
     fn vertical(&self, t: f64, earth: f64) -> [SpaceVector; 2] {
         let axis = SpaceVector::new(0.0, 0.0, earth);
@@ -106,7 +105,6 @@ impl Journey {
         })
         .scaled(size_or([1.0; 3]))
     }
-    // ANCHOR_END: carried
 
     /// A pilot who steers by the axle: `[place, direction of flight]` on the axes of the Earth. The
     /// track bends to the right at the rate Omega sin(latitude).
