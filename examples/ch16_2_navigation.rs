@@ -156,7 +156,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         azimuth: degrees(azimuth), "deg", "attitudes of the ground" => degrees(near(azimuth, seen[0])),
         within 1e-11 / cos(altitude), if cos(altitude) > 1e-6;
         /// its altitude
-        altitude: degrees(altitude), "deg", "attitudes of the ground" => degrees(seen[1]), within 1e-6;
+        altitude: degrees(altitude), "deg", "attitudes of the ground" => degrees(seen[1]), within 1e-11;
         /// level axle at rest on the ground: rate of drift
         turning: degrees(turning) * HOUR, "deg/h", "two grounds, a second apart" => degrees(up) * HOUR, within 1e-9;
         /// time in which it goes once round

@@ -14,11 +14,9 @@ pub const RADIUS: f64 = 6.371e6; // mean radius, m
 /// before the Earth turned by `turn`: the formulas of a star.
 pub fn star(latitude: f64, start: f64, turn: f64) -> [f64; 2] {
     let ((s, c), (s0, c0)) = (sincos(latitude), sincos(start));
-    let declination = asin(c * c0);
-    let (sd, cd) = sincos(declination);
+    let (sd, cd) = (c * c0, hypot(s * c0, s0)); // declination
     let (sh, ch) = sincos(atan2(-s0, -s * c0) + turn); // hour angle
-    let altitude = asin((s * sd + c * cd * ch).clamp(-1.0, 1.0));
-    [atan2(-cd * sh, sd * c - cd * ch * s), altitude]
+    sky(BodyVector::new(-cd * sh, sd * c - cd * ch * s, s * sd + c * cd * ch))
 }
 
 /// The ground at a place when the Earth has turned by `turned`, in space: its axes are east,
