@@ -237,9 +237,9 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
             measured measured.abs() * out.time;
         "dry friction of a pivot": "M_f/(L Omega)" = rub / EARTH, costs rub * out.time, "rad";
         "plumb line of the moving aircraft": "2 Omega v/g" = plumb, costs plumb * EARTH * out.time, "rad, at most";
-        "flattening of the Earth": "f" = 1.0 / 298.257, costs path.abs() / 298.257, "rad";
+        "flattening of the Earth": "f" = 1.0 / 298.257, costs earth.abs() / 298.257, "rad";
         "height of the flight": "h/R" = height, costs height * earth.abs(), "rad", measured raised.abs(), within 1e3 * p.tolerance;
-        "precession of the Earth's axis": "rate/Omega" = moves / EARTH, costs moves * out.time, "rad";
+        "precession of the Earth's axis": "p/Omega" = moves / EARTH, costs moves * out.time, "rad";
     }
 }
 
