@@ -41,9 +41,9 @@ fn summary() -> Vec<(String, Option<String>)> {
     text.lines().filter_map(entry).collect()
 }
 
-/// Sections 12, exercises 9; sections 5, exercises 8; further problems 6; closing chapters 7;
+/// Sections 12, exercises 9; sections 6, exercises 8; further problems 6; closing chapters 7;
 /// the front page; the effects 6; pages that go on with another one; how it is computed.
-const ENTRIES: usize = 12 + 9 + 5 + 8 + 6 + 7 + CONTINUED.len() + 1 + 6 + DERIVED.len();
+const ENTRIES: usize = 12 + 9 + 6 + 8 + 6 + 7 + CONTINUED.len() + 1 + 6 + DERIVED.len();
 
 /// Pages that go on with the page of an example, and have none of their own.
 const CONTINUED: [&str; 14] = [

@@ -19,8 +19,8 @@ const KINDS: [(&str, usize, usize); 5] = [
 
 /// The mean of the exercises, all examples, and all tests of pages: allowed, and wanted.
 const MEAN: [usize; 2] = [659, 450];
-const EXAMPLES: [usize; 2] = [42_480, 33_000];
-const TESTS: [usize; 2] = [11_910, 8_000];
+const EXAMPLES: [usize; 2] = [42_955, 33_000];
+const TESTS: [usize; 2] = [12_025, 8_000];
 
 /// The lines of every Rust source below a path, by the stem of the page that it belongs to.
 fn lines(path: &Path, stem: Option<&str>, found: &mut BTreeMap<String, usize>) {
@@ -66,7 +66,7 @@ fn pages_keep_their_budgets() {
     assert!(!table.contains("TOO LONG"), "{table}");
 }
 
-/// The physics of each exercise, between the anchors that its page shows, and that the limit is felt.
+/// The physics of each exercise, and of the navigator, between the anchors that its page shows, and that the limit is felt.
 #[test]
 fn the_physics_of_an_exercise_is_read_in_one_sitting() {
     let mut lengths = Vec::new();
@@ -78,5 +78,5 @@ fn the_physics_of_an_exercise_is_read_in_one_sitting() {
         assert!(shown.lines().count() <= 121, "{}: {}", physics.display(), shown.lines().count() - 1);
         lengths.push(shown.lines().count());
     }
-    assert!(lengths.len() == 17 && lengths.iter().any(|lines| *lines > 115), "{lengths:?}");
+    assert!(lengths.len() == 18 && lengths.iter().any(|lines| *lines > 115), "{lengths:?}");
 }
