@@ -64,8 +64,7 @@ pub struct Solved {
     pub work: Work,
     /// The part of that cost for the condition alone: nothing where the first two runs show it.
     pub probes: Work,
-    /// The cost of all runs divided by the cost of the returned one, by the time that their torques
-    /// take.
+    /// The torques of all runs divided by those of the returned one.
     pub price: f64,
     /// An upper estimate of the angle (rad) between this attitude and the true one.
     pub estimate: f64,
@@ -239,11 +238,11 @@ impl Solved {
         let [estimate, momentum_estimate, rates_estimate] = delivered.estimate;
         Self {
             state: (delivered.run.passed.last()).map_or(problem.start, |(_, stop)| stop.state),
-            method: delivered.method.name(),
+            method: delivered.method.name,
             run: delivered.run.work,
             work: delivered.work,
             probes: delivered.probes,
-            price: delivered.price,
+            price: delivered.work.torques() as f64 / delivered.run.work.torques() as f64,
             estimate,
             momentum_estimate,
             rates_estimate,

@@ -69,10 +69,6 @@ const SWEEPS: f64 = 0.1;
 /// to 30 000 steps: 0.0038 at most, whatever their number.
 const SWEPT: f64 = 0.004;
 
-/// The error that rounding adds to the attitude in a step of DOP853, in units of eps. Measured on
-/// runs of up to a million steps: 0.15. Of Gauss-Legendre over 155 000 steps of a pulse: 0.11.
-const ROUNDED: f64 = 0.5;
-
 /// So many levels are left to a run whose steps were short from the first: a bump whose width is named
 /// took one more at 1e-11.
 const LATER: f64 = 4.0;
@@ -99,7 +95,6 @@ pub(super) struct Delivered {
     pub run: Run,
     pub work: Work,
     pub probes: Work,
-    pub price: f64,
     /// Upper estimates of the three errors, at the place where each is largest.
     pub estimate: Distances,
     pub condition: Distances,
@@ -124,8 +119,6 @@ pub(super) struct Refinement<'p> {
     work: Work,
     /// The part of it for the condition.
     probes: Work,
-    /// The cost of all of it, in units of one derivative of DOP853.
-    cost: f64,
 }
 
 impl<'p> Refinement<'p> {
@@ -144,7 +137,6 @@ impl<'p> Refinement<'p> {
             times: (0..=places).map(|n| problem.time_at(n, places)).collect(),
             work: trial,
             probes: Work::default(),
-            cost: trial.torques() as f64,
         }
     }
 
@@ -204,7 +196,7 @@ impl<'p> Refinement<'p> {
         let mut coarse = self.first(method, change, precision)?;
         // Where steps are short for another reason than the rotation, their order begins later.
         let later = if method.is_adaptive() { 0.0 } else { coarse.level + LATER };
-        let finest = method.finest().max(later);
+        let finest = method.finest.max(later);
         let (mut condition, mut before): (Option<Distances>, Option<Distances>) = (None, None);
         let (mut ahead, mut stuck) = (1.0, 0);
         let (mut nearest, mut reached) = (f64::INFINITY, f64::INFINITY);
@@ -222,7 +214,7 @@ impl<'p> Refinement<'p> {
                 None => [0.0; 3],
             };
             let step = fine.level - coarse.level;
-            if let Some(counted) = self.counted(method.falls(), apart, before, step) {
+            if let Some(counted) = self.counted(method.falls, apart, before, step) {
                 let estimate = [0, 1, 2].map(|n| SAFETY * counted[n] + left[n]);
                 if let Some(condition) = condition
                     && estimate[0] <= self.tolerance
@@ -249,7 +241,7 @@ impl<'p> Refinement<'p> {
                 return Err(self.refused(method, &fine, reached));
             }
             let budget = 0.5 * (self.tolerance - left[0]).max(EPS);
-            let wanted = log(SAFETY * apart[0] / budget) / (LEVEL * method.falls());
+            let wanted = log(SAFETY * apart[0] / budget) / (LEVEL * method.falls);
             // Where three runs count, one more is to have room.
             let room = (finest - fine.level) / if self.may_have_kinks() { 2.0 } else { 1.0 };
             ahead = wanted.clamp(1.0, 3.0).min(room.max(0.0));
@@ -296,7 +288,7 @@ impl<'p> Refinement<'p> {
             return Err(self.beyond(floor, condition[0]));
         }
         let steps = run.work.steps as f64;
-        let rounded = if method.adds_rounding() { ROUNDED * EPS * steps } else { 0.0 };
+        let rounded = method.rounded * EPS * steps;
         let swept = precision * self.swept(steps);
         Ok(condition
             .map(|condition| self.floor(method, condition) + swept * (1.0 + condition) + rounded))
@@ -472,7 +464,6 @@ impl<'p> Refinement<'p> {
         });
         self.work += all.work;
         self.probes += all.work;
-        self.cost += method.cost(&all.work);
         condition
     }
 
@@ -496,7 +487,6 @@ impl<'p> Refinement<'p> {
             precision,
             work: self.work,
             probes: self.probes,
-            price: self.cost / method.cost(&run.work),
             run,
             estimate,
             condition,
@@ -539,13 +529,13 @@ impl<'p> Refinement<'p> {
             Some(by) => &self.problem.changed(self.problem.most_sensitive_row()?, by)?,
             None => self.problem,
         };
-        let most = method.finest() - if self.may_have_kinks() { 2.0 } else { 1.0 };
+        let most = method.finest - if self.may_have_kinks() { 2.0 } else { 1.0 };
         let level = method.level_for(self.problem, self.tolerance / SAFETY);
         let mut level = level.min(most);
         loop {
             let asked = Asked { level, fewest: &[], precision };
             match self.run(problem, method, asked) {
-                Err(error) if !stops(&error) && level + 1.0 < method.finest() => level += 1.0,
+                Err(error) if !stops(&error) && level + 1.0 < method.finest => level += 1.0,
                 run => return run,
             }
         }
@@ -582,7 +572,6 @@ impl<'p> Refinement<'p> {
             let mut runs = Runs::default();
             let passed = method.run(problem, [interval[0], interval[1]], stop, fine, &mut runs);
             self.work += runs.work;
-            self.cost += method.cost(&runs.work);
             let passed = passed.map_err(|error| self.of_whole_span(error))?;
             run.steps.push(runs.pieces);
             run.passed.append(&mut runs.passed);
