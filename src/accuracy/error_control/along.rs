@@ -4,7 +4,7 @@ use super::constants::PART;
 use super::given::{Given, Places};
 use super::method::Method;
 use super::refine::stops;
-use super::run::{Fine, Passed, Runs, Steps, Stop};
+use super::run::{Fine, Steps, Stop};
 use super::{ExactMotion, Limits, Solved};
 use crate::body::{RigidBody, State};
 use crate::effects::erased::AnyEffect;
@@ -290,7 +290,7 @@ impl SolvedMotion<'_> {
         let mut fewest = steps[piece];
         fewest.fewest = fewest.fewest.div_ceil(parts);
         let limits = &self.given.limits;
-        let go_on = |from: f64, to: f64, here: &mut Found| -> Result<Passed> {
+        let go_on = |from: f64, to: f64, here: &mut Found| -> Result<Stop> {
             let spent = self.solved.work.torques() + here.work.torques();
             let over = Error::LimitReached {
                 what: "torques",
@@ -303,22 +303,19 @@ impl SolvedMotion<'_> {
                 return Err(over);
             }
             let fine = Fine { level, fewest: &[fewest], precision, budget };
-            let mut runs = Runs::default();
-            let passed = method.run(&problem, [from, to], here.stop.clone(), fine, &mut runs);
-            here.work += runs.work;
-            match passed {
+            match method.run(&problem, [from, to], &here.stop, fine, &mut here.work) {
                 Err(Error::LimitReached { .. }) => Err(over),
-                passed => passed,
+                run => Ok(run?.end()),
             }
         };
         while here.part + 1 < parts && !is_after(at(here.part + 1)) {
-            here.stop = go_on(at(here.part), at(here.part + 1), here)?.stop;
+            here.stop = go_on(at(here.part), at(here.part + 1), here)?;
             here.part += 1;
         }
         let from = at(here.part);
         if from == t {
             return Ok(here.stop.state);
         }
-        Ok(go_on(from, t, here)?.stop.state)
+        Ok(go_on(from, t, here)?.state)
     }
 }

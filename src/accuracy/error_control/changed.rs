@@ -124,7 +124,7 @@ impl Problem<'_> {
         &self,
         by: f64,
         places: &[State],
-        changed: &[&[State]],
+        changed: &[Vec<State>],
     ) -> (Distances, f64) {
         let mut slopes = [0.0; 3];
         let mut farthest: f64 = 0.0;

@@ -6,12 +6,13 @@ use super::constants::{
 };
 use super::method::Method;
 use super::problem::{Distances, Problem};
-use super::refine::{Asked, Refinement, Run};
-use super::run::{Fine, Runs, Steps, Stop};
+use super::refine::Refinement;
+use super::run::{Fine, Run, Steps, Stop};
 use super::slender::opposite_rows;
 use crate::accuracy::larger;
 use crate::body::State;
 use crate::error::Result;
+use crate::integrators::Work;
 use crate::math::EPS;
 
 /// How the condition is measured.
@@ -54,7 +55,6 @@ impl Problem<'_> {
     ) -> Result<Distances> {
         let mut slopes_of = |by: f64| {
             let (places, changed) = motions(by)?;
-            let changed: Vec<_> = changed.iter().map(Vec::as_slice).collect();
             Ok(self.slopes(by, &places, &changed))
         };
         // The change before this one, its slopes, and how far it went.
@@ -155,9 +155,7 @@ impl Refinement<'_> {
             Some(_) => opposite_rows(self.problem.body.moments().to_array()).to_vec(),
             None => vec![self.problem.most_sensitive_row()?],
         };
-        let again =
-            |interval: &Vec<Steps>| interval.iter().map(|steps| steps.again(method)).collect();
-        let fewest: Vec<Vec<Steps>> = run.steps.iter().map(again).collect();
+        let fewest: Vec<Steps> = run.steps.iter().map(|steps| steps.again(method)).collect();
         let mut by = if method.is_adaptive() {
             CHANGE_ADAPTIVE
         } else {
@@ -166,16 +164,17 @@ impl Refinement<'_> {
         };
         // A smaller change is mostly rounding.
         while by > 64.0 * EPS {
-            let asked = Asked {
+            let fine = Fine {
                 // Coarser by as much as the changed problem may seem to turn faster.
                 level: if method.is_adaptive() { run.level } else { run.level - 0.1 },
                 fewest: &fewest,
                 precision: if method.sweeps() { NEARER * by } else { 0.0 },
+                budget: self.limits.budget,
             };
             let mut changed = Vec::new();
             for row in &rows {
                 let problem = self.problem.changed(*row, by)?;
-                changed.push(self.run(&problem, method, asked)?);
+                changed.push(self.run(&problem, method, fine)?);
             }
             // Nor may they part on the way and meet again.
             let farthest = (changed.iter())
@@ -183,8 +182,8 @@ impl Refinement<'_> {
                 .map(|(a, b)| self.problem.apart(&a.1.state, &b.1.state)[0])
                 .fold(0.0, larger);
             if farthest <= LINEAR {
-                let places: Vec<_> = changed.iter().map(|run| run.places.as_slice()).collect();
-                return Ok(self.problem.slopes(by, &run.places, &places).0);
+                let changed: Vec<_> = changed.iter().map(|run| self.places(run)).collect();
+                return Ok(self.problem.slopes(by, &self.places(run), &changed).0);
             }
             by *= SMALLER;
         }
@@ -199,17 +198,17 @@ impl Refinement<'_> {
         // Every two radians at most: what passes a saddle must be moved on its way there.
         let intervals =
             (0.5 * method.turned(problem, problem.span())).clamp(1.0, INTERVALS) as usize;
-        let mut runs = Runs::default();
+        let mut work = Work::default();
         let condition = problem.condition(&Probe::STEPPED, |by| {
             // What the sweeps leave must not be mistaken for a change.
             let fine = Fine { level, fewest: &[], precision: SMALLER * by, budget: 0 };
-            let places = self.moved(method, (0, 0.0), intervals, fine, &mut runs)?;
+            let places = self.moved(method, (0, 0.0), intervals, fine, &mut work)?;
             let changed =
-                (0..ROWS).map(|row| self.moved(method, (row, by), intervals, fine, &mut runs));
+                (0..ROWS).map(|row| self.moved(method, (row, by), intervals, fine, &mut work));
             Ok((places, changed.collect::<Result<_>>()?))
         });
-        self.work += runs.work;
-        self.probes += runs.work;
+        self.work += work;
+        self.probes += work;
         condition
     }
 
@@ -221,7 +220,7 @@ impl Refinement<'_> {
         (row, by): (usize, f64),
         intervals: usize,
         fine: Fine,
-        runs: &mut Runs,
+        work: &mut Work,
     ) -> Result<Vec<State>> {
         let problem = self.problem.changed(row, by)?;
         let mut stop = Stop::at(problem.start);
@@ -231,13 +230,13 @@ impl Refinement<'_> {
                 stop.state = problem.moved_before(&stop.state, [k, intervals], row, by)?;
             }
             let span = [k, k + 1].map(|k| problem.time_at(k, intervals));
-            let budget = self.limits.left(self.work.torques() + runs.work.torques())?;
+            let budget = self.limits.left(self.work.torques() + work.torques())?;
             let start = Stop { on_body: None, ..stop };
-            let end = method.run(&problem, span, start, Fine { budget, ..fine }, runs);
-            stop = end.map_err(|error| self.of_whole_span(error))?.stop;
+            let run = method.run(&problem, span, &start, Fine { budget, ..fine }, work);
+            stop = run.map_err(|error| self.of_whole_span(error))?.end();
             passed.push(stop.state);
         }
-        let is_everywhere = self.times.len() > 2;
+        let is_everywhere = self.times.len() > 1;
         Ok(passed.split_off(if is_everywhere { 0 } else { intervals - 1 }))
     }
 }

@@ -209,7 +209,11 @@ impl<'s> Given<'s> {
                 "0, or 2.3e-308 s at least, of which a step can be a part",
             ));
         }
-        let refinement = Refinement::new(&problem, self.tolerance, &self.limits, places, trial);
+        let times: Vec<f64> = (1..=places).map(|n| problem.time_at(n, places)).collect();
+        // Runs are cut where they are compared.
+        let breaks = self.limits.sorted([&self.breaks[..], &times].concat(), self.t_end);
+        problem.breaks = &breaks;
+        let refinement = Refinement::new(&problem, self.tolerance, &self.limits, &times, trial);
         let delivered = (refinement.solve()).map_err(|error| self.reason(error))?;
         let solved = Solved::of(&delivered, &problem, self.looked_every());
         let mut passed = vec![(problem.t_start, Stop::at(problem.start))];
@@ -221,7 +225,7 @@ impl<'s> Given<'s> {
                 level: delivered.run.level,
                 precision: delivered.precision,
                 passed,
-                steps: delivered.run.steps.concat(),
+                steps: delivered.run.steps,
             },
         })
     }

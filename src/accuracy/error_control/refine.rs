@@ -7,24 +7,12 @@ use super::constants::{
 use super::limits::Limits;
 use super::method::Method;
 use super::problem::{Acting, Distances, Problem};
-use super::run::{Fine, Runs, Steps, Stop};
+use super::run::{Fine, Run, Steps, Stop};
 use crate::accuracy::larger;
 use crate::body::State;
 use crate::error::{Error, Result};
 use crate::integrators::Work;
 use crate::math::{EPS, exp, expm1, log};
-
-/// Where a run was at the places looked at, at which level, and its cost.
-pub(super) struct Run {
-    pub level: f64,
-    pub places: Vec<State>,
-    /// Its work on the pieces of the way to each place.
-    pub steps: Vec<Vec<Steps>>,
-    pub work: Work,
-    pub longest_step: f64,
-    /// Where it was between two pieces, and at the end.
-    pub passed: Vec<(f64, Stop)>,
-}
 
 /// The result of a run.
 pub(super) struct Delivered {
@@ -38,44 +26,28 @@ pub(super) struct Delivered {
     pub condition: Distances,
 }
 
-/// How fine a run is to be: its level, with so many steps on each piece at least, and the precision
-/// of its sweeps.
-#[derive(Clone, Copy)]
-pub(super) struct Asked<'s> {
-    pub level: f64,
-    pub fewest: &'s [Vec<Steps>],
-    pub precision: f64,
-}
-
 /// The runs of one solution.
 pub(super) struct Refinement<'p> {
     pub problem: &'p Problem<'p>,
     pub tolerance: f64,
     pub limits: &'p Limits<'p>,
-    /// Where the motion is looked at, from the start to the end.
-    pub times: Vec<f64>,
+    /// Where runs are compared: among the ends of their pieces, and the end.
+    pub times: &'p [f64],
     pub work: Work,
     /// The part of it for the condition.
     pub probes: Work,
 }
 
 impl<'p> Refinement<'p> {
-    /// With the motion looked at in so many places, of equal distances; the end is the last.
+    /// Nothing has been run but a trial.
     pub(super) fn new(
         problem: &'p Problem<'p>,
         tolerance: f64,
         limits: &'p Limits<'p>,
-        places: usize,
+        times: &'p [f64],
         trial: Work,
     ) -> Self {
-        Self {
-            problem,
-            tolerance,
-            limits,
-            times: (0..=places).map(|n| problem.time_at(n, places)).collect(),
-            work: trial,
-            probes: Work::default(),
-        }
+        Self { problem, tolerance, limits, times, work: trial, probes: Work::default() }
     }
 
     /// The run of the first method that delivers.
@@ -142,7 +114,8 @@ impl<'p> Refinement<'p> {
             let fine = self.finer(method, &coarse, ahead, precision)?;
             let apart = self.distance(&coarse, &fine);
             if let Some(by) = change.take() {
-                let (slopes, _) = self.problem.slopes(by, &fine.places, &[&coarse.places]);
+                let (slopes, _) =
+                    self.problem.slopes(by, &self.places(&fine), &[self.places(&coarse)]);
                 condition = self.is_far_below(method, slopes[0]).then_some(slopes);
             } else if condition.is_none() && self.is_near(method, apart[0]) {
                 condition = Some(self.condition(method, &coarse, precision)?);
@@ -339,8 +312,8 @@ impl<'p> Refinement<'p> {
         let level = method.level_for(self.problem, self.tolerance / SAFETY);
         let mut level = level.min(most);
         loop {
-            let asked = Asked { level, fewest: &[], precision };
-            match self.run(problem, method, asked) {
+            let fine = Fine { level, fewest: &[], precision, budget: self.limits.budget };
+            match self.run(problem, method, fine) {
                 Err(error) if !stops(&error) && level + 1.0 < method.finest => level += 1.0,
                 run => return run,
             }
@@ -349,51 +322,30 @@ impl<'p> Refinement<'p> {
 
     /// A run finer by so many levels, and by one step at least on every piece.
     fn finer(&mut self, method: Method, coarse: &Run, ahead: f64, precision: f64) -> Result<Run> {
-        let finer = |interval: &Vec<Steps>| {
-            interval.iter().map(|steps| steps.finer(method, ahead)).collect()
-        };
-        let fewest: Vec<Vec<Steps>> = coarse.steps.iter().map(finer).collect();
-        let asked = Asked { level: coarse.level + ahead, fewest: &fewest, precision };
-        self.run(self.problem, method, asked)
+        let finer = |steps: &Steps| steps.finer(method, ahead);
+        let fewest: Vec<Steps> = coarse.steps.iter().map(finer).collect();
+        let (level, budget) = (coarse.level + ahead, self.limits.budget);
+        self.run(self.problem, method, Fine { level, fewest: &fewest, precision, budget })
     }
 
-    /// A run of the whole span; its work is counted.
-    pub(super) fn run(&mut self, problem: &Problem, method: Method, asked: Asked) -> Result<Run> {
-        let mut run = Run {
-            level: f64::INFINITY,
-            places: Vec::new(),
-            steps: Vec::new(),
-            work: Work::default(),
-            longest_step: 0.0,
-            passed: Vec::new(),
-        };
-        let mut stop = Stop::at(problem.start);
-        for (n, interval) in self.times.windows(2).enumerate() {
-            let fine = Fine {
-                level: asked.level,
-                fewest: asked.fewest.get(n).map_or(&[], Vec::as_slice),
-                precision: asked.precision,
-                budget: self.limits.left(self.work.torques())?,
-            };
-            let mut runs = Runs::default();
-            let passed = method.run(problem, [interval[0], interval[1]], stop, fine, &mut runs);
-            self.work += runs.work;
-            let passed = passed.map_err(|error| self.of_whole_span(error))?;
-            run.steps.push(runs.pieces);
-            run.passed.append(&mut runs.passed);
-            run.work += passed.work;
-            run.level = run.level.min(passed.level);
-            run.longest_step = run.longest_step.max(passed.longest_step);
-            stop = passed.stop;
-            run.places.push(stop.state);
-        }
-        Ok(run)
+    /// A run of the whole span within what is left of the budget; its work is counted.
+    pub(super) fn run(&mut self, problem: &Problem, method: Method, fine: Fine) -> Result<Run> {
+        let budget = self.limits.left(self.work.torques())?;
+        let (span, start) = ([problem.t_start, problem.t_end], Stop::at(problem.start));
+        let run = method.run(problem, span, &start, Fine { budget, ..fine }, &mut self.work);
+        run.map_err(|error| self.of_whole_span(error))
+    }
+
+    /// Where a run was at the places where runs are compared.
+    pub(super) fn places(&self, run: &Run) -> Vec<State> {
+        let is_compared = |(t, _): &&(f64, Stop)| self.times.contains(t);
+        run.passed.iter().filter(is_compared).map(|(_, stop)| stop.state).collect()
     }
 
     /// How far two runs are apart, each measure at the place where it is largest.
     fn distance(&self, a: &Run, b: &Run) -> Distances {
         let mut most = [0.0; 3];
-        for (a, b) in a.places.iter().zip(&b.places) {
+        for (a, b) in self.places(a).iter().zip(&self.places(b)) {
             for (most, apart) in most.iter_mut().zip(self.problem.apart(a, b)) {
                 *most = larger(*most, apart);
             }

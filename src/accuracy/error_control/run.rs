@@ -66,16 +66,6 @@ pub(super) struct Fine<'f> {
     pub budget: u64,
 }
 
-/// The work of runs on one piece after the other, and the work of all, also of those that came to
-/// no end.
-#[derive(Debug, Default)]
-pub(super) struct Runs {
-    pub pieces: Vec<Steps>,
-    /// The ends of the pieces.
-    pub passed: Vec<(f64, Stop)>,
-    pub work: Work,
-}
-
 /// Where a run goes on from.
 #[derive(Debug, Clone)]
 pub(super) struct Stop {
@@ -92,46 +82,69 @@ impl Stop {
     }
 }
 
-/// Where a run has come, its cost, and the level of the steps it took.
-#[derive(Debug, Clone)]
-pub(super) struct Passed {
-    pub stop: Stop,
-    pub work: Work,
+/// A run over the pieces of its way.
+pub(super) struct Run {
+    /// The level of the steps it took: the least of all pieces.
     pub level: f64,
     /// No step was longer (s).
     pub longest_step: f64,
+    pub work: Work,
+    /// The steps on each piece,
+    pub steps: Vec<Steps>,
+    /// and the time and the state at its end.
+    pub passed: Vec<(f64, Stop)>,
+}
+
+impl Run {
+    /// Its end.
+    pub(super) fn end(mut self) -> Stop {
+        self.passed.pop().expect("a run has a piece").1
+    }
 }
 
 impl Method {
-    /// The state at `t_end` that follows from `start` at `t`, cut where the torque jumps; with how
-    /// fine the run was: see [`Fine`]. The work of every piece is added to `runs`.
+    /// The run from `start` at `t` to `t_end`, cut where the torque jumps. Its work is added to `spent`,
+    /// also if it comes to no end.
     pub(super) fn run(
         self,
         problem: &Problem,
         [t, t_end]: [f64; 2],
-        start: Stop,
+        start: &Stop,
         fine: Fine,
-        runs: &mut Runs,
-    ) -> Result<Passed> {
-        let times = problem.pieces([t, t_end]);
-        let mut passed =
-            Passed { stop: start, work: Work::default(), level: f64::INFINITY, longest_step: 0.0 };
-        for (n, piece) in times.windows(2).enumerate() {
-            let now = Fine { budget: fine.budget.saturating_sub(passed.work.torques()), ..fine };
-            let span = [piece[0], piece[1]];
+        spent: &mut Work,
+    ) -> Result<Run> {
+        let begun = *spent;
+        let mut run = Run {
+            level: f64::INFINITY,
+            longest_step: 0.0,
+            work: Work::default(),
+            steps: Vec::new(),
+            passed: Vec::new(),
+        };
+        for (n, piece) in problem.pieces([t, t_end]).windows(2).enumerate() {
+            let before = *spent;
+            let budget = fine.budget.saturating_sub(before.since(&begun).torques());
             let fewest = fine.fewest.get(n).copied().unwrap_or(Steps::ONE);
-            let start = &passed.stop;
-            let more = self.run_piece(problem, span, start, now, fewest, &mut runs.work)?;
-            runs.pieces.push(Steps { made: more.work.steps, ..fewest });
-            runs.passed.push((piece[1], more.stop.clone()));
-            passed.stop = more.stop;
-            passed.work += more.work;
-            passed.level = passed.level.min(more.level);
-            passed.longest_step = passed.longest_step.max(more.longest_step);
+            let from = run.passed.last().map_or(start, |(_, stop)| stop);
+            let span = [piece[0], piece[1]];
+            let fine = Fine { budget, ..fine };
+            let (stop, longest) = self.run_piece(problem, span, from, fine, fewest, spent)?;
+            let made = spent.since(&before).steps;
+            // Steps are whole: the level is that of the steps taken.
+            run.level = run.level.min(if self.is_adaptive() {
+                fine.level
+            } else {
+                self.level_of(problem, span[1] - span[0], made as f64)
+            });
+            run.longest_step = run.longest_step.max(longest);
+            run.steps.push(Steps { made, ..fewest });
+            run.passed.push((span[1], stop));
         }
-        Ok(passed)
+        run.work = spent.since(&begun);
+        Ok(run)
     }
 
+    /// The end of a piece, and the longest step there may have been (s).
     fn run_piece(
         self,
         problem: &Problem,
@@ -140,7 +153,7 @@ impl Method {
         fine: Fine,
         steps: Steps,
         spent: &mut Work,
-    ) -> Result<Passed> {
+    ) -> Result<(Stop, f64)> {
         let span = (t_end - t).abs();
         let over = Error::LimitReached { what: "torques", t, t_end, limit: fine.budget };
         let mut fewest = span / problem.longest_step;
@@ -149,49 +162,39 @@ impl Method {
             // the same steps would agree, and say nothing.
             fewest *= self.more_steps(fine.level - self.coarsest);
         }
-        let fewest = steps.fewest.max(fewest.ceil() as u64);
+        let mut least = steps.fewest.max(fewest.ceil() as u64);
         let affordable = fine.budget as f64 / self.torques();
         let stepper = if self.is_adaptive() {
             let method = Dop853::new(OF_A_STEP * exp(-LEVEL * fine.level))?
-                .with_longest_step(span / fewest as f64)?
+                .with_longest_step(span / least as f64)?
                 .with_step_limit(affordable.max(1.0) as u64)?;
             Stepper::Dop853(method)
         } else {
-            let steps = self.steps(problem, t_end - t, fine.level);
-            if steps.is_nan() || steps.max(fewest as f64) > affordable {
+            let of_level = self.steps(problem, t_end - t, fine.level);
+            if of_level.is_nan() || of_level.max(least as f64) > affordable {
                 return Err(over);
             }
-            let steps = (steps.ceil() as u64).max(fewest);
-            Stepper::new(self.named, Resolution::Stages(steps, fine.precision))?
+            least = least.max(of_level.ceil() as u64);
+            Stepper::new(self.named, Resolution::Stages(least, fine.precision))?
         };
-        let mut work = Work::default();
-        let run = match (problem.slender, stepper) {
+        let end = match (problem.slender, stepper) {
             (_, Stepper::Dop853(dop853)) if problem.has_laws() => {
-                let least = steps.of_a_sample();
-                laws::carried(problem, dop853, [t, t_end], start, least, &mut work)
+                laws::carried(problem, dop853, [t, t_end], start, steps.of_a_sample(), spent)
             }
-            (Some(_), Stepper::Dop853(dop853)) if self.is_adaptive() => {
+            (Some(_), Stepper::Dop853(dop853)) => {
                 let (start, on_body) = (&start.state, start.on_body);
-                slender::carried(problem, &dop853, [t, t_end], start, on_body, &mut work)
+                slender::carried(problem, &dop853, [t, t_end], start, on_body, spent)
                     .map(|(state, on_body)| Stop { on_body: Some(on_body), ..Stop::at(state) })
             }
-            _ => (problem.carried(&stepper, self.variables, [t, t_end], &start.state, &mut work))
+            _ => (problem.carried(&stepper, self.variables, [t, t_end], &start.state, spent))
                 .map(Stop::at),
         };
-        *spent += work;
         // A piece has its own time, from 0.
-        let stop = run.map_err(|error| match later(error, t) {
+        let stop = end.map_err(|error| match later(error, t) {
             Error::LimitReached { .. } => over,
             error => error,
         })?;
-        // Steps are whole: the level is that of the steps taken.
-        let (level, longest_step) = if self.is_adaptive() {
-            (fine.level, span / fewest as f64)
-        } else {
-            let steps = work.steps as f64;
-            (self.level_of(problem, t_end - t, steps), span / steps)
-        };
-        Ok(Passed { stop, work, level, longest_step })
+        Ok((stop, span / least as f64))
     }
 }
 
