@@ -1,8 +1,8 @@
 //! The condition: by how much the motion moves per relative change of the inputs.
 
 use super::constants::{
-    BLURRED, CHANGE, CHANGE_ADAPTIVE, FAR_BELOW, GATHERED, GONE_FAR, HOPELESS, INTERVALS, LINEAR,
-    LOST, NEARER, REGULAR, ROWS, SMALLER, STRAIGHT,
+    CHANGE, CHANGE_ADAPTIVE, FAR_BELOW, FINE_ENOUGH, GATHERED, GONE_FAR, HOPELESS, INTERVALS,
+    LINEAR, LOST, MOVED, NEARER, REGULAR, ROWS, SMALLER, STRAIGHT,
 };
 use super::method::Method;
 use super::problem::{Distances, Problem};
@@ -66,8 +66,7 @@ impl Problem<'_> {
             let smallest = by <= probe.smallest();
             if farthest <= probe.linear {
                 let unsure = waiting.is_none();
-                let slopes = waiting
-                    .map_or(slopes, |waiting| [0, 1, 2].map(|i| larger(slopes[i], waiting[i])));
+                let slopes = waiting.map_or(slopes, |waiting| larger_of(slopes, waiting));
                 if let Some((before, _, went)) = coarser
                     && unsure
                     && went > GONE_FAR
@@ -80,12 +79,11 @@ impl Problem<'_> {
                         return Ok([f64::INFINITY; 3]);
                     }
                 }
-                let Some(again) = probe.again.filter(|again| *again < by) else {
-                    return Ok(slopes);
+                return match probe.again.filter(|again| *again < by) {
+                    // Near a separatrix a change may carry the motion past its own steepness.
+                    Some(again) => Ok(larger_of(slopes, slopes_of(again)?.0)),
+                    None => Ok(slopes),
                 };
-                // Near a separatrix a change may carry the motion past its own steepness.
-                let (finer, _) = slopes_of(again)?;
-                return Ok(if finer[0] > BLURRED * slopes[0] { finer } else { slopes });
             }
             if smallest {
                 // A slope, if it is the same as that of a larger change.
@@ -98,6 +96,10 @@ impl Problem<'_> {
         }
         Ok([f64::INFINITY; 3])
     }
+}
+
+fn larger_of(a: Distances, b: Distances) -> Distances {
+    [0, 1, 2].map(|n| larger(a[n], b[n]))
 }
 
 impl Refinement<'_> {
@@ -165,8 +167,8 @@ impl Refinement<'_> {
         // A smaller change is mostly rounding.
         while by > 64.0 * EPS {
             let fine = Fine {
-                // Coarser by as much as the changed problem may seem to turn faster.
-                level: if method.is_adaptive() { run.level } else { run.level - 0.1 },
+                // In the same steps, where a method does not choose its own.
+                level: if method.is_adaptive() { run.level } else { method.coarsest },
                 fewest: &fewest,
                 precision: if method.sweeps() { NEARER * by } else { 0.0 },
                 budget: self.limits.budget,
@@ -193,11 +195,9 @@ impl Refinement<'_> {
     /// The same by some changes, with the state moved on the way as rounding does.
     pub(super) fn slopes_with_care(&mut self, method: Method, run: &Run) -> Result<Distances> {
         let problem = self.problem;
-        // DOP853 answers a small change with a small jump, of its error: at level 5 of some 1e-11 a step.
-        let level = if method.is_adaptive() { run.level.max(5.0) } else { run.level };
-        // Every two radians at most: what passes a saddle must be moved on its way there.
-        let intervals =
-            (0.5 * method.turned(problem, problem.span())).clamp(1.0, INTERVALS) as usize;
+        let level = if method.is_adaptive() { run.level.max(FINE_ENOUGH) } else { run.level };
+        let turned = method.turned(problem, problem.span());
+        let intervals = (turned / MOVED).clamp(1.0, INTERVALS) as usize;
         let mut work = Work::default();
         let condition = problem.condition(&Probe::STEPPED, |by| {
             // What the sweeps leave must not be mistaken for a change.

@@ -4,7 +4,7 @@
 //! order p then takes 40^(1/p) times as many steps, an adaptive one is given a 40 times
 //! smaller error of a step. So methods of any order are refined alike.
 
-use super::constants::LEVEL;
+use super::constants::{LEVEL, ORDER_FOUR, ORDER_SIXTEEN};
 use super::problem::{Acting, Problem};
 use crate::accuracy::Variables;
 use crate::integrators::Method as Named;
@@ -111,11 +111,9 @@ impl Method {
             _ if problem.slender.is_some() || problem.has_laws() => &[ADAPTIVE],
             Acting::Weight(_) | Acting::OnAxis(_) if symmetric => &[SPIN_FREE_GAUSS, ADAPTIVE],
             Acting::Nothing | Acting::Weight(_) | Acting::OnAxis(_) => &[BODY_GAUSS, ADAPTIVE],
-            // Measured on bodies in oil and in air: order 4 costs less above this error, order 6 below.
-            _ if resisted && tolerance > 1e-5 => &[RESISTED_6, ADAPTIVE],
+            _ if resisted && tolerance > ORDER_FOUR => &[RESISTED_6, ADAPTIVE],
             _ if resisted => &[RESISTED_14, ADAPTIVE],
-            // The same of DOP853 and order 16 on satellites, motors and magnets.
-            Acting::Smooth(_) if tolerance < 1e-8 => &[GAUSS, ADAPTIVE],
+            Acting::Smooth(_) if tolerance < ORDER_SIXTEEN => &[GAUSS, ADAPTIVE],
             Acting::Smooth(_) => &[ADAPTIVE, GAUSS],
             Acting::Anything(_) => &[ADAPTIVE],
         }

@@ -1,8 +1,11 @@
 //! The error control of what must be stepped: a run, a finer run, and a run with its inputs a little
 //! changed, finer until their distances are small enough.
+//!
+//! The numbers in [`Refinement::refine`] are those of the page `book/src/how_error_control.md`.
 
 use super::constants::{
-    APART, CHANGED, FAR_BELOW, KINKED, LATER, LEVEL, ROUND_OFF, SAFETY, SWEEPS, SWEPT,
+    CHANGED, FAR_BELOW, KINKED, LATER, LEVEL, LOOSELY, MOST_LEVELS, ROUND_OFF, SAFETY, STUCK,
+    SWEEPS, SWEPT, SWEPT_AT_MOST,
 };
 use super::limits::Limits;
 use super::method::Method;
@@ -101,6 +104,7 @@ impl<'p> Refinement<'p> {
 
     /// Runs of one method, finer and finer until one delivers.
     fn refine(&mut self, method: Method) -> Result<Delivered> {
+        // 1. The first run, its inputs a little changed.
         let mut change = self.first_change(method);
         let mut precision = self.first_precision(method);
         let mut coarse = self.first(method, change, precision)?;
@@ -111,19 +115,24 @@ impl<'p> Refinement<'p> {
         let (mut ahead, mut stuck) = (1.0, 0);
         let (mut nearest, mut reached) = (f64::INFINITY, f64::INFINITY);
         loop {
+            // 2. A finer run.
             let fine = self.finer(method, &coarse, ahead, precision)?;
+            // 3. Their distance.
             let apart = self.distance(&coarse, &fine);
             if let Some(by) = change.take() {
                 let (slopes, _) =
                     self.problem.slopes(by, &self.places(&fine), &[self.places(&coarse)]);
                 condition = self.is_far_below(method, slopes[0]).then_some(slopes);
             } else if condition.is_none() && self.is_near(method, apart[0]) {
+                // 4. The condition, where the distance does not show it.
                 condition = Some(self.condition(method, &coarse, precision)?);
             }
+            // 5. The floor, and what else no finer run takes away.
             let left = match condition {
                 Some(condition) => self.left(method, &fine, condition, precision)?,
                 None => [0.0; 3],
             };
+            // 6. The estimate.
             let step = fine.level - coarse.level;
             if let Some(counted) = self.counted(method.falls, apart, before, step) {
                 let estimate = [0, 1, 2].map(|n| SAFETY * counted[n] + left[n]);
@@ -134,28 +143,27 @@ impl<'p> Refinement<'p> {
                 }
                 reached = reached.min(estimate[0]);
             }
-            // The sweeps of what follows, now that the condition is known.
+            // 7. Finer, by sweeps as the condition asks for.
             let kept = condition.map_or(precision, |condition| {
                 let swept = self.swept(fine.work.steps as f64);
                 SWEEPS * (self.tolerance - self.floor(method, condition[0]))
                     / (swept * (1.0 + condition[0]))
             });
-            let loosely = precision > 2.0 * kept;
+            let loosely = precision > LOOSELY * kept;
             precision = precision.min(kept);
-            let is_nearer = apart[0] <= 0.5 * nearest;
-            stuck = if is_nearer || apart[0] > APART { 0 } else { stuck + 1 };
+            stuck = if apart[0] <= 0.5 * nearest { 0 } else { stuck + 1 };
             nearest = nearest.min(apart[0]);
-            if stuck > 2 && precision > 0.0 {
+            if stuck == STUCK && precision > 0.0 {
                 // It may be the sweeps that differ.
                 (precision, stuck) = (0.0, 0);
-            } else if stuck > 2 || fine.level + 0.1 >= finest && !loosely {
+            } else if stuck == STUCK || fine.level + 0.1 >= finest && !loosely {
                 return Err(self.refused(method, &fine, reached));
             }
             let budget = 0.5 * (self.tolerance - left[0]).max(EPS);
             let wanted = log(SAFETY * apart[0] / budget) / (LEVEL * method.falls);
             // Where three runs count, one more is to have room.
             let room = (finest - fine.level) / if self.may_have_kinks() { 2.0 } else { 1.0 };
-            ahead = wanted.clamp(1.0, 3.0).min(room.max(0.0));
+            ahead = wanted.clamp(1.0, MOST_LEVELS).min(room.max(0.0));
             (coarse, before) = (fine, Some(apart));
         }
     }
@@ -177,7 +185,7 @@ impl<'p> Refinement<'p> {
         let steps = method.steps(self.problem, self.problem.span(), level);
         let steps = steps.max((self.problem.span() / self.problem.longest_step).abs());
         let condition = 2.0 * self.angle_turned();
-        (SWEEPS * self.tolerance / (self.swept(steps) * (1.0 + condition))).min(1e-6)
+        (SWEEPS * self.tolerance / (self.swept(steps) * (1.0 + condition))).min(SWEPT_AT_MOST)
     }
 
     /// The error that the sweeps of so many steps leave, in units of the precision and of 1 +
