@@ -1,4 +1,5 @@
-//! The tuned constants of the error control, each with what it was derived from or measured on.
+//! The tuned constants of the error control, each with its purpose, and with what it was derived from or
+//! measured on where that is known.
 //!
 //! What a method does on a turn is a row of its own, in `method`; what the search for crossings
 //! takes is in `crossings`, the search for jumps and kinks in `effects::check`. What a change does

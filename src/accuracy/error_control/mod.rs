@@ -8,7 +8,7 @@
 //! | [`Crossing`] | where a function of the state goes through zero on the way |
 //! | `given` | what is asked, checked, and handed on to code that is compiled once for all effects |
 //! | `refine` | the loop: a run, a finer run, until they are near enough |
-//! | `constants` | all that is tuned, with what it was measured on |
+//! | `constants` | all that is tuned, and why |
 //! | `condition` | by how much the motion moves per change of the inputs |
 //! | `changed` | a problem with every input a little changed |
 //! | `problem` | what is stepped, and how |
