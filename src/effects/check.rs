@@ -30,7 +30,7 @@ const STEP: f64 = 1e-6;
 const POWER: f64 = 1e-5;
 
 /// A feature that nothing names is seen if it comes no more often than this in the span.
-const UNNAMED: f64 = 4096.0;
+pub(crate) const UNNAMED: f64 = 4096.0;
 
 /// The scale of the torque may be so many times too small, and so many too large.
 const SCALE_BELOW: f64 = 1e3;

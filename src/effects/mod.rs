@@ -60,7 +60,7 @@ mod switched;
 mod viscous;
 
 pub use check::check;
-pub(crate) use check::{Checked, NEAR, is_same, piece};
+pub(crate) use check::{Checked, NEAR, UNNAMED, is_same, piece};
 pub use closure::Torque;
 pub(crate) use closure::rising;
 pub use coulomb::CoulombBearing;

@@ -1,8 +1,10 @@
 //! `solve`'s promise all along the way.
 
+use super::constants::PART;
 use super::given::{Given, Places};
-use super::method::{Fine, Method, Passed, Runs, Steps, Stop};
+use super::method::Method;
 use super::refine::stops;
+use super::run::{Fine, Steps, Stop};
 use super::{ExactMotion, Limits, Solved};
 use crate::body::{RigidBody, State};
 use crate::effects::erased::AnyEffect;
@@ -11,14 +13,6 @@ use crate::integrators::Work;
 use crate::math::{order_of, sort_by_number};
 use crate::motion::{Kept, Motion};
 use crate::scene::Scene;
-
-/// Runs are compared at so many places at most, one for every so many radians that the
-/// body turns.
-const ALONG: Places = Places::Along { most: 128, apart: 3.0 };
-
-/// A stretch between two known states is stepped in parts of so many steps of the run, of which every
-/// state between them is found from the last before it.
-const PART: u64 = 8;
 
 /// A motion whose states are known to a tolerance at every time of its span.
 ///
@@ -122,7 +116,7 @@ fn along<'s>(
     limits: &Limits<'s>,
 ) -> Result<SolvedMotion<'s>> {
     let given = Given::new(scene, start, t_end, tolerance, limits)?;
-    let answer = given.answer(ALONG, false)?;
+    let answer = given.answer(Places::Along, false)?;
     let kept = scene.invariants().map(|invariant| {
         let (name, unit) = invariant.name_and_unit();
         Kept::new(name, unit, scene.value(invariant, start))
@@ -296,7 +290,7 @@ impl SolvedMotion<'_> {
         let mut fewest = steps[piece];
         fewest.fewest = fewest.fewest.div_ceil(parts);
         let limits = &self.given.limits;
-        let go_on = |from: f64, to: f64, here: &mut Found| -> Result<Passed> {
+        let go_on = |from: f64, to: f64, here: &mut Found| -> Result<Stop> {
             let spent = self.solved.work.torques() + here.work.torques();
             let over = Error::LimitReached {
                 what: "torques",
@@ -309,22 +303,19 @@ impl SolvedMotion<'_> {
                 return Err(over);
             }
             let fine = Fine { level, fewest: &[fewest], precision, budget };
-            let mut runs = Runs::default();
-            let passed = method.run(&problem, [from, to], here.stop.clone(), fine, &mut runs);
-            here.work += runs.work;
-            match passed {
+            match method.run(&problem, [from, to], &here.stop, fine, &mut here.work) {
                 Err(Error::LimitReached { .. }) => Err(over),
-                passed => passed,
+                run => Ok(run?.end()),
             }
         };
         while here.part + 1 < parts && !is_after(at(here.part + 1)) {
-            here.stop = go_on(at(here.part), at(here.part + 1), here)?.stop;
+            here.stop = go_on(at(here.part), at(here.part + 1), here)?;
             here.part += 1;
         }
         let from = at(here.part);
         if from == t {
             return Ok(here.stop.state);
         }
-        Ok(go_on(from, t, here)?.stop.state)
+        Ok(go_on(from, t, here)?.state)
     }
 }

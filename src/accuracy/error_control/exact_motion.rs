@@ -1,5 +1,6 @@
 //! Closed forms, picked by what acts.
 
+use super::constants::NEAR_SEPARATRIX;
 use crate::body::{RigidBody, State};
 use crate::effects::{GravityAtLever, IntegrableCase};
 use crate::error::Result;
@@ -56,9 +57,6 @@ impl ExactMotion {
     }
 }
 
-/// 1 - m below which a motion is near a separatrix.
-const NEAR: f64 = 1e-6;
-
 fn free(body: &RigidBody, start: &State) -> Option<ExactMotion> {
     let rates = body.angular_velocity(start);
     let motion = FreeBody::new(body.moments(), start.attitude, rates).ok()?;
@@ -71,7 +69,7 @@ fn free(body: &RigidBody, start: &State) -> Option<ExactMotion> {
     let off: f64 = (moments.iter().zip(omega)).map(|(i, w)| i * (middle - i) * w * w).sum();
     Some(ExactMotion {
         name: "closed form of the free body",
-        near_separatrix: off.abs() < NEAR * square,
+        near_separatrix: off.abs() < NEAR_SEPARATRIX * square,
         at: Box::new(move |t| State::new(motion.try_attitude(t)?, momentum)),
     })
 }
@@ -93,7 +91,7 @@ fn heavy_top(
     let body = *body;
     Some(ExactMotion {
         name: "closed form of the heavy top",
-        near_separatrix: motion.complementary_parameter() < NEAR,
+        near_separatrix: motion.complementary_parameter() < NEAR_SEPARATRIX,
         at: Box::new(move |t| {
             let now = motion.try_kinematics(t)?;
             body.state(now.attitude, now.angular_velocity)

@@ -4,10 +4,13 @@
 //! of its own compiles none of it.
 
 use super::along::Form;
-use super::limits::{LOOKS, Limits};
-use super::method::Stop;
-use super::problem::{ALL_ROWS, Acting, Distances, Probe, Problem};
+use super::changed::ALL_ROWS;
+use super::condition::Probe;
+use super::constants::{CLOSED_FORM, COMPARED, CUT, LOOKS, MOST_COMPARED, MOST_CUTS};
+use super::limits::Limits;
+use super::problem::{Acting, Distances, Problem};
 use super::refine::Refinement;
+use super::run::Stop;
 use super::slender::Slender;
 use super::{ExactMotion, Solved};
 use crate::accuracy::tolerance_of_attitude;
@@ -19,22 +22,13 @@ use crate::integrators::Work;
 use crate::math::EPS;
 use crate::scene::Scene;
 
-/// The error of a closed form, in units of eps (1 + condition). Measured over the reference
-/// cases: 5.6, of which the rates cost most, read from a state that holds L in space.
-const CLOSED_FORM: f64 = 8.0;
-
-/// The angle (rad) that a body turns at most between two places where its effects are tried, of
-/// which there are no more than so many.
-const CUT: f64 = 30.0;
-const MOST_CUTS: f64 = 8.0;
-
 /// Where the promise is to hold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Places {
     /// At the end.
     End,
-    /// All along: at so many places, one for as many radians that the body turns.
-    Along { most: usize, apart: f64 },
+    /// All along.
+    Along,
 }
 
 /// The solution, and all that is needed to find any state on the way.
@@ -187,9 +181,9 @@ impl<'s> Given<'s> {
         }
         let places = match places {
             Places::End => 1,
-            Places::Along { most, apart } => {
-                let turned = problem.fastest() * problem.span().abs() / apart;
-                turned.clamp(1.0, most as f64) as usize
+            Places::Along => {
+                let turned = problem.fastest() * problem.span().abs();
+                (turned / COMPARED).clamp(1.0, MOST_COMPARED) as usize
             }
         };
         if !step && let Some(motion) = problem.exact_motion() {
@@ -215,7 +209,11 @@ impl<'s> Given<'s> {
                 "0, or 2.3e-308 s at least, of which a step can be a part",
             ));
         }
-        let refinement = Refinement::new(&problem, self.tolerance, &self.limits, places, trial);
+        let times: Vec<f64> = (1..=places).map(|n| problem.time_at(n, places)).collect();
+        // Runs are cut where they are compared.
+        let breaks = self.limits.sorted([&self.breaks[..], &times].concat(), self.t_end);
+        problem.breaks = &breaks;
+        let refinement = Refinement::new(&problem, self.tolerance, &self.limits, &times, trial);
         let delivered = (refinement.solve()).map_err(|error| self.reason(error))?;
         let solved = Solved::of(&delivered, &problem, self.looked_every());
         let mut passed = vec![(problem.t_start, Stop::at(problem.start))];
@@ -227,7 +225,7 @@ impl<'s> Given<'s> {
                 level: delivered.run.level,
                 precision: delivered.precision,
                 passed,
-                steps: delivered.run.steps.concat(),
+                steps: delivered.run.steps,
             },
         })
     }

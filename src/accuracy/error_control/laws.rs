@@ -4,20 +4,13 @@
 //! where a run goes on from ([`Stop`]), so that a run may be cut anywhere. A changed run meets its
 //! own switches: the condition contains their shift.
 
-use super::method::{Stop, later};
+use super::constants::{AT_ONCE, SLIDES};
 use super::problem::Problem;
+use super::run::{Stop, later};
 use crate::body::State;
 use crate::effects::{Held, Holding, Law, is_same, piece};
 use crate::error::{Error, Result};
 use crate::integrators::{Dop853, Event, Ode, Work, scene};
-
-/// A switch that comes after less than this part of a step is one back at once. On a surface on which
-/// the motion slides it comes after roundings of the time, or, where the torque does not change the
-/// rate of the signal itself, after the root of a rounding.
-const AT_ONCE: f64 = 1e-6;
-
-/// So many in a row are no graze, which is two: the motion slides.
-const SLIDES: u32 = 8;
 
 /// A run by DOP853 between two break points, with so many steps at least from each sample to the next.
 pub(super) fn carried(

@@ -1,5 +1,6 @@
 //! The limits of a solution, beside its scene, start, end and tolerance.
 
+use super::constants::{LOOKS, STEPS_IN_PULSE, STEPS_OVER_JUMPS};
 use crate::effects::erased::AnyEffect;
 use crate::effects::{Checked, is_same};
 use crate::error::{Error, Result, finite, positive};
@@ -42,17 +43,6 @@ impl Default for Limits<'_> {
         }
     }
 }
-
-/// A pulse must last one part in so many of the span to be seen if nothing names it.
-pub(super) const LOOKS: f64 = 4096.0;
-
-/// A pulse whose width is named is taken in so many steps at least.
-const STEPS_IN_PULSE: f64 = 2.0;
-
-/// A jump that nothing names is met by a step that is not too long: two steps over a whole
-/// span may leave it between them. With 64 none of 11 478 answers of `attack -- kinked` was above its
-/// request, with 16 one of 11 485, for a quarter of the work over short spans.
-const STEPS_OVER_JUMPS: f64 = 16.0;
 
 impl Limits<'_> {
     /// The limits, if they are numbers and belong to a solution that ends at `t_end`.

@@ -7,12 +7,18 @@
 //! | [`SolvedMotion`] | the same promise all along the way: states at any times |
 //! | [`Crossing`] | where a function of the state goes through zero on the way |
 //! | `given` | what is asked, checked, and handed on to code that is compiled once for all effects |
-//! | `problem` | every input a little changed: the condition |
-//! | `method` | the methods, each with one knob, and the model of its first step |
-//! | `refine` | a run, a finer run, a run with changed inputs, until they are near enough |
+//! | `refine` | the loop: a run, a finer run, until they are near enough |
+//! | `constants` | all that is tuned, and why |
+//! | `condition` | by how much the motion moves per change of the inputs |
+//! | `changed` | a problem with every input a little changed |
+//! | `problem` | what is stepped, and how |
+//! | `method` | the methods, each with one setting, and what it does on a turn |
+//! | `run` | a run over the pieces of the way |
 //! | `laws` | runs over what goes on in pieces: samples, and switches located as events |
 //! | `slender` | bodies with one small moment, in variables of their own |
 //! | `sliding` | why steps collapse |
+//!
+//! A tolerance goes from [`Scene::solve`] through `given` to `refine`, where it is last compared.
 //!
 //! How it works, and how good it is: `book/src/how_error_control.md`.
 //!
@@ -20,6 +26,9 @@
 //! ([`simulate_within`](crate::planar::simulate_within)).
 
 mod along;
+mod changed;
+mod condition;
+mod constants;
 mod crossings;
 mod exact_motion;
 mod given;
@@ -28,6 +37,7 @@ mod limits;
 mod method;
 mod problem;
 mod refine;
+mod run;
 mod slender;
 mod sliding;
 #[cfg(test)]
@@ -64,8 +74,7 @@ pub struct Solved {
     pub work: Work,
     /// The part of that cost for the condition alone: nothing where the first two runs show it.
     pub probes: Work,
-    /// The cost of all runs divided by the cost of the returned one, by the time that their torques
-    /// take.
+    /// The torques of all runs divided by those of the returned one.
     pub price: f64,
     /// An upper estimate of the angle (rad) between this attitude and the true one.
     pub estimate: f64,
@@ -95,56 +104,23 @@ impl<E: AnyEffect> Scene<E> {
     /// The state at `t_end` (s; may be negative) that follows from `start` at t = 0,
     /// with an attitude that is off by `tolerance` (rad, above 0, at most pi) or less.
     ///
-    /// *The contract.* It holds for torques that are smooth, or smooth between declared break
-    /// points, samples and located switches ([`Law`](crate::effects::Law)), and without features
-    /// narrower than a declared width or the looks below. The attitude at the end is within the
-    /// error asked for, or the call is refused with the reason and, if runs bear one out, the error
-    /// that can be had. For a torque of which nothing is declared the answer carries an *estimate*:
-    /// of 36 100 over kinks, cusps and jumps one was above its request, by a sixth
-    /// (`benches/record/attack.txt`). If it depends on the time, a search looks for jumps and kinks
-    /// down to a 4096th of the span, on the body as it starts, and runs are cut at those that it
-    /// finds. [`Solved::looked_every`] says how far the looks were apart and
-    /// [`Solved::longest_step`] how long the steps were; narrower features are not looked for. No
-    /// step is longer than half of what [`Effect::narrowest`] names.
+    /// *The contract.*
+    /// 1. For torques that are smooth, or smooth between declared break points, samples and located
+    ///    switches ([`Law`](crate::effects::Law)), without features narrower than a declared width
+    ///    ([`Effect::narrowest`]) or the looks of sentence 4, the attitude at the end is within the error
+    ///    asked for, or the call is refused with a reason.
+    /// 2. For a torque of which nothing is declared the answer carries an *estimate*: of 36 100 over
+    ///    kinks, cusps and jumps one was above its request, by a sixth (`benches/record/attack.txt`).
+    /// 3. If such a torque depends on the time, a search looks for jumps and kinks in time down to a
+    ///    4096th of the span, on the body as it starts, and runs are cut at those that it finds.
+    /// 4. [`Solved::looked_every`] says how far the looks were apart and [`Solved::longest_step`] how
+    ///    long the steps were; narrower features are not looked for.
+    /// 5. A refusal for want of accuracy names the least error that runs bear out, if there is one.
     ///
-    /// Where the scene has a closed form, that is taken. Every other scene is stepped: mostly a run
-    /// with all its inputs a little changed, and a finer one, whose distance bounds the error and
-    /// the condition at once. Where that does not suffice the condition is measured by runs of
-    /// their own. Finer runs follow until twice the distance of the last two, with the errors of
-    /// rounding and of the solution of implicit steps, is within the tolerance. Nothing stepped is
-    /// returned unverified.
-    ///
-    /// | what acts | method |
-    /// |---|---|
-    /// | nothing (when stepped), or what is smooth and sees the axis only | Gauss-Legendre 16; of a symmetric body without its spin |
-    /// | what resists in a known way ([`Effect::resistance`]) beside that, unless steps would have to follow it | splittings of order 4 (above 1e-5) and 6 with the resistance in their kick ([`Resisted`](crate::integrators::Resisted)) |
-    /// | what is smooth between its break points | DOP853, below 1e-8 Gauss-Legendre 16 |
-    /// | what is [sampled](crate::effects::SampledControl), [limited](crate::effects::Limited) or [switched](crate::effects::Switched) | DOP853 from sample to sample and from switch to switch |
-    /// | whatever acts on a slender body, unless that is symmetric and its axis alone is seen | DOP853 with the momentum on the body's axes |
-    /// | whatever else | DOP853, by three runs at least |
-    ///
-    /// Where a method does not converge the next is tried: DOP853 after the others, Gauss-Legendre after
-    /// DOP853 if all is smooth.
-    ///
-    /// A body is slender if its moments are more than 16 times apart and its energy allows a rate five
-    /// times the fastest that occurs, as a coarse trial run of the whole span shows. Of 60 random bodies
-    /// with moments 33 to 1e6 times apart none was above its request. The run that is returned cost at
-    /// most 2.8 times the cheapest that is as good in either kind of variables. All runs together cost
-    /// at most 3.8 times the cheapest two, one forty times coarser, that show as good an error, and 6.2
-    /// times the cheapest one (`tests/traps/thin_bodies.rs`).
-    ///
-    /// A known resistance counts as smooth where it is smooth along the motion. The drag on a disc
-    /// has a kink where the body does not spin about e3, and never brings the spin of a symmetric
-    /// body there. On a body with three different moments, whose spin about e3 passes through 0,
-    /// only a linear resistance is known. The run that is returned takes a small part of what it
-    /// would if nothing were said of the resistance (`what_resists_weakly_is_cheap` in
-    /// `tests/accuracy/error_control`). A torque that is smooth and says so
+    /// A closed form is taken where the scene has one. Every other scene is stepped by two runs or
+    /// more, and nothing stepped is returned unverified. Which method is taken, how runs verify each
+    /// other and what that costs: `book/src/how_error_control.md`. A torque that is smooth and says so
     /// ([`Torque::smooth`](crate::effects::Torque::smooth)) is solved by less work.
-    ///
-    /// The *condition* is the change of the attitude at the end (rad) per relative change of the
-    /// inputs. It is the root of the sum of squares over three turns of the start (per rad), three
-    /// pushes (per |L|), the strength of the torque, three moments of inertia, and the time.
-    /// Doubles hold inputs to eps; no method can promise less than a few eps (1 + condition).
     ///
     /// ```
     /// use rotation_dynamics::attitude::Attitude;
@@ -167,18 +143,10 @@ impl<E: AnyEffect> Scene<E> {
     /// # }
     /// ```
     ///
-    /// Accuracy, as measured on 600 random scenes at eleven tolerances (`tests/accuracy/error_control`):
-    /// bodies with and without gravity, needles, separatrices, poles, upright and
-    /// hanging tops, a torque that damps and drives. The median of delivered over requested, when
-    /// everything is stepped, is 1e-4 to 3e-4 from 1e-3 to 1e-8, 9e-4 at 1e-11, 4e-3 at 1e-12 and
-    /// 1.4e-2 at 1e-13; the largest was 0.68. Refused are 0.2 % at 1e-3, 1.3 % at
-    /// 1e-9, 13 % at 1e-12 and 47 % at 1e-13.
-    ///
-    /// Price: two runs cost 1.4 to 2 times the one that is returned. All runs are compared with the
-    /// cheapest run that would have sufficed, found afterwards. They cost 2.4 to 3.2 times as much
-    /// under a weight or without a torque, and 3.5 to 6.7 times elsewhere (medians by kind of
-    /// scene; `benches/record/price.txt`). Where a motion passes near a separatrix, or the floor
-    /// comes near to what is asked, the condition is measured with more care, and that costs more.
+    /// Accuracy, as measured on 600 random scenes at eleven tolerances (`tests/accuracy/error_control`),
+    /// all stepped: the median of delivered over requested is 1e-4 to 3e-4 from 1e-3 to 1e-8 and 1.4e-2
+    /// at 1e-13; the largest was 0.68. Refused are 0.2 % at 1e-3, 1.3 % at 1e-9, 13 % at 1e-12 and 47 %
+    /// at 1e-13.
     ///
     /// # Errors
     /// A tolerance outside its range, anything not finite, an energy at the start beyond `f64`; a
@@ -239,11 +207,11 @@ impl Solved {
         let [estimate, momentum_estimate, rates_estimate] = delivered.estimate;
         Self {
             state: (delivered.run.passed.last()).map_or(problem.start, |(_, stop)| stop.state),
-            method: delivered.method.name(),
+            method: delivered.method.name,
             run: delivered.run.work,
             work: delivered.work,
             probes: delivered.probes,
-            price: delivered.price,
+            price: delivered.work.torques() as f64 / delivered.run.work.torques() as f64,
             estimate,
             momentum_estimate,
             rates_estimate,

@@ -1,96 +1,21 @@
 //! The error control of what must be stepped: a run, a finer run, and a run with its inputs a little
 //! changed, finer until their distances are small enough.
+//!
+//! The numbers in [`Refinement::refine`] are those of the page `book/src/how_error_control.md`.
 
+use super::constants::{
+    CHANGED, FAR_BELOW, KINKED, LATER, LEVEL, LOOSELY, MOST_LEVELS, ROUND_OFF, SAFETY, STUCK,
+    SWEEPS, SWEPT, SWEPT_AT_MOST,
+};
 use super::limits::Limits;
-use super::method::{Fine, LEVEL, Method, Runs, Steps, Stop};
-use super::problem::{Acting, Distances, Probe, Problem};
-use super::slender::opposite_rows;
+use super::method::Method;
+use super::problem::{Acting, Distances, Problem};
+use super::run::{Fine, Run, Steps, Stop};
 use crate::accuracy::larger;
 use crate::body::State;
 use crate::error::{Error, Result};
 use crate::integrators::Work;
 use crate::math::{EPS, exp, expm1, log};
-
-/// An error is estimated as so many times the distance of two runs. The second is 40 times finer
-/// (DOP853: 13 times): where errors fall as they should the distance is 13 to 40 times the error.
-const SAFETY: f64 = 2.0;
-
-/// Over kinks that nothing names, the error of a run depends on where its steps happen to fall, and
-/// two runs may agree by chance. The distance of the last two counts as no less than the distance
-/// of the two before, fallen by this a level, and all of it [`SAFETY`] times. Over what is smooth
-/// DOP853 falls by 13 a level; with 8 one of 36 100 answers over kinks, cusps and jumps is above
-/// its request.
-const KINKED: f64 = 8.0;
-
-/// Runs that are no further apart than this (rad) are of one motion.
-const APART: f64 = 0.2;
-
-/// A changed motion that moves by more than this (rad) shows no slope any more.
-const LINEAR: f64 = 0.03;
-
-/// By how much the inputs are changed to measure the condition: more than round-off by as many digits
-/// as it is below a turn,
-const CHANGE: f64 = 1e-8;
-/// and of DOP853, which answers with a jump of a part of its error, so much more,
-const CHANGE_ADAPTIVE: f64 = 1e-4;
-/// that its error is this part of the change at most.
-const NEARER: f64 = 0.1;
-
-/// The next change, where one moves the end too far; and the part of a change that sweeps may leave
-/// where it is measured with care.
-const SMALLER: f64 = 1e-3;
-
-/// The change of the inputs of the first run, as a part of the tolerance, for each radian that a
-/// motion is late. It moves the end of one that is only late by some hundredths of the tolerance.
-const CHANGED: f64 = 0.05;
-
-/// A floor that is so many times below the tolerance need not be known well. A single change of all
-/// inputs moves the end by a sum with signs. In one direction that is below 1/30 of its root mean
-/// square in 27 cases of a thousand, in three alike in one of 20 000 (a normal distribution).
-const FAR_BELOW: f64 = 30.0;
-
-/// A motion whose condition is at most this many times the condition of a motion that is only late
-/// counts as passing no saddle.
-const REGULAR: f64 = 6.0;
-
-/// A floor so many times above the tolerance is refused at once.
-const HOPELESS: f64 = 10.0;
-
-/// Where the floor is not far below the tolerance, nor hopelessly above: so many changes,
-const ROWS: usize = 5;
-/// each with the state moved so many times on the way, at most.
-const INTERVALS: f64 = 512.0;
-
-/// The part of the tolerance that the sweeps of Gauss-Legendre may leave.
-const SWEEPS: f64 = 0.1;
-
-/// The error that the sweeps (iterations) of n steps leave is the condition times n times this, in
-/// units of the precision: it is mostly on one side. Measured on 600 free bodies and tops over 30
-/// to 30 000 steps: 0.0038 at most, whatever their number.
-const SWEPT: f64 = 0.004;
-
-/// The error that rounding adds to the attitude in a step of DOP853, in units of eps. Measured on
-/// runs of up to a million steps: 0.15. Of Gauss-Legendre over 155 000 steps of a pulse: 0.11.
-const ROUNDED: f64 = 0.5;
-
-/// So many levels are left to a run whose steps were short from the first: a bump whose width is named
-/// took one more at 1e-11.
-const LATER: f64 = 4.0;
-
-/// A distance that runs do not get below, no more than so many times the floor, is round-off.
-const ROUND_OFF: f64 = 16.0;
-
-/// Where a run was at the places looked at, at which level, and its cost.
-pub(super) struct Run {
-    pub level: f64,
-    places: Vec<State>,
-    /// Its work on the pieces of the way to each place.
-    pub steps: Vec<Vec<Steps>>,
-    pub work: Work,
-    pub longest_step: f64,
-    /// Where it was between two pieces, and at the end.
-    pub passed: Vec<(f64, Stop)>,
-}
 
 /// The result of a run.
 pub(super) struct Delivered {
@@ -99,53 +24,33 @@ pub(super) struct Delivered {
     pub run: Run,
     pub work: Work,
     pub probes: Work,
-    pub price: f64,
     /// Upper estimates of the three errors, at the place where each is largest.
     pub estimate: Distances,
     pub condition: Distances,
 }
 
-/// How fine a run is to be: its level, with so many steps on each piece at least, and the precision
-/// of its sweeps.
-#[derive(Clone, Copy)]
-struct Asked<'s> {
-    level: f64,
-    fewest: &'s [Vec<Steps>],
-    precision: f64,
-}
-
 /// The runs of one solution.
 pub(super) struct Refinement<'p> {
-    problem: &'p Problem<'p>,
-    tolerance: f64,
-    limits: &'p Limits<'p>,
-    /// Where the motion is looked at, from the start to the end.
-    times: Vec<f64>,
-    work: Work,
+    pub problem: &'p Problem<'p>,
+    pub tolerance: f64,
+    pub limits: &'p Limits<'p>,
+    /// Where runs are compared: among the ends of their pieces, and the end.
+    pub times: &'p [f64],
+    pub work: Work,
     /// The part of it for the condition.
-    probes: Work,
-    /// The cost of all of it, in units of one derivative of DOP853.
-    cost: f64,
+    pub probes: Work,
 }
 
 impl<'p> Refinement<'p> {
-    /// With the motion looked at in so many places, of equal distances; the end is the last.
+    /// Nothing has been run but a trial.
     pub(super) fn new(
         problem: &'p Problem<'p>,
         tolerance: f64,
         limits: &'p Limits<'p>,
-        places: usize,
+        times: &'p [f64],
         trial: Work,
     ) -> Self {
-        Self {
-            problem,
-            tolerance,
-            limits,
-            times: (0..=places).map(|n| problem.time_at(n, places)).collect(),
-            work: trial,
-            probes: Work::default(),
-            cost: trial.torques() as f64,
-        }
+        Self { problem, tolerance, limits, times, work: trial, probes: Work::default() }
     }
 
     /// The run of the first method that delivers.
@@ -188,41 +93,48 @@ impl<'p> Refinement<'p> {
 
     /// The angle (rad) turned at the fastest rate: by so much a relative change of the time moves the
     /// end.
-    fn angle_turned(&self) -> f64 {
+    pub(super) fn angle_turned(&self) -> f64 {
         self.problem.fastest() * self.problem.span().abs()
     }
 
     /// The least error that a motion of this condition leaves.
-    fn floor(&self, method: Method, condition: f64) -> f64 {
+    pub(super) fn floor(&self, method: Method, condition: f64) -> f64 {
         method.floor(self.problem) * EPS * (1.0 + condition)
     }
 
     /// Runs of one method, finer and finer until one delivers.
     fn refine(&mut self, method: Method) -> Result<Delivered> {
+        // 1. The first run, its inputs a little changed.
         let mut change = self.first_change(method);
         let mut precision = self.first_precision(method);
         let mut coarse = self.first(method, change, precision)?;
         // Where steps are short for another reason than the rotation, their order begins later.
         let later = if method.is_adaptive() { 0.0 } else { coarse.level + LATER };
-        let finest = method.finest().max(later);
+        let finest = method.finest.max(later);
         let (mut condition, mut before): (Option<Distances>, Option<Distances>) = (None, None);
         let (mut ahead, mut stuck) = (1.0, 0);
         let (mut nearest, mut reached) = (f64::INFINITY, f64::INFINITY);
         loop {
+            // 2. A finer run.
             let fine = self.finer(method, &coarse, ahead, precision)?;
+            // 3. Their distance.
             let apart = self.distance(&coarse, &fine);
             if let Some(by) = change.take() {
-                let (slopes, _) = self.problem.slopes(by, &fine.places, &[&coarse.places]);
+                let (slopes, _) =
+                    self.problem.slopes(by, &self.places(&fine), &[self.places(&coarse)]);
                 condition = self.is_far_below(method, slopes[0]).then_some(slopes);
             } else if condition.is_none() && self.is_near(method, apart[0]) {
+                // 4. The condition, where the distance does not show it.
                 condition = Some(self.condition(method, &coarse, precision)?);
             }
+            // 5. The floor, and what else no finer run takes away.
             let left = match condition {
                 Some(condition) => self.left(method, &fine, condition, precision)?,
                 None => [0.0; 3],
             };
+            // 6. The estimate.
             let step = fine.level - coarse.level;
-            if let Some(counted) = self.counted(method.falls(), apart, before, step) {
+            if let Some(counted) = self.counted(method.falls, apart, before, step) {
                 let estimate = [0, 1, 2].map(|n| SAFETY * counted[n] + left[n]);
                 if let Some(condition) = condition
                     && estimate[0] <= self.tolerance
@@ -231,28 +143,27 @@ impl<'p> Refinement<'p> {
                 }
                 reached = reached.min(estimate[0]);
             }
-            // The sweeps of what follows, now that the condition is known.
+            // 7. Finer, by sweeps as the condition asks for.
             let kept = condition.map_or(precision, |condition| {
                 let swept = self.swept(fine.work.steps as f64);
                 SWEEPS * (self.tolerance - self.floor(method, condition[0]))
                     / (swept * (1.0 + condition[0]))
             });
-            let loosely = precision > 2.0 * kept;
+            let loosely = precision > LOOSELY * kept;
             precision = precision.min(kept);
-            let is_nearer = apart[0] <= 0.5 * nearest;
-            stuck = if is_nearer || apart[0] > APART { 0 } else { stuck + 1 };
+            stuck = if apart[0] <= 0.5 * nearest { 0 } else { stuck + 1 };
             nearest = nearest.min(apart[0]);
-            if stuck > 2 && precision > 0.0 {
+            if stuck == STUCK && precision > 0.0 {
                 // It may be the sweeps that differ.
                 (precision, stuck) = (0.0, 0);
-            } else if stuck > 2 || fine.level + 0.1 >= finest && !loosely {
+            } else if stuck == STUCK || fine.level + 0.1 >= finest && !loosely {
                 return Err(self.refused(method, &fine, reached));
             }
             let budget = 0.5 * (self.tolerance - left[0]).max(EPS);
-            let wanted = log(SAFETY * apart[0] / budget) / (LEVEL * method.falls());
+            let wanted = log(SAFETY * apart[0] / budget) / (LEVEL * method.falls);
             // Where three runs count, one more is to have room.
             let room = (finest - fine.level) / if self.may_have_kinks() { 2.0 } else { 1.0 };
-            ahead = wanted.clamp(1.0, 3.0).min(room.max(0.0));
+            ahead = wanted.clamp(1.0, MOST_LEVELS).min(room.max(0.0));
             (coarse, before) = (fine, Some(apart));
         }
     }
@@ -274,7 +185,7 @@ impl<'p> Refinement<'p> {
         let steps = method.steps(self.problem, self.problem.span(), level);
         let steps = steps.max((self.problem.span() / self.problem.longest_step).abs());
         let condition = 2.0 * self.angle_turned();
-        (SWEEPS * self.tolerance / (self.swept(steps) * (1.0 + condition))).min(1e-6)
+        (SWEEPS * self.tolerance / (self.swept(steps) * (1.0 + condition))).min(SWEPT_AT_MOST)
     }
 
     /// The error that the sweeps of so many steps leave, in units of the precision and of 1 +
@@ -296,7 +207,7 @@ impl<'p> Refinement<'p> {
             return Err(self.beyond(floor, condition[0]));
         }
         let steps = run.work.steps as f64;
-        let rounded = if method.adds_rounding() { ROUNDED * EPS * steps } else { 0.0 };
+        let rounded = method.rounded * EPS * steps;
         let swept = precision * self.swept(steps);
         Ok(condition
             .map(|condition| self.floor(method, condition) + swept * (1.0 + condition) + rounded))
@@ -343,139 +254,6 @@ impl<'p> Refinement<'p> {
         matches!(self.problem.acting, Acting::Anything(_))
     }
 
-    /// True if two runs are so near that a changed one in the steps of the coarser shows a slope.
-    fn is_near(&self, method: Method, apart: f64) -> bool {
-        let most = if method.is_adaptive() {
-            (NEARER * CHANGE_ADAPTIVE).max(0.5 * self.tolerance).min(LINEAR)
-        } else {
-            LINEAR
-        };
-        apart <= most
-    }
-
-    /// The condition: by one change of all inputs in the steps of this run, or with care where the
-    /// floor that this puts is near the tolerance.
-    fn condition(&mut self, method: Method, run: &Run, precision: f64) -> Result<Distances> {
-        if self.is_steep() {
-            return self.slopes_with_care(method, run);
-        }
-        let before = self.work;
-        let slopes = self.slopes(method, run, precision);
-        self.probes += self.work.since(&before);
-        let slopes = slopes?;
-        let floor = self.floor(method, slopes[0]);
-        let is_hopeless = floor.is_finite() && floor > HOPELESS * self.tolerance;
-        // Two rows have told it of a slender body.
-        let is_known = self.problem.slender.is_some() || self.is_far_below(method, slopes[0]);
-        if is_hopeless || is_known {
-            return Ok(slopes);
-        }
-        self.slopes_with_care(method, run)
-    }
-
-    /// True near a separatrix, as the closed form knows: there a change of the start may die away that
-    /// would grow if it came later.
-    fn is_steep(&self) -> bool {
-        let exact = self.problem.exact_motion();
-        self.problem.slender.is_none() && exact.is_some_and(|motion| motion.is_near_separatrix())
-    }
-
-    /// True if the floor is so far below the tolerance that the condition need not be known well: so
-    /// much farther as the motion may pass a saddle.
-    fn is_far_below(&self, method: Method, condition: f64) -> bool {
-        let saddle = (condition / (REGULAR * (1.0 + self.angle_turned()))).max(1.0);
-        FAR_BELOW * saddle * self.floor(method, condition) < self.tolerance
-    }
-
-    fn slopes(&mut self, method: Method, run: &Run, precision: f64) -> Result<Distances> {
-        let rows = match self.problem.slender {
-            Some(_) => opposite_rows(self.problem.body.moments().to_array()).to_vec(),
-            None => vec![self.problem.most_sensitive_row()?],
-        };
-        let again =
-            |interval: &Vec<Steps>| interval.iter().map(|steps| steps.again(method)).collect();
-        let fewest: Vec<Vec<Steps>> = run.steps.iter().map(again).collect();
-        let mut by = if method.is_adaptive() {
-            CHANGE_ADAPTIVE
-        } else {
-            // Ten times what the sweeps of this run leave.
-            CHANGE.max(10.0 * precision)
-        };
-        // A smaller change is mostly rounding.
-        while by > 64.0 * EPS {
-            let asked = Asked {
-                // Coarser by as much as the changed problem may seem to turn faster.
-                level: if method.is_adaptive() { run.level } else { run.level - 0.1 },
-                fewest: &fewest,
-                precision: if method.sweeps() { NEARER * by } else { 0.0 },
-            };
-            let mut changed = Vec::new();
-            for row in &rows {
-                let problem = self.problem.changed(*row, by)?;
-                changed.push(self.run(&problem, method, asked)?);
-            }
-            // Nor may they part on the way and meet again.
-            let farthest = (changed.iter())
-                .flat_map(|changed| run.passed.iter().zip(&changed.passed))
-                .map(|(a, b)| self.problem.apart(&a.1.state, &b.1.state)[0])
-                .fold(0.0, larger);
-            if farthest <= LINEAR {
-                let places: Vec<_> = changed.iter().map(|run| run.places.as_slice()).collect();
-                return Ok(self.problem.slopes(by, &run.places, &places).0);
-            }
-            by *= SMALLER;
-        }
-        Ok([f64::INFINITY; 3])
-    }
-
-    /// The same by some changes, with the state moved on the way as rounding does.
-    fn slopes_with_care(&mut self, method: Method, run: &Run) -> Result<Distances> {
-        let problem = self.problem;
-        // DOP853 answers a small change with a small jump, of its error: at level 5 of some 1e-11 a step.
-        let level = if method.is_adaptive() { run.level.max(5.0) } else { run.level };
-        // Every two radians at most: what passes a saddle must be moved on its way there.
-        let intervals =
-            (0.5 * method.turned(problem, problem.span())).clamp(1.0, INTERVALS) as usize;
-        let everywhere = self.times.len() > 2;
-        let mut all = Runs::default();
-        let this = &*self;
-        let condition = problem.condition(&Probe::STEPPED, |by| {
-            let mut moved = |row: usize, by: f64, precision: f64| {
-                let (mut places, mut held) = (Vec::new(), Vec::new());
-                let end =
-                    problem.in_intervals(row, by, intervals, |changed, t, state, t_end| {
-                        let fine = Fine {
-                            level,
-                            fewest: &[],
-                            precision,
-                            budget: this.limits.left(this.work.torques() + all.work.torques())?,
-                        };
-                        let start = Stop { held: core::mem::take(&mut held), ..Stop::at(*state) };
-                        let passed = method.run(changed, [t, t_end], start, fine, &mut all);
-                        let stop = passed.map_err(|error| this.of_whole_span(error))?.stop;
-                        if everywhere {
-                            places.push(stop.state);
-                        }
-                        held = stop.held;
-                        Ok(stop.state)
-                    })?;
-                if !everywhere {
-                    places.push(end);
-                }
-                Ok(places)
-            };
-            // What the sweeps leave must not be mistaken for a change.
-            let precision = SMALLER * by;
-            let places = moved(0, 0.0, precision)?;
-            let changed = (0..ROWS).map(|row| moved(row, by, precision));
-            Ok((places, changed.collect::<Result<_>>()?))
-        });
-        self.work += all.work;
-        self.probes += all.work;
-        self.cost += method.cost(&all.work);
-        condition
-    }
-
     /// The answer, unless an effect was seen to be another than it says.
     fn delivered(
         &self,
@@ -496,7 +274,6 @@ impl<'p> Refinement<'p> {
             precision,
             work: self.work,
             probes: self.probes,
-            price: self.cost / method.cost(&run.work),
             run,
             estimate,
             condition,
@@ -525,7 +302,7 @@ impl<'p> Refinement<'p> {
     }
 
     /// A budget that is used up is told as it was given, for the whole span.
-    fn of_whole_span(&self, error: Error) -> Error {
+    pub(super) fn of_whole_span(&self, error: Error) -> Error {
         match error {
             Error::LimitReached { .. } => self.over_budget(),
             error => error,
@@ -539,13 +316,13 @@ impl<'p> Refinement<'p> {
             Some(by) => &self.problem.changed(self.problem.most_sensitive_row()?, by)?,
             None => self.problem,
         };
-        let most = method.finest() - if self.may_have_kinks() { 2.0 } else { 1.0 };
+        let most = method.finest - if self.may_have_kinks() { 2.0 } else { 1.0 };
         let level = method.level_for(self.problem, self.tolerance / SAFETY);
         let mut level = level.min(most);
         loop {
-            let asked = Asked { level, fewest: &[], precision };
-            match self.run(problem, method, asked) {
-                Err(error) if !stops(&error) && level + 1.0 < method.finest() => level += 1.0,
+            let fine = Fine { level, fewest: &[], precision, budget: self.limits.budget };
+            match self.run(problem, method, fine) {
+                Err(error) if !stops(&error) && level + 1.0 < method.finest => level += 1.0,
                 run => return run,
             }
         }
@@ -553,52 +330,30 @@ impl<'p> Refinement<'p> {
 
     /// A run finer by so many levels, and by one step at least on every piece.
     fn finer(&mut self, method: Method, coarse: &Run, ahead: f64, precision: f64) -> Result<Run> {
-        let finer = |interval: &Vec<Steps>| {
-            interval.iter().map(|steps| steps.finer(method, ahead)).collect()
-        };
-        let fewest: Vec<Vec<Steps>> = coarse.steps.iter().map(finer).collect();
-        let asked = Asked { level: coarse.level + ahead, fewest: &fewest, precision };
-        self.run(self.problem, method, asked)
+        let finer = |steps: &Steps| steps.finer(method, ahead);
+        let fewest: Vec<Steps> = coarse.steps.iter().map(finer).collect();
+        let (level, budget) = (coarse.level + ahead, self.limits.budget);
+        self.run(self.problem, method, Fine { level, fewest: &fewest, precision, budget })
     }
 
-    /// A run of the whole span; its work is counted.
-    fn run(&mut self, problem: &Problem, method: Method, asked: Asked) -> Result<Run> {
-        let mut run = Run {
-            level: f64::INFINITY,
-            places: Vec::new(),
-            steps: Vec::new(),
-            work: Work::default(),
-            longest_step: 0.0,
-            passed: Vec::new(),
-        };
-        let mut stop = Stop::at(problem.start);
-        for (n, interval) in self.times.windows(2).enumerate() {
-            let fine = Fine {
-                level: asked.level,
-                fewest: asked.fewest.get(n).map_or(&[], Vec::as_slice),
-                precision: asked.precision,
-                budget: self.limits.left(self.work.torques())?,
-            };
-            let mut runs = Runs::default();
-            let passed = method.run(problem, [interval[0], interval[1]], stop, fine, &mut runs);
-            self.work += runs.work;
-            self.cost += method.cost(&runs.work);
-            let passed = passed.map_err(|error| self.of_whole_span(error))?;
-            run.steps.push(runs.pieces);
-            run.passed.append(&mut runs.passed);
-            run.work += passed.work;
-            run.level = run.level.min(passed.level);
-            run.longest_step = run.longest_step.max(passed.longest_step);
-            stop = passed.stop;
-            run.places.push(stop.state);
-        }
-        Ok(run)
+    /// A run of the whole span within what is left of the budget; its work is counted.
+    pub(super) fn run(&mut self, problem: &Problem, method: Method, fine: Fine) -> Result<Run> {
+        let budget = self.limits.left(self.work.torques())?;
+        let (span, start) = ([problem.t_start, problem.t_end], Stop::at(problem.start));
+        let run = method.run(problem, span, &start, Fine { budget, ..fine }, &mut self.work);
+        run.map_err(|error| self.of_whole_span(error))
+    }
+
+    /// Where a run was at the places where runs are compared.
+    pub(super) fn places(&self, run: &Run) -> Vec<State> {
+        let is_compared = |(t, _): &&(f64, Stop)| self.times.contains(t);
+        run.passed.iter().filter(is_compared).map(|(_, stop)| stop.state).collect()
     }
 
     /// How far two runs are apart, each measure at the place where it is largest.
     fn distance(&self, a: &Run, b: &Run) -> Distances {
         let mut most = [0.0; 3];
-        for (a, b) in a.places.iter().zip(&b.places) {
+        for (a, b) in self.places(a).iter().zip(&self.places(b)) {
             for (most, apart) in most.iter_mut().zip(self.problem.apart(a, b)) {
                 *most = larger(*most, apart);
             }

@@ -6,29 +6,15 @@
 //! that the body never reaches. So the momentum is stepped on the body's axes, by DOP853, and steps
 //! are chosen by the rates of a trial run.
 
-use super::problem::{ALL_ROWS, Problem, signs};
+use super::changed::{ALL_ROWS, signs};
+use super::constants::{SLENDER, TRIAL, TRIAL_PART, TUMBLING};
+use super::problem::Problem;
 use crate::accuracy::larger;
 use crate::body::State;
 use crate::error::{Error, Result};
 use crate::frame::BodyVector;
 use crate::integrators::{Dop853, Integrator, Work};
 use crate::math::order_of_three;
-
-/// Moments further apart than this by a factor make a slender body. Tumbling under the gravity
-/// gradient and a motor was tried to 1e-3, 1e-6 and 1e-9. With L on the fixed axes DOP853 took more
-/// derivatives than on the body's: 1.3 to 2.0 times where moments are 2 to 8 apart, 2.2 to 3.9
-/// times at 16, 6 to 17 times at 64.
-const APART: f64 = 16.0;
-
-/// A motion whose energy allows no rate that is so many times the one that occurs is stepped with L on
-/// the fixed axes: it turns mostly about the thin axis. (A cone that rolls has 4.9.)
-const ALLOWED: f64 = 5.0;
-
-/// The error of a step of the trial run: DOP853 at its coarsest level.
-const TRIAL: f64 = 6e-3;
-
-/// The part of the budget that the trial may take.
-const TRIAL_PART: u64 = 10;
 
 /// The result of a trial run of a slender body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,7 +34,7 @@ impl Slender {
     pub(super) fn of(problem: &Problem, budget: u64, work: &mut Work) -> Result<Option<Self>> {
         let moments = problem.body.moments().to_array();
         let [least, most] = [f64::min, f64::max].map(|of| moments.into_iter().fold(moments[0], of));
-        if most <= APART * least || problem.span() == 0.0 || problem.is_spin_free() {
+        if most <= SLENDER * least || problem.span() == 0.0 || problem.is_spin_free() {
             return Ok(None);
         }
         let steps = (budget / TRIAL_PART / 12).max(1);
@@ -64,7 +50,7 @@ impl Slender {
             held: momentum / natural,
             brought: problem.torque * problem.span().abs() / natural,
         };
-        Ok((problem.fastest() > ALLOWED * rate && natural > 0.0).then_some(slender))
+        Ok((problem.fastest() > TUMBLING * rate && natural > 0.0).then_some(slender))
     }
 }
 

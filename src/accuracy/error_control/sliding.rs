@@ -1,5 +1,6 @@
 //! Steps that collapse where the torque jumps with the state.
 
+use super::constants::{BESIDE, JUMP, SOME_JUMPS, STAND, WATCHED, WATCHED_STEPS};
 use super::problem::{Acting, Problem};
 use crate::body::{RigidBody, State};
 use crate::effects::erased::AnyEffect;
@@ -10,24 +11,8 @@ use crate::integrators::{Dop853, Integrator, Work};
 use crate::scene::Scene;
 use core::cell::Cell;
 
-/// The tolerance of the run that is watched, and the most steps of it.
-const TOLERANCE: f64 = 1e-9;
-const STEPS: u64 = 20_000;
-
 /// Torques in an accepted step, and one less in a rejected one.
 const TORQUES: u64 = 12;
-
-/// Jumps in a step of the whole run from which on the motion slides. It counts as sliding, too, if
-/// it comes to rest: if the second half of the steps covers less than this part of the time that
-/// the first half covers. (Measured: at least 0.27 jumps in a step where a motion slides late, and
-/// up to 0.28 where jumps are crossed a hundred times in a turn: the number alone does not tell.)
-const SOME: f64 = 0.1;
-const STAND: f64 = 0.1;
-
-/// Two states nearer than this (rad, and as a part of the momentum) whose torques differ by more
-/// than this part are on two sides of a jump.
-const BESIDE: f64 = 1e-6;
-const JUMP: f64 = 1e-3;
 
 /// A torque that counts how often it jumps from one call to the next, at one time, and notes the time
 /// in the middle of its calls.
@@ -77,7 +62,7 @@ impl Problem<'_> {
         if effects.properties().slips || self.has_laws() {
             return None;
         }
-        let limit = (budget / 24).clamp(1, STEPS);
+        let limit = (budget / 24).clamp(1, WATCHED_STEPS);
         let watched = Watched {
             effects,
             momentum: self.momentum_scale(&self.start),
@@ -88,7 +73,7 @@ impl Problem<'_> {
             time_in_middle: Cell::new(f64::NAN),
         };
         let scene = Scene::new(self.body).with(watched);
-        let method = Dop853::new(TOLERANCE).ok()?;
+        let method = Dop853::new(WATCHED).ok()?;
         let method = method.with_step_limit(limit).ok()?;
         let mut work = Work::default();
         let end =
@@ -102,6 +87,6 @@ impl Problem<'_> {
         let jumps_in_step = watched.jumps.get() as f64 / (work.steps + work.rejected) as f64;
         let middle = watched.time_in_middle.get();
         let stands = (t - middle).abs() < STAND * (middle - self.t_start).abs();
-        (jumps_in_step > 1.0 || jumps_in_step > SOME && stands).then_some(t)
+        (jumps_in_step > 1.0 || jumps_in_step > SOME_JUMPS && stands).then_some(t)
     }
 }

@@ -135,7 +135,7 @@ fn a_braked_top_stops_spinning() {
             }
         }
     }
-    assert_largest!(momentum, 30, @"6.66e-6");
+    assert_largest!(momentum, 30, @"5.55e-6");
     twin.exceed(3e-4, 12);
 }
 

@@ -37,8 +37,8 @@ impl Way {
         }
     }
 
-    /// What a torque takes, in units of one derivative of DOP853: the times of `Method::cost` in
-    /// `solve`, by which it chooses.
+    /// What a torque takes, in units of one derivative of DOP853: measured, as times of one run of 50
+    /// turns after the other, optimised and with AVX-512.
     pub fn weight(self, motion: &Motion) -> f64 {
         let symmetric = motion.is_symmetric();
         let of = |round: f64, other: f64| if symmetric { round } else { other };

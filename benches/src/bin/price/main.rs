@@ -75,10 +75,8 @@ fn tally(kind: usize, scenes: std::ops::Range<u64>) -> [Tally; 3] {
             let [fewest, _] = (case.least)(tolerance, solved.method, Counted::Torques);
             let reached = (ratio * tolerance).clamp(KNOWN.min(tolerance), tolerance);
             let [as_good, _] = (case.least)(reached, solved.method, Counted::Time);
-            let taken = solved.price * torques(solved.run);
-            let prices = [(taken, least), (taken, own), (all, fewest), (taken, as_good)];
-            for (prices, (taken, least)) in tally.prices.iter_mut().zip(prices) {
-                prices.extend(least.map(|least| taken / least));
+            for (prices, least) in tally.prices.iter_mut().zip([least, own, fewest, as_good]) {
+                prices.extend(least.map(|least| all / least));
             }
         }
     }

@@ -1,0 +1,242 @@
+//! The condition: by how much the motion moves per relative change of the inputs.
+
+use super::constants::{
+    CHANGE, CHANGE_ADAPTIVE, FAR_BELOW, FINE_ENOUGH, GATHERED, GONE_FAR, HOPELESS, INTERVALS,
+    LINEAR, LOST, MOVED, NEARER, REGULAR, ROWS, SMALLER, STRAIGHT,
+};
+use super::method::Method;
+use super::problem::{Distances, Problem};
+use super::refine::Refinement;
+use super::run::{Fine, Run, Steps, Stop};
+use super::slender::opposite_rows;
+use crate::accuracy::larger;
+use crate::body::State;
+use crate::error::Result;
+use crate::integrators::Work;
+use crate::math::EPS;
+
+/// How the condition is measured.
+pub(super) struct Probe {
+    /// Relative changes that are tried, one after the other, until the end moves by
+    /// little: a change that grows beyond that is no measure of a slope.
+    pub changes: &'static [f64],
+    /// An end moved by more than this (rad) has left the linear regime.
+    pub linear: f64,
+    /// Within it, the slope is measured again with a change as small as this.
+    pub again: Option<f64>,
+}
+
+impl Probe {
+    /// For closed forms, whose rounding is all that blurs a small change.
+    pub(super) const EXACT: Self =
+        Self { changes: &[1e-9, 1e-12, 8.0 * EPS], linear: 1e-4, again: None };
+    /// The same near a separatrix.
+    pub(super) const STEEP: Self = Self { again: Some(16.0 * EPS), ..Self::EXACT };
+    /// For stepping.
+    pub(super) const STEPPED: Self =
+        Self { changes: &[1e-6, 1e-9, 1e-12, 64.0 * EPS], linear: 3e-3, again: None };
+
+    fn smallest(&self) -> f64 {
+        self.changes.last().copied().unwrap_or(0.0)
+    }
+}
+
+impl Problem<'_> {
+    /// The condition of the motion: the change per relative change of the inputs, as the root of
+    /// the sum of squares over all of them and the time. It is taken at the place looked at where
+    /// the motion changes most. `motions` tells where the motion is at those places, and where it
+    /// is with all inputs changed by so much, up or down by the signs of some rows.
+    ///
+    /// Infinite if the smallest change that doubles hold is one too many.
+    pub(super) fn condition(
+        &self,
+        probe: &Probe,
+        mut motions: impl FnMut(f64) -> Result<(Vec<State>, Vec<Vec<State>>)>,
+    ) -> Result<Distances> {
+        let mut slopes_of = |by: f64| {
+            let (places, changed) = motions(by)?;
+            Ok(self.slopes(by, &places, &changed))
+        };
+        // The change before this one, its slopes, and how far it went.
+        let mut coarser: Option<(f64, Distances, f64)> = None;
+        // Slopes that wait for a finer change to bear them out.
+        let mut waiting: Option<Distances> = None;
+        for &by in probe.changes {
+            let (slopes, farthest) = slopes_of(by)?;
+            let smallest = by <= probe.smallest();
+            if farthest <= probe.linear {
+                let unsure = waiting.is_none();
+                let slopes = waiting.map_or(slopes, |waiting| larger_of(slopes, waiting));
+                if let Some((before, _, went)) = coarser
+                    && unsure
+                    && went > GONE_FAR
+                {
+                    if !smallest {
+                        waiting = Some(slopes);
+                        continue;
+                    }
+                    if slopes[0] * before < GATHERED * probe.linear {
+                        return Ok([f64::INFINITY; 3]);
+                    }
+                }
+                return match probe.again.filter(|again| *again < by) {
+                    // Near a separatrix a change may carry the motion past its own steepness.
+                    Some(again) => Ok(larger_of(slopes, slopes_of(again)?.0)),
+                    None => Ok(slopes),
+                };
+            }
+            if smallest {
+                // A slope, if it is the same as that of a larger change.
+                let same = coarser.is_some_and(|(_, slope, _)| slopes[0] <= STRAIGHT * slope[0]);
+                let known = same && farthest <= LOST;
+                return Ok(if known { slopes } else { [f64::INFINITY; 3] });
+            }
+            waiting = None;
+            coarser = Some((by, slopes, farthest));
+        }
+        Ok([f64::INFINITY; 3])
+    }
+}
+
+fn larger_of(a: Distances, b: Distances) -> Distances {
+    [0, 1, 2].map(|n| larger(a[n], b[n]))
+}
+
+impl Refinement<'_> {
+    /// True if two runs are so near that a changed one in the steps of the coarser shows a slope.
+    pub(super) fn is_near(&self, method: Method, apart: f64) -> bool {
+        let most = if method.is_adaptive() {
+            (NEARER * CHANGE_ADAPTIVE).max(0.5 * self.tolerance).min(LINEAR)
+        } else {
+            LINEAR
+        };
+        apart <= most
+    }
+
+    /// The condition: by one change of all inputs in the steps of this run, or with care where the
+    /// floor that this puts is near the tolerance.
+    pub(super) fn condition(
+        &mut self,
+        method: Method,
+        run: &Run,
+        precision: f64,
+    ) -> Result<Distances> {
+        if self.is_steep() {
+            return self.slopes_with_care(method, run);
+        }
+        let before = self.work;
+        let slopes = self.slopes(method, run, precision);
+        self.probes += self.work.since(&before);
+        let slopes = slopes?;
+        let floor = self.floor(method, slopes[0]);
+        let is_hopeless = floor.is_finite() && floor > HOPELESS * self.tolerance;
+        // Two rows have told it of a slender body.
+        let is_known = self.problem.slender.is_some() || self.is_far_below(method, slopes[0]);
+        if is_hopeless || is_known {
+            return Ok(slopes);
+        }
+        self.slopes_with_care(method, run)
+    }
+
+    /// True near a separatrix, as the closed form knows: there a change of the start may die away that
+    /// would grow if it came later.
+    pub(super) fn is_steep(&self) -> bool {
+        let exact = self.problem.exact_motion();
+        self.problem.slender.is_none() && exact.is_some_and(|motion| motion.is_near_separatrix())
+    }
+
+    /// True if the floor is so far below the tolerance that the condition need not be known well: so
+    /// much farther as the motion may pass a saddle.
+    pub(super) fn is_far_below(&self, method: Method, condition: f64) -> bool {
+        let saddle = (condition / (REGULAR * (1.0 + self.angle_turned()))).max(1.0);
+        FAR_BELOW * saddle * self.floor(method, condition) < self.tolerance
+    }
+
+    fn slopes(&mut self, method: Method, run: &Run, precision: f64) -> Result<Distances> {
+        let rows = match self.problem.slender {
+            Some(_) => opposite_rows(self.problem.body.moments().to_array()).to_vec(),
+            None => vec![self.problem.most_sensitive_row()?],
+        };
+        let fewest: Vec<Steps> = run.steps.iter().map(|steps| steps.again(method)).collect();
+        let mut by = if method.is_adaptive() {
+            CHANGE_ADAPTIVE
+        } else {
+            // Ten times what the sweeps of this run leave.
+            CHANGE.max(10.0 * precision)
+        };
+        // A smaller change is mostly rounding.
+        while by > 64.0 * EPS {
+            let fine = Fine {
+                // In the same steps, where a method does not choose its own.
+                level: if method.is_adaptive() { run.level } else { method.coarsest },
+                fewest: &fewest,
+                precision: if method.sweeps() { NEARER * by } else { 0.0 },
+                budget: self.limits.budget,
+            };
+            let mut changed = Vec::new();
+            for row in &rows {
+                let problem = self.problem.changed(*row, by)?;
+                changed.push(self.run(&problem, method, fine)?);
+            }
+            // Nor may they part on the way and meet again.
+            let farthest = (changed.iter())
+                .flat_map(|changed| run.passed.iter().zip(&changed.passed))
+                .map(|(a, b)| self.problem.apart(&a.1.state, &b.1.state)[0])
+                .fold(0.0, larger);
+            if farthest <= LINEAR {
+                let changed: Vec<_> = changed.iter().map(|run| self.places(run)).collect();
+                return Ok(self.problem.slopes(by, &self.places(run), &changed).0);
+            }
+            by *= SMALLER;
+        }
+        Ok([f64::INFINITY; 3])
+    }
+
+    /// The same by some changes, with the state moved on the way as rounding does.
+    pub(super) fn slopes_with_care(&mut self, method: Method, run: &Run) -> Result<Distances> {
+        let problem = self.problem;
+        let level = if method.is_adaptive() { run.level.max(FINE_ENOUGH) } else { run.level };
+        let turned = method.turned(problem, problem.span());
+        let intervals = (turned / MOVED).clamp(1.0, INTERVALS) as usize;
+        let mut work = Work::default();
+        let condition = problem.condition(&Probe::STEPPED, |by| {
+            // What the sweeps leave must not be mistaken for a change.
+            let fine = Fine { level, fewest: &[], precision: SMALLER * by, budget: 0 };
+            let places = self.moved(method, (0, 0.0), intervals, fine, &mut work)?;
+            let changed =
+                (0..ROWS).map(|row| self.moved(method, (row, by), intervals, fine, &mut work));
+            Ok((places, changed.collect::<Result<_>>()?))
+        });
+        self.work += work;
+        self.probes += work;
+        condition
+    }
+
+    /// Where the motion is at the places looked at, its inputs changed by this row and so much, and
+    /// its state moved before each of so many intervals of equal time.
+    fn moved(
+        &self,
+        method: Method,
+        (row, by): (usize, f64),
+        intervals: usize,
+        fine: Fine,
+        work: &mut Work,
+    ) -> Result<Vec<State>> {
+        let problem = self.problem.changed(row, by)?;
+        let mut stop = Stop::at(problem.start);
+        let mut passed = Vec::with_capacity(intervals);
+        for k in 0..intervals {
+            if k > 0 {
+                stop.state = problem.moved_before(&stop.state, [k, intervals], row, by)?;
+            }
+            let span = [k, k + 1].map(|k| problem.time_at(k, intervals));
+            let budget = self.limits.left(self.work.torques() + work.torques())?;
+            let start = Stop { on_body: None, ..stop };
+            let run = method.run(&problem, span, &start, Fine { budget, ..fine }, work);
+            stop = run.map_err(|error| self.of_whole_span(error))?.end();
+            passed.push(stop.state);
+        }
+        let is_everywhere = self.times.len() > 1;
+        Ok(passed.split_off(if is_everywhere { 0 } else { intervals - 1 }))
+    }
+}

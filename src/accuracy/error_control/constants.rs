@@ -1,0 +1,227 @@
+//! The tuned constants of the error control, each with its purpose, and with what it was derived from or
+//! measured on where that is known.
+//!
+//! What a method does on a turn is a row of its own, in `method`; what the search for crossings
+//! takes is in `crossings`, the search for jumps and kinks in `effects::check`. What a change does
+//! to thousands of scenes, and to the work:
+//!
+//! ```text
+//! cargo run --release -p benches --bin attack
+//! cargo run --release -p benches --bin price
+//! ```
+
+#![warn(clippy::missing_docs_in_private_items)]
+
+use crate::effects::UNNAMED;
+
+// Which method comes first.
+
+/// Under a known resistance a splitting of order 4 costs less above this error, one of order 6 below:
+/// measured on bodies in oil and in air.
+pub(super) const ORDER_FOUR: f64 = 1e-5;
+
+/// Under other smooth torques Gauss-Legendre of order 16 costs less than DOP853 below this error:
+/// measured on satellites, motors and magnets.
+pub(super) const ORDER_SIXTEEN: f64 = 1e-8;
+
+// The distance of two runs.
+
+/// ln 40: a level is a factor of 40 in the error.
+pub(super) const LEVEL: f64 = 3.688_879_454_113_936;
+
+/// An error is estimated as so many times the distance of two runs. The second is 40 times finer
+/// (DOP853: 13 times): where errors fall as they should the distance is 13 to 40 times the error.
+pub(super) const SAFETY: f64 = 2.0;
+
+/// Over kinks that nothing names, the error of a run depends on where its steps happen to fall, and
+/// two runs may agree by chance. The distance of the last two counts as no less than the distance
+/// of the two before, fallen by this a level, and all of it [`SAFETY`] times. Over what is smooth
+/// DOP853 falls by 13 a level; with 8 one of 36 100 answers over kinks, cusps and jumps is above
+/// its request.
+pub(super) const KINKED: f64 = 8.0;
+
+/// Levels from a run to the next, at most.
+pub(super) const MOST_LEVELS: f64 = 3.0;
+
+/// A method ends where so many distances in a row stay above half the smallest.
+pub(super) const STUCK: u32 = 3;
+
+/// A distance that runs do not get below, no more than so many times the floor, is round-off.
+pub(super) const ROUND_OFF: f64 = 16.0;
+
+/// The error allowed for a step of DOP853 at level 0.
+pub(super) const OF_A_STEP: f64 = 1e-3;
+
+/// More steps of a piece than these are refined by the error allowed for each.
+pub(super) const FEW: f64 = 8.0;
+
+/// So many levels are left to a run whose steps were short from the first: a bump whose width is named
+/// took one more at 1e-11.
+pub(super) const LATER: f64 = 4.0;
+
+// The iterations (sweeps) by which Gauss-Legendre solves its steps.
+
+/// The part of the tolerance that they may leave.
+pub(super) const SWEEPS: f64 = 0.1;
+
+/// A run by sweeps so many times coarser than its condition allows is made again, even where its steps
+/// can be no finer. Of 200 answers on damped bodies the worst is 0.05 of its request with 2, and 0.20
+/// with 1.
+pub(super) const LOOSELY: f64 = 2.0;
+
+/// To this precision at least steps are solved.
+pub(super) const SWEPT_AT_MOST: f64 = 1e-6;
+
+/// The error that the sweeps of n steps leave is the condition times n times this, in units of the
+/// precision: it is mostly on one side. Measured on 600 free bodies and tops over 30 to 30 000 steps:
+/// 0.0038 at most, whatever their number.
+pub(super) const SWEPT: f64 = 0.004;
+
+// The condition, as the distance of two runs shows it.
+
+/// The change of the inputs of the first run, as a part of the tolerance, for each radian that a
+/// motion is late. It moves the end of one that is only late by some hundredths of the tolerance.
+pub(super) const CHANGED: f64 = 0.05;
+
+/// A floor that is so many times below the tolerance need not be known well. A single change of all
+/// inputs moves the end by a sum with signs. In one direction that is below 1/30 of its root mean
+/// square in 27 cases of a thousand, in three alike in one of 20 000 (a normal distribution).
+pub(super) const FAR_BELOW: f64 = 30.0;
+
+/// A motion whose condition is at most this many times the condition of a motion that is only late
+/// counts as passing no saddle.
+pub(super) const REGULAR: f64 = 6.0;
+
+/// A floor so many times above the tolerance is refused at once.
+pub(super) const HOPELESS: f64 = 10.0;
+
+// The condition, as runs of its own show it.
+
+/// By how much the inputs are changed: more than round-off by as many digits as it is below a turn,
+pub(super) const CHANGE: f64 = 1e-8;
+/// and of DOP853, which answers with a jump of a part of its error, so much more,
+pub(super) const CHANGE_ADAPTIVE: f64 = 1e-4;
+/// that its error is this part of the change at most.
+pub(super) const NEARER: f64 = 0.1;
+
+/// A changed motion that moves by more than this (rad) shows no slope any more.
+pub(super) const LINEAR: f64 = 0.03;
+
+/// The next change, where one moves the end too far; and the part of a change that sweeps may leave
+/// where it is measured with care.
+pub(super) const SMALLER: f64 = 1e-3;
+
+/// Where the floor is not far below the tolerance, nor hopelessly above: so many changes,
+pub(super) const ROWS: usize = 5;
+/// each with the state moved on the way, once in so many radians that the body turns: what passes a
+/// saddle must be moved on its way there;
+pub(super) const MOVED: f64 = 2.0;
+/// but so often at most.
+pub(super) const INTERVALS: f64 = 512.0;
+
+/// The level of DOP853 there, at least. It answers a small change with a small jump, of its error: at
+/// this level of some 1e-11 a step.
+pub(super) const FINE_ENOUGH: f64 = 5.0;
+
+// Measured on 2400 requests beside separatrices and uprights: without the smallest change's own rules
+// (`STRAIGHT`, `GATHERED`, `LOST`) 26 more are refused, and none can be told its floor.
+
+/// Slopes of two changes are one slope if they differ by no more than this.
+pub(super) const STRAIGHT: f64 = 10.0;
+
+/// An end that moves by more than this (rad) has gone far. If it hardly moves by a smaller change,
+/// that may be a slope. Or the end is where all motions wait for a while, as a top does that has
+/// all but stopped on the vertical: they gather there, and part again. A finer change tells.
+pub(super) const GONE_FAR: f64 = 0.5;
+
+/// Where none is left: a slope by which the next larger change would have moved the end by
+/// less than this part of what is linear, where in truth it went far, is none.
+pub(super) const GATHERED: f64 = 1e-2;
+
+/// An attitude that moves by more than this (rad) when the inputs change as little as
+/// doubles can: nothing is known of it.
+pub(super) const LOST: f64 = 0.05;
+
+// Closed forms.
+
+/// The error of a closed form, in units of eps (1 + condition). Measured over the reference
+/// cases: 5.6, of which the rates cost most, read from a state that holds L in space.
+pub(super) const CLOSED_FORM: f64 = 8.0;
+
+/// 1 - m below which a motion is near a separatrix (m: the parameter of its elliptic functions).
+pub(super) const NEAR_SEPARATRIX: f64 = 1e-6;
+
+// Where runs are cut, compared and gone on from.
+
+/// The angle (rad) that a body turns at most between two places where its effects are tried,
+pub(super) const CUT: f64 = 30.0;
+/// of which there are no more than so many.
+pub(super) const MOST_CUTS: f64 = 8.0;
+
+/// Where every state is asked for, runs are compared once in so many radians that the body turns,
+pub(super) const COMPARED: f64 = 3.0;
+/// at so many places at most.
+pub(super) const MOST_COMPARED: f64 = 128.0;
+
+/// A stretch between two known states is stepped in parts of so many steps of the run, of which every
+/// state between them is found from the last before it.
+pub(super) const PART: u64 = 8;
+
+// Features in time that nothing names, and pulses.
+
+/// A pulse must last one part in so many of the span to be seen if nothing names it.
+pub(super) const LOOKS: f64 = UNNAMED;
+
+/// A pulse whose width is named is taken in so many steps at least.
+pub(super) const STEPS_IN_PULSE: f64 = 2.0;
+
+/// A jump that nothing names is met by a step that is not too long: two steps over a whole
+/// span may leave it between them. With 64 none of 11 478 answers of `attack -- kinked` was above its
+/// request, with 16 one of 11 485, for a quarter of the work over short spans.
+pub(super) const STEPS_OVER_JUMPS: f64 = 16.0;
+
+// Slender bodies.
+
+/// Moments further apart than this by a factor make a slender body. Tumbling under the gravity
+/// gradient and a motor was tried to 1e-3, 1e-6 and 1e-9. With L on the fixed axes DOP853 took more
+/// derivatives than on the body's: 1.3 to 2.0 times where moments are 2 to 8 apart, 2.2 to 3.9
+/// times at 16, 6 to 17 times at 64.
+pub(super) const SLENDER: f64 = 16.0;
+
+/// A motion whose energy allows no rate that is so many times the one that occurs is stepped with L on
+/// the fixed axes: it turns mostly about the thin axis. (A cone that rolls has 4.9.)
+pub(super) const TUMBLING: f64 = 5.0;
+
+/// The error of a step of the trial run: DOP853 at its coarsest level.
+pub(super) const TRIAL: f64 = 6e-3;
+
+/// The part of the budget that the trial may take.
+pub(super) const TRIAL_PART: u64 = 10;
+
+// Motion that slides along a switch.
+
+/// A switch that comes after less than this part of a step is one back at once. On a surface on which
+/// the motion slides it comes after roundings of the time, or, where the torque does not change the
+/// rate of the signal itself, after the root of a rounding.
+pub(super) const AT_ONCE: f64 = 1e-6;
+
+/// So many in a row are no graze, which is two: the motion slides.
+pub(super) const SLIDES: u32 = 8;
+
+/// The same where the torque jumps with the state and nothing names it: a run is watched, of this
+/// tolerance,
+pub(super) const WATCHED: f64 = 1e-9;
+/// and of so many steps at most.
+pub(super) const WATCHED_STEPS: u64 = 20_000;
+
+/// It slides with more than one jump in a step of the whole run; or with so many,
+pub(super) const SOME_JUMPS: f64 = 0.1;
+/// if it comes to rest: if the second half of the steps covers less than this part of the time that
+/// the first half covers. Measured: at least 0.27 jumps in a step where a motion slides late, and
+/// up to 0.28 where jumps are crossed a hundred times in a turn: the number alone does not tell.
+pub(super) const STAND: f64 = 0.1;
+
+/// Two states nearer than this (rad, and as a part of the momentum)
+pub(super) const BESIDE: f64 = 1e-6;
+/// whose torques differ by more than this part are on two sides of a jump.
+pub(super) const JUMP: f64 = 1e-3;
