@@ -4,9 +4,11 @@
 //! summed over the particles of the body (`lagrangian.rs`), in six
 //! states of motion. Each test ends with a damaged twin: the formula with one
 //! thing wrong, which must miss by far more than the bound. What follows for
-//! whole motions is in `motions.rs`; the corrections of the notes are in `errata.rs`.
+//! whole motions is in `motions.rs`; the corrections of the notes are in `errata.rs`; Euler's equations
+//! with a torque, which the notes do not have, in `euler.rs`.
 
 mod errata;
+mod euler;
 mod lagrangian;
 mod motions;
 

@@ -319,7 +319,11 @@ fn eq_15_4_2_plate_on_its_principal_axes() {
 /// goes on as the shaft leads it; with the torque reversed it does not.
 #[test]
 fn the_bearings_torque_is_what_the_motion_needs() {
-    let problem = Shaft::of(&Parameters::default()).unwrap().driven().unwrap();
+    let shaft = Shaft::of(&Parameters::default()).unwrap();
+    // Euler's equations, at constant rates on the body.
+    let [_, b, c] = shaft.angular_velocity().to_array();
+    assert_error!((shaft.i3 - shaft.i1) * b * c / shaft.torque().x(), 1.0, 0.0 eps);
+    let problem = shaft.driven().unwrap();
     let solved = problem.scene.solve_at(&problem.start, &[problem.end], 1e-12, &Limits::default());
     assert_error!(problem.error(&solved.unwrap()[0]), 4.9e-14);
     let mirrored = Shaft { tilt: -0.5, ..Shaft::of(&Parameters::default()).unwrap() };

@@ -3,15 +3,8 @@
 
 use crate::answers::{self, confirmed, refused, value};
 use pages::ch15_5_torque_free::*;
-use rotation_dynamics::accuracy::Limits;
-use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::body::RigidBody;
-use rotation_dynamics::effects::Torque;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::math::{atan2, cos, exp, sin};
-use rotation_dynamics::motion::Motion;
-use rotation_dynamics::scene::Scene;
 use support::{Errors, assert_largest, derivative};
 
 /// What is measured at one moment of a stepped motion.
@@ -351,48 +344,6 @@ fn three_routes_give_one_motion() {
     assert_largest!(closed, 15, @"3.93e-15");
     assert_largest!(steps, 15, @"3.20e-14");
     damaged.exceed(0.01, 15);
-}
-
-/// Three different moments and a torque on the body's axes: the scene is stepped on fixed axes, and
-/// its rates on the body are differentiated. The twin: the torque with the other sign.
-#[test]
-fn eulers_equations_hold_with_a_torque() {
-    let moments = [1.0, 1.5, 0.8];
-    let body = RigidBody::new(PrincipalMoments::new(moments[0], moments[1], moments[2]).unwrap());
-    let torque = [0.3, -0.2, 0.4];
-    let push = Torque::on_body("push", move |_, _, _| BodyVector::from_array(torque)).smooth();
-    let start = body.state(Attitude::IDENTITY, BodyVector::new(0.4, -0.7, 1.1)).unwrap();
-    let scene = Scene::new(body).with(push);
-    let motion = scene.solve_along(&start, 5.0, 1e-13, &Limits::default()).unwrap();
-    let rates = |t: f64| body.angular_velocity(&motion.try_state(t).unwrap()).to_array();
-    let (mut errors, mut twin) = (Errors::of("I dOmega/dt"), Errors::of("with the torque reversed"));
-    for t in [0.7, 2.1, 3.3, 4.6] {
-        let omega = rates(t);
-        for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
-            let left = moments[i] * derivative(|t| rates(t)[i], t, 2e-3);
-            let turned = (moments[j] - moments[k]) * omega[j] * omega[k];
-            errors.push(left - (turned + torque[i]));
-            twin.push(left - (turned - torque[i]));
-        }
-    }
-    assert_largest!(errors, 12, @"5.81e-13");
-    twin.exceed(0.1, 12);
-}
-
-/// At constant rates on the body, of the cylinder on its shaft; the twin leans the other way.
-#[test]
-fn eulers_equations_give_the_torque_of_the_bearings() {
-    use pages::ch15_4_angular_momentum::{Parameters, Shaft};
-    let (mut errors, mut twin) = (Errors::of("torque"), Errors::of("leaning the other way"));
-    for (tilt, rate) in [(0.5, 10.0), (1.2, 3.0), (0.1, 200.0)] {
-        let shaft = Shaft::of(&Parameters { tilt, rate, ..Parameters::default() }).unwrap();
-        let (b, c) = (rate * sin(tilt), rate * cos(tilt));
-        let found = shaft.torque().x();
-        errors.push((shaft.i3 - shaft.i1) * b * c / found - 1.0);
-        twin.push((shaft.i3 - shaft.i1) * -b * c / found - 1.0);
-    }
-    assert_largest!(errors, 3, @"1.11e-16");
-    twin.exceed(1.0, 3);
 }
 
 /// The gradient of gravity turns L as the card says, at 45 degrees to the vertical.
