@@ -159,7 +159,7 @@ pub extern "C" fn report(n: usize) -> usize {
     leave(text.unwrap_or_else(|error| format!("error: {error}")))
 }
 
-/// Judges an answer by the numbers that were written, line by line: see [`answers::judged`]. Leaves
+/// Judges an answer by the numbers that were written, line by line: see `answers::judged`. Leaves
 /// `{"kind", "words"}`.
 #[unsafe(no_mangle)]
 pub extern "C" fn judged() -> usize {
