@@ -9,7 +9,7 @@ pub(crate) mod bracket;
 pub mod double_double;
 mod hyperbolic;
 mod hypot;
-#[allow(unsafe_code)]
+#[allow(unsafe_code, reason = "registers are loaded, stored and reached by their features")]
 pub mod lane;
 mod order;
 mod product;

@@ -71,7 +71,7 @@ mod known {
 
 /// Where the processor has to be asked.
 #[cfg(all(target_arch = "x86_64", not(target_feature = "fma")))]
-#[allow(unsafe_code)]
+#[allow(unsafe_code, reason = "it calls what the processor was just asked for")]
 mod asked {
     use super::super::lane::{Pair, Two, fused, has_fma};
     use super::{Exact, halves};

@@ -78,7 +78,10 @@ impl Tableau {
 
 impl<const STEADY: bool> GaussLegendre<STEADY> {
     /// Every step, with its work added, in the widest registers that the processor has and the method may use.
-    #[cfg_attr(target_arch = "x86_64", expect(unsafe_code))]
+    #[cfg_attr(
+        target_arch = "x86_64",
+        expect(unsafe_code, reason = "the features are asked for first")
+    )]
     pub(super) fn run<const N: usize, O: StageOde<N>, C: Companion<N>>(
         &self,
         ode: &O,
