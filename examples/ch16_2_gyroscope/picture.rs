@@ -1,5 +1,6 @@
 //! The gyroscope on its stand: as it moves, and as two stills that show the cause.
 
+use super::rotor::ROTOR;
 use super::{Parameters, driven, motions};
 use kit::draw::{Camera, Ink, Side, Solid, View};
 use kit::{Figure, MovingPicture, Result, times};
@@ -7,32 +8,42 @@ use models::heavy_top::{Pose, direction};
 use rotation_dynamics::frame::SpaceVector;
 
 pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
-/// Where the disc sits on the axle, whose length is 1.
+/// Where the rotor sits on the axle, whose length is 1; its radius, and the height of the pivot.
 pub const HUB: f64 = 0.6;
+const RADIUS: f64 = 0.36;
+const HEIGHT: f64 = 0.72;
 
-/// The page's camera: the notes' start, phi = 0, lies at the left rim.
+/// The camera of the page's traces: the notes' start, phi = 0, lies at the left rim.
 pub fn camera() -> Camera {
     Camera::new(0.3, 0.38)
 }
 
-/// The rotor on its stand: a disc with two marks on an axle, its pivot at the origin.
+/// The rotor in this pose.
+fn rotor(pose: &Pose) -> Solid {
+    let axis = pose.axis();
+    Solid::flywheel(axis * HUB, axis, pose.spoke(0.0), RADIUS)
+}
+
+/// The rotor on its stand on a table: a spoked wheel on an axle, its pivot at the origin.
 pub fn on_stand(name: &str, alt: &str, pose: &Pose) -> View {
-    let (origin, axis) = (SpaceVector::zero(), pose.axis());
-    let hub = axis * HUB;
-    let face = hub + axis * 0.041;
-    let mark = |turn: f64| {
-        let spoke = pose.spoke(turn);
-        [face + spoke * 0.06, face + spoke * 0.33]
-    };
+    let origin = SpaceVector::zero();
     View::new(name, alt)
-        .camera(camera())
-        .around(UP * 0.16, 1.26)
-        .size(340, 320)
-        .solid(Solid::stand(origin, 1.0, 0.3), Ink::Frame)
-        .solid(Solid::rod(origin, axis, 0.022), Ink::Frame)
-        .solid(Solid::disc(hub, axis, 0.34, 0.08), Ink::Body)
-        .line(mark(0.0), Ink::Paper)
-        .line(mark(core::f64::consts::PI), Ink::Paper)
+        .camera(Camera::new(-0.55, 0.38))
+        .around(UP * 0.08, 1.12)
+        .size(340, 266)
+        .table(UP * -HEIGHT, 1.1)
+        .solid(Solid::stand(origin, HEIGHT, 0.26), Ink::Frame)
+        .solid(Solid::rod(origin, pose.axis(), 0.018), Ink::Frame)
+        .solid(rotor(pose), Ink::Body)
+}
+
+/// A rotor that falls, until it meets the table.
+fn falling(pose: &Pose) -> Option<Solid> {
+    let axis = pose.axis();
+    let level = (1.0 - axis.z() * axis.z()).max(0.0).sqrt();
+    let lowest = HUB * axis.z() - RADIUS * level;
+    let body = || rotor(pose).with(Solid::rod(SpaceVector::zero(), axis, 0.018));
+    (lowest > -HEIGHT && axis.z() > -HEIGHT).then(body)
 }
 
 /// Before and after: the torque of the weight at one moment, and where it has taken L and
@@ -46,7 +57,7 @@ pub fn causes() -> Result<[Figure; 2]> {
     };
     let first = on_stand(
         "cause_before",
-        "A rotor leans to the left on its stand; L points along its axis; the weight pulls down at the disc; \
+        "A rotor leans to the left on its stand; L points along its axis; the weight pulls down at the wheel; \
          the torque lies level, at right angles to the axis, and from the tip of L an arrow dL points the same way",
         &before,
     );
@@ -64,17 +75,21 @@ pub fn causes() -> Result<[Figure; 2]> {
         .line(arc, Ink::Momentum)
         .dashed([SpaceVector::zero(), before.along()], Ink::Momentum);
     Ok([
-        before.with_cause(up(first), HUB, 1.0, before.along()).figure()?,
-        after.with_cause(up(second), HUB, 1.0, after.along()).figure()?,
+        before.with_cause(up(first), HUB, 1.0, before.along(), 1.0).figure()?,
+        after.with_cause(up(second), HUB, 1.0, after.along(), 1.0).figure()?,
     ])
 }
 
 /// The motion asked for, or the rotor released at rest, which draws cusps.
 pub fn moving(p: &Parameters) -> Result<MovingPicture> {
     let mut motions = motions(p)?;
+    let stage = |pose: &Pose| on_stand("scene", "scene", pose);
     if driven::is_asked_for(p) {
-        return driven::rotor(p)?.moving(HUB, |pose| on_stand("scene", "scene", pose));
+        return driven::rotor(p)?.moving(HUB, stage);
     }
     let motion = motions.swap_remove(if motions.len() > 1 { 3 } else { 0 });
-    motion.moving(HUB, |pose| on_stand("scene", "scene", pose))
+    // In a motion without units c/a is all that the axis knows of the body. The half-kilogram
+    // rotor has the same c/a at some spin, and then t' is sqrt(c I1/m g l).
+    let unit = (motion.top.c().abs() * ROTOR.i1 / ROTOR.weight_moment()).sqrt();
+    motion.moving(HUB, unit, stage, falling)
 }

@@ -14,12 +14,12 @@ use rotation_dynamics::frame::SpaceVector;
 const PIECE: f64 = 6.0;
 
 impl View {
-    /// The faces that look at the eye, lighter as they turn to the light; `most` in percent.
+    /// The faces that look at the eye, lighter as they turn to the light: from `least` to `most` percent.
     pub(super) fn faces(
         &self,
         solid: &Solid,
         ink: Ink,
-        most: f64,
+        [least, most]: [f64; 2],
         items: &mut Vec<Item>,
     ) -> Result<()> {
         let camera = &self.camera;
@@ -32,7 +32,8 @@ impl View {
                 continue;
             };
             // Few steps of light keep the picture small.
-            let percent = 4.0 * libm::round(0.125 * most * (1.0 + normal.dot(&light)));
+            let lit = least + 0.5 * (most - least) * (1.0 + normal.dot(&light));
+            let percent = 4.0 * libm::round(0.25 * lit);
             items.push(Item {
                 points: face.clone(),
                 paint: Paint::Face(ink, percent as u32),

@@ -12,8 +12,10 @@ use crate::error::{Result, finite};
 use core::f64::consts::PI;
 use rotation_dynamics::frame::SpaceVector;
 
-/// The most light of an arrow, in percent: its colour says what it is and must be seen.
-const VECTOR: f64 = 56.0;
+/// The light of bodies, and of arrows, whose colour says what they are and must be seen: in percent,
+/// from the shade to the full light.
+const BODY: [f64; 2] = [0.0, 100.0];
+const VECTOR: [f64; 2] = [12.0, 60.0];
 
 /// Where a part of a line lies relative to the sphere, from behind to the front.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -156,9 +158,12 @@ impl View {
         if layer == Layer::Inside {
             for element in &self.elements {
                 match element {
-                    Element::Solid(solid, ink) => self.faces(solid, *ink, 100.0, &mut items)?,
+                    Element::Solid(solid, ink) => self.faces(solid, *ink, BODY, &mut items)?,
                     Element::Vector([from, to], ink) => {
-                        self.faces(&Solid::arrow(*from, *to), *ink, VECTOR, &mut items)?;
+                        // The angular velocity may lie along L.
+                        let thick = if *ink == Ink::Velocity { 1.45 } else { 1.0 };
+                        let arrow = Solid::arrow(*from, *to, thick);
+                        self.faces(&arrow, *ink, VECTOR, &mut items)?;
                     }
                     _ => {}
                 }

@@ -3,6 +3,7 @@
 //! Not for: the closed form itself ([`rotation_dynamics::exact::heavy_top`]).
 
 mod claims;
+mod falling;
 mod moving;
 mod pictures;
 mod routes;
