@@ -21,11 +21,13 @@ impl Falling {
     /// None for sound motions.
     pub(super) fn of(motion: &Motion, falls: impl Fn(&Pose) -> bool) -> Result<Option<Self>> {
         let c = motion.top.c();
+        if c == 0.0 {
+            return Ok(None);
+        }
         let body = match motion.exact.body() {
             Some(body) => body,
             // In units of t': I1 = 1.
-            None if c != 0.0 => SymmetricTop::formal(1.0, motion.top.a(), c.abs(), c.signum())?,
-            None => return Ok(None),
+            None => SymmetricTop::formal(1.0, motion.top.a(), c.abs(), c.signum())?,
         };
         let EulerAngles { theta, phi, .. } = motion.exact.angles(0.0);
         let sideways = motion.exact.phi_rate(0.0) * sin(theta);
