@@ -173,15 +173,16 @@ impl Solid {
         plate.with(pillar)
     }
 
-    /// An arrow with a shaft and a head, so many times as thick as usual. Its shaft is cut into
-    /// short rings, so that what it passes through hides the right part of it.
-    pub(super) fn arrow(from: SpaceVector, to: SpaceVector, thick: f64) -> Self {
-        /// Radius of the shaft, radius and length of the head.
-        const SIZE: [f64; 3] = [0.024, 0.066, 0.18];
+    /// An arrow with a shaft and a head, for a view of this reach, so many times as thick as usual.
+    /// Its shaft is cut into short rings, so that what it passes through hides the right part of it.
+    pub(super) fn arrow(from: SpaceVector, to: SpaceVector, reach: f64, thick: f64) -> Self {
+        /// Radius of the shaft, radius and length of the head over the reach.
+        const SIZE: [f64; 3] = [0.022, 0.06, 0.16];
         const RINGS: u32 = 5;
         let (axis, length) = direction(from, to);
         // A short arrow is a small one.
-        let [shaft, head, long] = SIZE.map(|size| size * (length / (2.0 * SIZE[2])).min(1.0));
+        let size = reach.min(length / (2.0 * SIZE[2]));
+        let [shaft, head, long] = SIZE.map(|part| part * size);
         let ring = |i: u32| ((length - long) * f64::from(i) / f64::from(RINGS), thick * shaft);
         let head = [(length - long, thick * head), (length, 0.0)];
         let profile: Vec<_> = (0..=RINGS).map(ring).chain(head).collect();
@@ -235,8 +236,8 @@ mod tests {
             (Solid::ball(at(1.0, 1.0, 1.0), 1.0), 4.0 / 3.0 * PI, 0.1),
             (Solid::ring(at(1.0, 1.0, 1.0), axis, 2.0, 0.1), 4.0 * PI * PI * 0.01, 0.2),
             (
-                Solid::arrow(at(1.0, 1.0, 1.0), at(1.0, 1.0, 3.0), 1.0),
-                PI * (0.024 * 0.024 * 1.82 + 0.066 * 0.066 * 0.18 / 3.0) * share(10.0),
+                Solid::arrow(at(1.0, 1.0, 1.0), at(1.0, 1.0, 3.0), 1.0, 1.0),
+                PI * (0.022 * 0.022 * 1.84 + 0.06 * 0.06 * 0.16 / 3.0) * share(10.0),
                 1e-12,
             ),
         ];

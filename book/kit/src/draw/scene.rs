@@ -162,7 +162,7 @@ impl View {
                     Element::Vector([from, to], ink) => {
                         // The angular velocity may lie along L.
                         let thick = if *ink == Ink::Velocity { 1.45 } else { 1.0 };
-                        let arrow = Solid::arrow(*from, *to, thick);
+                        let arrow = Solid::arrow(*from, *to, self.reach, thick);
                         self.faces(&arrow, *ink, VECTOR, &mut items)?;
                     }
                     _ => {}
