@@ -29,6 +29,7 @@ mod depth;
 mod display;
 mod drawing;
 mod encoded;
+mod globe;
 mod hidden;
 mod ink;
 mod label;

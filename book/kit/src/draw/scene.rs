@@ -62,7 +62,10 @@ impl View {
             frame.draw(&outline, &Paint::Fill(Ink::Frame, 0.07))?;
             frame.draw(&outline, &Paint::Loop(Stroke::new(Ink::Frame, 1.2)))?;
         }
-        for element in &self.elements {
+        if self.globe {
+            self.paint_globe(&frame)?;
+        }
+        for element in self.elements.iter().filter(|_| !self.globe) {
             if let Element::OnSphere(points, stroke) = element {
                 let hidden =
                     Stroke { dash: Dash::Dashed, width: 0.75 * stroke.width, ..stroke.faint(0.5) };
@@ -117,7 +120,7 @@ impl View {
     }
 
     fn layered(&self, points: &[SpaceVector]) -> Vec<(Layer, Vec<SpaceVector>)> {
-        if !self.sphere {
+        if !self.sphere && !self.globe {
             return vec![(Layer::Inside, points.to_vec())];
         }
         let mut found: Vec<(Layer, Vec<SpaceVector>)> = Vec::new();
@@ -145,7 +148,16 @@ impl View {
         found
     }
 
-    /// Lines and arrows of a layer; in the middle one with the bodies.
+    /// Where a body is: a globe is before it or behind, and it is within any other sphere.
+    fn layer_of(&self, points: impl IntoIterator<Item = SpaceVector>) -> Layer {
+        if !self.globe {
+            return Layer::Inside;
+        }
+        let depth: f64 = points.into_iter().map(|p| self.camera.depth(p)).sum();
+        if depth < 0.0 { Layer::Behind } else { Layer::Before }
+    }
+
+    /// Lines, arrows and bodies of a layer.
     fn paint_layer(
         &self,
         frame: &Frame<'_>,
@@ -155,18 +167,18 @@ impl View {
     ) -> Result<()> {
         let parts: Vec<&Part<'_>> = parts.iter().filter(|p| p.layer == layer).collect();
         let mut items = Vec::new();
-        if layer == Layer::Inside {
-            for element in &self.elements {
-                match element {
-                    Element::Solid(solid, ink) => self.faces(solid, *ink, BODY, &mut items)?,
-                    Element::Vector([from, to], ink) => {
-                        // The angular velocity may lie along L.
-                        let thick = if *ink == Ink::Velocity { 1.45 } else { 1.0 };
-                        let arrow = Solid::arrow(*from, *to, self.reach, thick);
-                        self.faces(&arrow, *ink, VECTOR, &mut items)?;
-                    }
-                    _ => {}
+        for element in &self.elements {
+            match element {
+                Element::Solid(solid, ink) if self.layer_of(solid.faces.concat()) == layer => {
+                    self.faces(solid, *ink, BODY, &mut items)?;
                 }
+                Element::Vector([from, to], ink) if self.layer_of([*from, *to]) == layer => {
+                    // The angular velocity may lie along L.
+                    let thick = if *ink == Ink::Velocity { 1.45 } else { 1.0 };
+                    let arrow = Solid::arrow(*from, *to, self.reach, thick);
+                    self.faces(&arrow, *ink, VECTOR, &mut items)?;
+                }
+                _ => {}
             }
         }
         if items.is_empty() {
@@ -259,7 +271,7 @@ impl View {
         if self.triad {
             obstacles.take(Self::triad_rect(rect));
         }
-        if self.sphere {
+        if self.sphere || self.globe {
             let outline = super::sketch::arc((0.0, 0.0), 1.0, (0.0, 2.0 * PI));
             let outline: Vec<Point> = outline.into_iter().map(|p| frame.px(p)).collect();
             obstacles.add_line(Obstacles::NOBODY, &outline);

@@ -2,6 +2,7 @@
 
 use super::canvas::figure;
 use super::display::{Dash, Stroke};
+use super::globe::graticule;
 use super::ink::Ink;
 use super::shadow::Ground;
 use super::solid::{Camera, Solid};
@@ -59,6 +60,7 @@ pub struct View {
     pub(super) reach: f64,
     pub(super) centre: SpaceVector,
     pub(super) sphere: bool,
+    pub(super) globe: bool,
     pub(super) triad: bool,
     pub(super) elements: Vec<Element>,
     pub(super) texts: Vec<(SpaceVector, String, Ink, Side)>,
@@ -77,6 +79,7 @@ impl View {
             reach: 1.12,
             centre: SpaceVector::zero(),
             sphere: false,
+            globe: false,
             triad: false,
             elements: Vec::new(),
             texts: Vec::new(),
@@ -121,6 +124,28 @@ impl View {
     #[must_use]
     pub fn sphere(mut self) -> Self {
         self.sphere = true;
+        self
+    }
+
+    /// Adds the unit sphere about the origin as a lit body that hides what is behind it: the Earth
+    /// with its parallels, and its meridians turned about Z by `turn` (rad).
+    #[must_use]
+    pub fn globe(mut self, turn: f64) -> Self {
+        self.globe = true;
+        let thin = Stroke::new(Ink::Frame, 0.8).faint(0.6);
+        let (meridians, parallels) = graticule();
+        let up = SpaceVector::new(0.0, 0.0, 1.0);
+        for meridian in meridians {
+            let (s, c) = sincos(turn + meridian);
+            let half = super::sketch::arc((0.0, 0.0), 1.0, (0.0, PI)).into_iter();
+            let points = half.map(|(z, out)| SpaceVector::new(c * out, s * out, 0.0) + up * z);
+            self.elements.push(Element::OnSphere(points.collect(), thin));
+        }
+        for tilt in parallels {
+            let (s, c) = sincos(tilt);
+            let (x, y) = (SpaceVector::new(s, 0.0, 0.0), SpaceVector::new(0.0, s, 0.0));
+            self.elements.push(Element::OnSphere(circle(up * c, x, y), thin));
+        }
         self
     }
 
