@@ -1,10 +1,11 @@
 //! The figures of the page.
 
 use super::friction::{FRICTION, damped, tilts};
-use super::picture::{HUB, UP, camera, causes, on_stand};
+use super::picture::{UP, camera, causes};
 use super::{Equations, Parameters, driven, fast};
 use kit::draw::{Axis, Curve, Ink, Panel, Side, View};
 use kit::{Figure, Result, sampled, times};
+use models::heavy_top::stand::{HUB, on_stand};
 use models::heavy_top::{Motion, Pose, direction, extents};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{acos, exp, pow};

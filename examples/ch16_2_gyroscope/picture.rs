@@ -2,48 +2,16 @@
 
 use super::rotor::ROTOR;
 use super::{Parameters, driven, motions};
-use kit::draw::{Camera, Ink, Side, Solid, View};
+use kit::draw::{Camera, Ink, Side, View};
 use kit::{Figure, MovingPicture, Result, times};
+use models::heavy_top::stand::{HUB, falling, on_stand};
 use models::heavy_top::{Pose, direction};
 use rotation_dynamics::frame::SpaceVector;
 
 pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
-/// Where the rotor sits on the axle, whose length is 1; its radius, and the height of the pivot.
-pub const HUB: f64 = 0.6;
-const RADIUS: f64 = 0.36;
-const HEIGHT: f64 = 0.72;
-
 /// The camera of the page's traces: the notes' start, phi = 0, lies at the left rim.
 pub fn camera() -> Camera {
     Camera::new(0.3, 0.38)
-}
-
-/// The rotor in this pose.
-fn rotor(pose: &Pose) -> Solid {
-    let axis = pose.axis();
-    Solid::flywheel(axis * HUB, axis, pose.spoke(0.0), RADIUS)
-}
-
-/// The rotor on its stand on a table: a spoked wheel on an axle, its pivot at the origin.
-pub fn on_stand(name: &str, alt: &str, pose: &Pose) -> View {
-    let origin = SpaceVector::zero();
-    View::new(name, alt)
-        .camera(Camera::new(-0.55, 0.38))
-        .around(UP * 0.08, 1.12)
-        .size(340, 266)
-        .table(UP * -HEIGHT, 1.1)
-        .solid(Solid::stand(origin, HEIGHT, 0.26), Ink::Frame)
-        .solid(Solid::rod(origin, pose.axis(), 0.018), Ink::Frame)
-        .solid(rotor(pose), Ink::Body)
-}
-
-/// A rotor that falls, until it meets the table.
-fn falling(pose: &Pose) -> Option<Solid> {
-    let axis = pose.axis();
-    let level = (1.0 - axis.z() * axis.z()).max(0.0).sqrt();
-    let lowest = HUB * axis.z() - RADIUS * level;
-    let body = || rotor(pose).with(Solid::rod(SpaceVector::zero(), axis, 0.018));
-    (lowest > -HEIGHT && axis.z() > -HEIGHT).then(body)
 }
 
 /// Before and after: the torque of the weight at one moment, and where it has taken L and

@@ -7,6 +7,7 @@ mod falling;
 mod moving;
 mod pictures;
 mod routes;
+pub mod stand;
 mod steady;
 mod stepped;
 mod strip;
