@@ -25,7 +25,7 @@ pub(super) enum Element {
     Dot(SpaceVector, Ink, f64, bool),
     /// A lit arrow from one place to another.
     Vector([SpaceVector; 2], Ink),
-    /// Level ground below everything else.
+    /// Ground below everything else.
     Ground(Ground),
     /// The silhouette of a body that is not there, behind all bodies.
     Ghost(Solid, Ink),
@@ -186,14 +186,23 @@ impl View {
     /// throw soft shadows on it.
     #[must_use]
     pub fn ground(mut self, at: SpaceVector, radius: f64) -> Self {
-        self.elements.push(Element::Ground(Ground { at, radius, thickness: 0.0 }));
+        self.elements.push(Element::Ground(Ground::level(at, radius, 0.0)));
         self
     }
 
     /// Adds a round table whose top lies about the point `at`: ground with an edge.
     #[must_use]
     pub fn table(mut self, at: SpaceVector, radius: f64) -> Self {
-        self.elements.push(Element::Ground(Ground { at, radius, thickness: 0.05 * radius }));
+        self.elements.push(Element::Ground(Ground::level(at, radius, 0.05 * radius)));
+        self
+    }
+
+    /// Adds a rectangle of ground about the point `at` that need not be level: half its edges are
+    /// these vectors, at right angles, and it is the side to which `along` x `across` points.
+    #[must_use]
+    pub fn slope(mut self, at: SpaceVector, along: SpaceVector, across: SpaceVector) -> Self {
+        let slope = Ground { at, along, across, round: false, thickness: 0.0 };
+        self.elements.push(Element::Ground(slope));
         self
     }
 
