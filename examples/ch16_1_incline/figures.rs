@@ -184,7 +184,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .slope(middle_of, up_slope * (0.5 * length), half_across)
             .solid(wedge, Ink::Frame)
             .solid(Solid::cylinder(middle - across * half, middle + across * half, r), Ink::Body)
-            .line([at - mark, at + mark], Ink::Paper)
+            .line([at, at + mark], Ink::Paper)
             .arrow(at, at - UP * size, Ink::Force, "$mg$", Side::Below)
             .arrow(
                 contact + front,
@@ -200,7 +200,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         }
         if (vx / v).abs() > 0.06 {
             let foot = middle + off * (1.35 * r);
-            let tip = foot + up_slope * (0.6 * size * vx / v);
+            let tip = foot + up_slope * (0.9 * size * vx / v);
             scene = scene.vector(foot, tip, Ink::Velocity, r"$\dot x$", Side::Above);
         }
         Ok((alt, scene))
