@@ -3,7 +3,7 @@
 
 use super::*;
 use kit::But;
-use kit::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View};
+use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View};
 use kit::{Figure, MovingPicture, Trajectory, times};
 
 const ORIGIN: SpaceVector = SpaceVector::new(0.0, 0.0, 0.0);
@@ -158,9 +158,9 @@ fn gaps() -> Result<Figure> {
         .figure()
 }
 
-/// A ring of square section about the origin.
+/// A ring of square section about the origin, of so many sides that it looks round.
 fn band(axis: SpaceVector, across: SpaceVector, radius: f64) -> Solid {
-    const SIDES: u32 = 40;
+    const SIDES: u32 = 72;
     let (v, half) = (axis.cross(&across), 0.04);
     let at = |i: u32, k: usize| {
         let (s, c) = sincos(2.0 * PI * f64::from(i % SIDES) / f64::from(SIDES));
@@ -297,6 +297,10 @@ fn pole(p: &Parameters) -> Result<Figure> {
         .figure()
 }
 
+/// Azimuth of the eye: with the angles and rates of the page both rings are wide open in all three
+/// stills.
+const FACING: f64 = 1.13;
+
 /// How long the gyroscope is watched, s.
 const END: f64 = 6.0;
 
@@ -326,12 +330,12 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// The three rates, one after the other, and their sum; below, the components on x, y, z.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let g = Gyroscope::of(p, 0.1);
-    let scale = scale(&g, 1.75);
+    let scale = scale(&g, 2.3);
     let path: Vec<[f64; 3]> = times(0.0, END, 200).map(|t| g.after(t).nodal()).collect();
     let axis = Axis::linear("rad/s").over(path.iter().flatten().copied().chain([-0.1, 0.1]));
     let component = |i: usize, name: &str| {
         let curve = times(0.0, END, 200).zip(path.iter().map(|omega| omega[i]));
-        Curve::new(curve, Ink::Velocity).label(name)
+        Curve::new(curve, Ink::Velocity).label_end(name)
     };
     let graph = Panel::new("graph", "")
         .x(Axis::linear("$t$ / s"))
@@ -339,28 +343,28 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(component(0, "$\\Omega_x$").dotted())
         .curve(component(1, "$\\Omega_y$").dashed())
         .curve(component(2, "$\\Omega_z$"));
-    MovingPicture::new(0.0..=END, [0.0, 1.14, 4.28], move |t| {
+    MovingPicture::new(0.0..=END, [0.0, 1.4, 4.28], move |t| {
         let now = g.after(t);
         let ([x, _, z], rates, omega) = (now.triad(), now.rates, now.angular_velocity());
-        let first = UP * (rates.phi * scale);
-        let second = first + x * (rates.theta * scale);
-        let (last, sum) = (second + z * (rates.zeta * scale), omega * scale);
+        let [first, second, spin] =
+            [UP * rates.phi, x * rates.theta, z * rates.zeta].map(|part| part * scale);
+        let (corner, sum) = (first + second, omega * scale);
         let alt = format!(
-            "The gyroscope at {t:.1} s, tilted by {:.2} rad: an arrow up the vertical for the rate of phi, from its tip \
-             one along the line of nodes for theta, from there one along the axis of the rotor for zeta; they end at \
-             the tip of the angular velocity, {:.1} rad/s. Below, its components on x, y and z against time.",
+            "The gyroscope at {t:.1} s, tilted by {:.2} rad: from its centre an arrow up the vertical for the rate of phi, \
+             on its tip one parallel to the pivots of the inner ring for theta, and along the axle of the rotor one for zeta. \
+             A dashed line carries the last to the tip of the others, where their sum ends, the angular velocity, {:.1} rad/s. \
+             Below, its components on x, y and z against time.",
             now.angles.theta,
             omega.norm()
         );
         let scene = gimbals("scene", &alt, &now)
-            .around(UP * 0.05, 1.6)
+            .camera(Camera::new(FACING, 0.38))
+            .around(UP * 0.15, 1.5)
             .size(340, 320)
-            .arrow(ORIGIN, first, Ink::Velocity, "", Side::Left)
-            .text(first * 0.8, "$\\dot\\phi$", Ink::Velocity, Side::Left)
-            .arrow(first, second, Ink::Velocity, "", Side::Above)
-            .text((first + second) * 0.5, "$\\dot\\theta$", Ink::Velocity, Side::Above)
-            .arrow(second, last, Ink::Velocity, "", Side::Right)
-            .text((second + last) * 0.5, "$\\dot\\zeta$", Ink::Velocity, Side::Above)
+            .dashed([corner, sum], Ink::Velocity)
+            .component(ORIGIN, first, Ink::Velocity, "$\\dot\\phi$", Side::Left)
+            .component(first, corner, Ink::Velocity, "$\\dot\\theta$", Side::Above)
+            .component(ORIGIN, spin, Ink::Velocity, "$\\dot\\zeta$", Side::Right)
             .arrow(ORIGIN, sum, Ink::Velocity, "$\\Omega$", Side::Right);
         Stack::frame(&alt, scene, &graph, t)
     })

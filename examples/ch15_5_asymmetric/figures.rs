@@ -61,7 +61,7 @@ fn rolling(tumble: Tumble) -> Result<Figure> {
     let axes = tumble.moments.map(|i| (tumble.momentum() * scale / i).sqrt());
     let surface = |i: u32, j: u32| {
         let ((s, c), (sj, cj)) =
-            (sincos(PI * f64::from(i) / 14.0), sincos(TAU * f64::from(j) / 24.0));
+            (sincos(PI * f64::from(i) / 24.0), sincos(TAU * f64::from(j) / 40.0));
         let place = BodyVector::new(c * axes[0], s * cj * axes[1], s * sj * axes[2]);
         at.attitude.to_space(place)
     };
@@ -69,7 +69,7 @@ fn rolling(tumble: Tumble) -> Result<Figure> {
         vec![surface(i, j), surface(i + 1, j), surface(i + 1, j + 1), surface(i, j + 1)]
     };
     let solid =
-        Solid::new((0..14).flat_map(|i| (0..24).map(move |j| (i, j))).map(|(i, j)| face(i, j)));
+        Solid::new((0..24).flat_map(|i| (0..40).map(move |j| (i, j))).map(|(i, j)| face(i, j)));
     let polhode = sampled(times(0.0, 2.0 * flips, 120), |t| {
         let rates = BodyVector::from_array(tumble.rates(t)?) * (scale * 1.01);
         Ok(at.attitude.to_space(rates))

@@ -39,33 +39,39 @@ pub fn separatrices([i1, i2, i3]: [f64; 3]) -> [Vec<SpaceVector>; 2] {
     })
 }
 
-/// The bare sphere: its outline and the three axes.
+/// The sphere of the body in the light, the three axes, and the separatrix in ink.
 pub fn sphere(view: View, separatrices: [Vec<SpaceVector>; 2]) -> View {
-    let (right, up) = (
-        SpaceVector::new(-sin(EYE.0), cos(EYE.0), 0.0),
-        SpaceVector::new(-sin(EYE.1) * cos(EYE.0), -sin(EYE.1) * sin(EYE.0), cos(EYE.1)),
-    );
-    let outline = times(0.0, TAU, 90).map(|turn| right * cos(turn) + up * sin(turn));
     let axes = [(0, "$1$", Side::Above), (1, "$2$", Side::BelowLeft), (2, "$3$", Side::Right)];
     let view = separatrices
         .into_iter()
-        .fold(view.line(outline, Ink::Frame), |view, curve| view.trace(curve, Ink::Ink));
+        .fold(view.globe(Ink::Body), |view, curve| view.trace(curve, Ink::Ink));
     axes.into_iter().fold(view, |view, (axis, label, side)| {
         let out = on_sphere(unit(axis).to_array());
         view.arrow(out, out * 1.3, Ink::Body, label, side)
     })
 }
 
-/// The book about `centre`, as large as the sphere, with a title on its cover.
+/// The book about `centre`, as large as the sphere: pages between its covers, the spine on the
+/// side -2, and a title on the front cover.
 fn book(view: View, p: &Parameters, attitude: &Attitude, centre: SpaceVector) -> View {
     let size = 1.5 / p.length;
-    let place =
-        |x: f64, y: f64, z: f64| centre + attitude.to_space(BodyVector::new(x, y, z)) * size;
-    let edge = |i: usize, length: f64| attitude.to_space(unit(i)) * (length * size);
-    let (a, b, c) = (0.5 * p.length, 0.5 * p.width, 0.5 * p.thickness);
-    let edges = [edge(0, p.length), edge(1, p.width), edge(2, p.thickness.max(0.02 * p.length))];
-    let title = |x: f64| [place(x * a, -0.6 * b, c * 1.02), place(x * a, 0.6 * b, c * 1.02)];
-    view.solid(Solid::cuboid(centre, edges), Ink::Body)
+    // A thinner one could not be told from a sheet.
+    let edges = [p.length, p.width, p.thickness.max(0.06 * p.length)];
+    let place = |parts: [f64; 3]| {
+        let [x, y, z] = [0, 1, 2].map(|i| 0.5 * size * edges[i] * parts[i]);
+        centre + attitude.to_space(BodyVector::new(x, y, z))
+    };
+    // The pages: a patch over the edge, from cover to cover.
+    let pages = |corners: [[f64; 2]; 2]| {
+        let [[ax, ay], [bx, by]] = corners;
+        [[ax, ay, -0.7], [bx, by, -0.7], [bx, by, 0.7], [ax, ay, 0.7]].map(place)
+    };
+    let title = |x: f64| [place([x, -0.6, 1.02]), place([x, 0.6, 1.02])];
+    let along = [0, 1, 2].map(|i| attitude.to_space(unit(i)) * (edges[i] * size));
+    view.solid(Solid::cuboid(centre, along), Ink::Body)
+        .patch(pages([[1.01, -0.9], [1.01, 1.0]]), Ink::Frame, 95)
+        .patch(pages([[1.0, 1.01], [-1.0, 1.01]]), Ink::Frame, 95)
+        .patch(pages([[-1.01, 1.0], [-1.01, -0.9]]), Ink::Frame, 95)
         .line(title(0.6), Ink::Paper)
         .line(title(0.4), Ink::Paper)
 }
@@ -87,14 +93,15 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let axis = attitude.to_space(unit(1));
         let alt = format!(
             "{t:.2} s after the throw: a book turns about the vertical L, its middle axis 2 {:.0} \
-             degrees from it; beside it the tip of L on the sphere of the body, on a path that \
-             passes close by both ends of axis 2; below, the component of L along axis 2.",
+             degrees from it; beside it L as an arrow in the sphere of the body, its tip on a blue \
+             path that runs close to the black separatrix and passes close by both ends of axis 2; below, the component of L along axis 2.",
             rotation_dynamics::math::acos(now[1].clamp(-1.0, 1.0)).to_degrees()
         );
         let view =
             View::new("scene", &alt).camera(camera()).around(aside * 0.5, 1.42).size(340, 200);
         let view = sphere(view, separatrices(tumble.moments))
             .trace(polhode.iter().copied(), Ink::Momentum)
+            .arrow(SpaceVector::zero(), on_sphere(now), Ink::Momentum, "", Side::Right)
             .dot(on_sphere(now), Ink::Momentum, "", Side::Right);
         let view = book(view, &p, &attitude, aside)
             .arrow(aside, aside + UP * 1.2, Ink::Momentum, "$L$", Side::Above)

@@ -4,22 +4,24 @@ use super::{LINE, Parameters, Top, top};
 use core::f64::consts::TAU;
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
 use kit::{MovingPicture, Result, sampled, times};
-use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::math::{cos, sin, sincos};
+use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::math::{cos, hypot, sin, sincos};
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 const ORIGIN: SpaceVector = SpaceVector::zero();
 
-/// A funnel about `axis` with its tip at the origin: only its inner side, so that the near
-/// half is cut away.
+/// A funnel about `axis` with its tip at the origin, its side so long: only its inner side, so
+/// that the near half is cut away.
 fn funnel(
     axis: SpaceVector,
     [u, v]: [SpaceVector; 2],
     half_angle: f64,
+    long: f64,
 ) -> (Solid, Vec<SpaceVector>) {
     let rim = |turn: f64| {
         let (s, c) = sincos(turn);
-        axis * cos(half_angle) + (u * c + v * s) * sin(half_angle)
+        (axis * cos(half_angle) + (u * c + v * s) * sin(half_angle)) * long
     };
     let rim: Vec<_> = times(0.0, TAU, 72).map(rim).collect();
     let faces = rim.windows(2).map(|pair| vec![ORIGIN, pair[0], pair[1]]);
@@ -29,39 +31,86 @@ fn funnel(
 /// The cones at the time t: that of the body about its axis, that of space about L, and the
 /// line on which they touch.
 pub fn view(name: &str, alt: &str, top: Top, t: f64) -> Result<View> {
-    let (attitude, axis, pole) = (top.attitude(t)?, top.axis(t)?, top.pole(t));
-    let (lean, between) = (top.lean(), (top.tilt() - top.lean()).abs());
-    let thin = top.tilt() > top.lean();
-    let side = attitude.to_space(LINE);
-    let (body, rim) = funnel(axis, [side, axis.cross(&side)], lean);
-    let body = match thin {
-        true => Solid::cone(axis * cos(lean), ORIGIN, sin(lean)),
-        false => body,
-    };
-    let (centre, at) = (axis * cos(lean), rim[0]);
+    let reach = if top.tilt() > top.lean() { 0.8 } else { 0.92 };
+    let view = View::new(name, alt).around(UP * 0.66, reach).size(340, 300);
+    let (body, rim) = body_cone(&top.attitude(t)?, top, 1.0);
+    let (centre, at) = (top.axis(t)? * cos(top.lean()), rim[0]);
     // The line lies on the face, a hair above it.
-    let lift = axis * 0.006;
+    let lift = top.axis(t)? * 0.006;
+    let view = rolling(view, top, t, (body, rim), 1.0)?;
+    Ok(view.line([centre + lift, at + lift], Ink::Ink).dot(at + lift, Ink::Ink, "$P$", Side::Below))
+}
+
+/// The cone of the body, its side so long: whole if the other lies outside, else a funnel.
+fn body_cone(attitude: &Attitude, top: Top, long: f64) -> (Solid, Vec<SpaceVector>) {
+    let (axis, lean, side) = (attitude.axis(), top.lean(), attitude.to_space(LINE));
+    let (funnel, rim) = funnel(axis, [side, axis.cross(&side)], lean, long);
+    match top.tilt() > lean {
+        true => (Solid::cone(axis * (long * cos(lean)), ORIGIN, long * sin(lean)), rim),
+        false => (funnel, rim),
+    }
+}
+
+/// The cone of the body on that of space, with the axes and the path of the body's.
+fn rolling(
+    view: View,
+    top: Top,
+    t: f64,
+    (body, rim): (Solid, Vec<SpaceVector>),
+    long: f64,
+) -> Result<View> {
+    let (axis, pole) = (top.axis(t)?, top.pole(t));
+    let between = (top.tilt() - top.lean()).abs();
     // Long enough to come out of the cones.
-    let omega = pole * 1.3;
-    let path = sampled(times(0.0, top.round(), 90), |t| Ok(top.axis(t)? * 1.3))?;
+    let (out, up) = (1.3 * long, 1.5 * long);
+    let path = sampled(times(0.0, top.round(), 90), |t| Ok(top.axis(t)? * out))?;
     let beside = |v: SpaceVector| if v.y() < 0.0 { Side::Left } else { Side::Right };
-    Ok(View::new(name, alt)
-        .around(UP * 0.66, if thin { 0.8 } else { 0.92 })
-        .size(340, 300)
+    let space = Solid::cone(UP * (long * cos(between)), ORIGIN, long * sin(between));
+    Ok(view
         .dashed(path, Ink::Body)
-        .solid(Solid::cone(UP * cos(between), ORIGIN, sin(between)), Ink::Frame)
+        .solid(space, Ink::Frame)
         .solid(body, Ink::Body)
         .line(rim, Ink::Body)
-        .line([centre + lift, at + lift], Ink::Ink)
-        .dot(at + lift, Ink::Ink, "$P$", Side::Below)
-        .arrow(ORIGIN, UP * 1.45, Ink::Momentum, "$L$", Side::Above)
-        .arrow(ORIGIN, axis * 1.3, Ink::Body, "$z$", beside(axis))
-        .arrow(ORIGIN, omega, Ink::Velocity, r"$\Omega$", beside(pole)))
+        .arrow(ORIGIN, UP * up, Ink::Momentum, "$L$", Side::Above)
+        .arrow(ORIGIN, axis * out, Ink::Body, "$z$", beside(axis))
+        .arrow(ORIGIN, pole * out, Ink::Velocity, r"$\Omega$", beside(pole)))
+}
+
+/// Half the diagonal of the can in the picture: its middle is the tip of the cones.
+const CAN: f64 = 0.95;
+/// How long the sides of the cones are, so that they come out of the can.
+const SIDE: f64 = 1.2;
+
+/// The can itself, seen through, with the line OP on its end face and a stripe down its side.
+fn can(view: View, p: &Parameters, attitude: &Attitude) -> View {
+    let unit = CAN / hypot(p.radius, 0.5 * p.height);
+    // A disc without thickness has no side to be lit.
+    let (radius, half) = (p.radius * unit, (0.5 * p.height * unit).max(0.02));
+    let at = |turn: f64, out: f64, z: f64| {
+        attitude.to_space(BodyVector::new(out * radius * cos(turn), out * radius * sin(turn), z))
+    };
+    let strip = |from: f64| {
+        let to = from + 0.1;
+        vec![at(from, 1.0, -half), at(to, 1.0, -half), at(to, 1.0, half), at(from, 1.0, half)]
+    };
+    let stripe = Solid::new(times(-0.2, 0.1, 3).map(strip));
+    let rim = |z: f64| times(0.0, TAU, 72).map(move |turn| at(turn, 1.0, z));
+    let body = Solid::disc(ORIGIN, attitude.axis(), radius, 2.0 * half);
+    let (top, p) = (half + 0.006, at(0.0, 1.0, half + 0.006));
+    // A dot that is painted on the end face, so that a cone can hide it.
+    let [x, y] = [at(0.0, 1.0, 0.0), at(0.25 * TAU, 1.0, 0.0)].map(|v| v * (0.045 / v.norm()));
+    let dot = times(0.0, TAU, 16).skip(1).map(|turn| p + x * cos(turn) + y * sin(turn));
+    view.ghost([(body, Ink::Body), (stripe, Ink::Ink)])
+        .line(rim(half), Ink::Body)
+        .line(rim(-half), Ink::Body)
+        .line([at(0.0, 0.0, top), p], Ink::Ink)
+        .patch(dot, Ink::Ink, 0)
+        .text(p, "$P$", Ink::Ink, Side::Below)
 }
 
 /// Two turns of the axis of the body asked for, its tilt drawn larger.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let top = top(p)?.tilted(p.drawn_tilt);
+    let (p, top) = (p.clone(), top(p)?.tilted(p.drawn_tilt));
     let (round, turns) = (top.round(), top.line_turns());
     let end = 2.0 * round;
     let line = |slope: f64, ink| Curve::of(times(0.0, end, 2), |t| slope * t / round, ink);
@@ -75,13 +124,17 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(line(turns, Ink::Body).label("line $OP$"));
     let draw = move |t: f64| {
         let alt = format!(
-            "A body cone about the axis z rolls on a space cone about L; they touch along the \
-             angular velocity. After {t:.2} s the axis has gone round L {:.2} times and the \
-             line OP has turned {:.2} times; below, both against time.",
+            "A can seen through. A green cone about its axis z rolls on a grey cone about the upright L; \
+             they touch along the angular velocity. After {t:.2} s the axis has gone round L {:.2} \
+             times and the line OP on the can's end face has turned {:.2} times; below, both against time.",
             t / round,
             turns * t / round
         );
-        Stack::frame(&alt, view("scene", &alt, top, t)?, &graph, t)
+        let view = View::of(UP * 0.5, 1.36).size(340, 320);
+        let attitude = top.attitude(t)?;
+        let scene =
+            rolling(can(view, &p, &attitude), top, t, body_cone(&attitude, top, SIDE), SIDE)?;
+        Stack::frame(&alt, scene, &graph, t)
     };
     MovingPicture::new(0.0..=end, [0.0, 0.3 * round, 0.6 * round], draw)
 }

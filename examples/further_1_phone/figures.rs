@@ -6,14 +6,18 @@ use core::f64::consts::FRAC_PI_2;
 use kit::draw::{Camera, Solid};
 use rotation_dynamics::attitude::Attitude;
 
-/// From the thrower's right and a little behind: away from the hand is to the right.
+/// From behind the thrower's right shoulder: away from the hand is to the right and back, the
+/// thrower's right is to the right and in front.
 fn camera() -> Camera {
-    Camera::new(-1.95, 0.3)
+    Camera::new(-2.3, 0.5)
 }
 
-/// The phone about `centre`: its screen dark, and a lens on its back.
+/// The phone about `centre`: its screen dark, with a light strip at its lower end, and on its
+/// back a camera.
 fn phone(view: View, p: &Parameters, attitude: &Attitude, centre: SpaceVector) -> View {
-    let half = [0.5 * p.length, 0.5 * p.width, 0.5 * p.thickness];
+    // A thinner one could not be told from a sheet.
+    let thick = p.thickness.max(0.05 * p.length);
+    let half = [0.5 * p.length, 0.5 * p.width, 0.5 * thick];
     let place = |[x, y, z]: [f64; 3]| {
         let at = BodyVector::new(x * half[0], y * half[1], z * half[2]);
         centre + attitude.to_space(at)
@@ -29,12 +33,19 @@ fn phone(view: View, p: &Parameters, attitude: &Attitude, centre: SpaceVector) -
         if z < 0.0 {
             corners.reverse();
         }
-        Solid::new([corners.map(place).to_vec()])
+        corners.map(place)
     };
+    // The screen is on the side -3, a hair above the glass.
     view.solid(Solid::cuboid(centre, [edge(0), edge(1), edge(2)]), Ink::Body)
-        .solid(sheet([-0.93, 0.93], [-0.88, 0.88], -1.08), Ink::Ink)
-        .solid(sheet([0.62, 0.88], [-0.75, -0.2], 1.08), Ink::Ink)
+        .patch(sheet([-0.95, 0.95], [-0.9, 0.9], -1.04), Ink::Ink, SCREEN)
+        .patch(sheet([-0.87, -0.84], [-0.3, 0.3], -1.08), Ink::Paper, 100)
+        .patch(sheet([0.5, 0.88], [-0.78, -0.1], 1.04), Ink::Ink, SCREEN)
+        .patch(sheet([0.73, 0.84], [-0.68, -0.46], 1.08), Ink::Paper, 100)
+        .patch(sheet([0.54, 0.65], [-0.68, -0.46], 1.08), Ink::Paper, 100)
 }
+
+/// Light of the screen in percent: dark in both themes.
+const SCREEN: u32 = 8;
 
 /// The rates over that of the turn, and the time in turns.
 fn unit(p: &Parameters, tilt: f64, toward: f64) -> Result<Throw> {
@@ -209,7 +220,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
         let attitude = free.attitude(t);
         // The height is drawn reduced, so that the phone is large.
-        let reduced = 0.15_f64.min(0.57 * p.length / p.height);
+        let reduced = 0.1_f64.min(0.38 * p.length / p.height);
         let up = reduced * (0.5 * p.gravity * t * (end - t));
         let centre = SpaceVector::new(0.0, 0.0, up);
         let axis = attitude.to_space(BodyVector::new(0.0, 1.0, 0.0)) * (0.8 * p.length);
@@ -221,7 +232,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             if looks > 0.0 { "up" } else { "down" },
             100.0 * along(t, &free)
         );
-        let view = View::of(SpaceVector::new(0.0, 0.0, 0.5 * reduced * p.height), 0.86 * p.length)
+        let view = View::of(SpaceVector::new(0.0, 0.0, 0.5 * reduced * p.height), 0.76 * p.length)
             .camera(camera())
             .size(340, 220);
         let scene = phone(view, &p, &attitude, centre)

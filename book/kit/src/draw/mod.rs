@@ -31,6 +31,7 @@ mod encoded;
 mod hidden;
 mod ink;
 mod label;
+mod material;
 mod mechanism;
 mod method;
 mod paint;

@@ -48,7 +48,9 @@ impl View {
             }
         }
         let parts = self.parts();
+        self.paint_ghosts(&frame)?;
         self.paint_layer(&frame, &parts, Layer::Behind, unit)?;
+        self.paint_globes(&frame)?;
         if self.sphere {
             let outline = super::sketch::arc((0.0, 0.0), 1.0, (0.0, 2.0 * PI));
             frame.draw(&outline, &Paint::Fill(Ink::Frame, 0.07))?;
@@ -148,8 +150,12 @@ impl View {
         let mut items = Vec::new();
         if layer == Layer::Inside {
             for element in &self.elements {
-                if let Element::Solid(solid, ink) = element {
-                    self.faces(solid, *ink, &mut items)?;
+                match element {
+                    Element::Solid(solid, ink) => self.faces(solid, *ink, &mut items)?,
+                    Element::Patch(outline, ink, light) => {
+                        self.patched(outline, *ink, *light, &mut items)?;
+                    }
+                    _ => {}
                 }
             }
         }

@@ -19,6 +19,12 @@ pub(super) enum Element {
     /// A line with a head of this length (px) at its end.
     Arrow(Vec<SpaceVector>, Stroke, f64),
     Solid(Solid, Ink),
+    /// A convex body that is seen through.
+    Ghost(Vec<(Solid, Ink)>),
+    /// A flat patch on a body, with so many percent of light.
+    Patch(Vec<SpaceVector>, Ink, u32),
+    /// The unit ball in the light.
+    Globe(Ink),
     /// A place, its ink, its radius (px), and whether it is a ring.
     Dot(SpaceVector, Ink, f64, bool),
     /// An area below everything else.
@@ -220,6 +226,20 @@ impl View {
         let thin = matches!(ink, Ink::Body | Ink::Frame | Ink::Ink);
         let stroke = Stroke::new(ink, if thin { 1.4 } else { 2.2 });
         self.elements.push(Element::Arrow(vec![from, to], stroke, 9.0));
+        self.text(to, label, ink, side)
+    }
+
+    /// Adds a thinner arrow with a label at its tip: a part of another.
+    #[must_use]
+    pub fn component(
+        mut self,
+        from: SpaceVector,
+        to: SpaceVector,
+        ink: Ink,
+        label: &str,
+        side: Side,
+    ) -> Self {
+        self.elements.push(Element::Arrow(vec![from, to], Stroke::new(ink, 1.4), 8.0));
         self.text(to, label, ink, side)
     }
 
