@@ -100,7 +100,7 @@ fn can(view: View, p: &Parameters, attitude: &Attitude) -> View {
     // A dot that is painted on the end face, so that a cone can hide it.
     let [x, y] = [at(0.0, 1.0, 0.0), at(0.25 * TAU, 1.0, 0.0)].map(|v| v * (0.045 / v.norm()));
     let dot = times(0.0, TAU, 16).skip(1).map(|turn| p + x * cos(turn) + y * sin(turn));
-    view.ghost([(body, Ink::Body), (stripe, Ink::Ink)])
+    view.glass(body, Ink::Body, [(stripe, Ink::Ink)])
         .line(rim(half), Ink::Body)
         .line(rim(-half), Ink::Body)
         .line([at(0.0, 0.0, top), p], Ink::Ink)

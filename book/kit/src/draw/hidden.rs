@@ -4,7 +4,7 @@ use super::canvas::{Frame, Paint, Point};
 use super::depth::{Item, from_behind};
 use super::display::{Dash, Stroke};
 use super::ink::Ink;
-use super::material::{LIGHT, percent};
+use super::material::percent;
 use super::scene::Part;
 use super::solid::{Solid, normal};
 use super::view::View;
@@ -15,15 +15,19 @@ use rotation_dynamics::frame::SpaceVector;
 const PIECE: f64 = 6.0;
 
 impl View {
-    /// The faces that look at the eye, lighter as they turn to the light.
-    pub(super) fn faces(&self, solid: &Solid, ink: Ink, items: &mut Vec<Item>) -> Result<()> {
+    /// The faces that look at the eye, lighter as they turn to the light; `most` in percent.
+    pub(super) fn faces(
+        &self,
+        solid: &Solid,
+        ink: Ink,
+        most: f64,
+        items: &mut Vec<Item>,
+    ) -> Result<()> {
         let camera = &self.camera;
-        let [right, up, eye] = LIGHT;
-        let light = camera.eye * eye + camera.up * up + camera.right * right;
-        let light = light / light.norm();
+        let light = camera.light() / camera.light().norm();
         for face in &solid.faces {
             if let Some(normal) = self.looks_here(face)? {
-                let paint = Paint::Face(ink, percent(normal.dot(&light)));
+                let paint = Paint::Face(ink, percent(most, normal.dot(&light)));
                 items.push(Item { points: face.clone(), paint, goes_on: false });
             }
         }

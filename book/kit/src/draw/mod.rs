@@ -20,6 +20,7 @@
 
 mod axis;
 mod backend;
+mod band;
 mod bodies;
 mod canvas;
 mod clip;
@@ -38,6 +39,7 @@ mod paint;
 mod panel;
 mod place;
 mod scene;
+mod shadow;
 mod sketch;
 mod solid;
 mod stack;

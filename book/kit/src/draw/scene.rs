@@ -5,11 +5,15 @@ use super::canvas::{Canvas, Frame, Paint, Point};
 use super::display::{Dash, Stroke};
 use super::ink::Ink;
 use super::place::{GAP, Obstacles};
+use super::solid::Solid;
 use super::view::{Element, View};
 use super::words::{Rect, Side, Words};
 use crate::error::{Result, finite};
 use core::f64::consts::PI;
 use rotation_dynamics::frame::SpaceVector;
+
+/// The most light of an arrow, in percent: its colour says what it is and must be seen.
+const VECTOR: f64 = 56.0;
 
 /// Where a part of a line lies relative to the sphere, from behind to the front.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -42,13 +46,15 @@ impl View {
         let (cx, cy) = self.camera.project(self.centre);
         let (rx, ry) = (width / unit / 2.0, height / unit / 2.0);
         let frame = canvas.frame((cx - rx, cx + rx), (cy - ry, cy + ry), rect);
+        self.paint_ground(&frame)?;
         for element in &self.elements {
-            if let Element::Ground(outline) = element {
-                frame.draw(&self.flat(outline), &Paint::Fill(Ink::Frame, 0.14))?;
+            if let Element::Ghost(solid, ink) = element {
+                self.paint_ghost(&frame, solid, *ink)?;
             }
         }
+        self.paint_bands(&frame, false)?;
         let parts = self.parts();
-        self.paint_ghosts(&frame)?;
+        self.paint_glass(&frame)?;
         self.paint_layer(&frame, &parts, Layer::Behind, unit)?;
         self.paint_globes(&frame)?;
         if self.sphere {
@@ -69,6 +75,7 @@ impl View {
                 self.on_sphere(&frame, points, true, *stroke)?;
             }
         }
+        self.paint_bands(&frame, true)?;
         self.paint_layer(&frame, &parts, Layer::Before, unit)?;
         for element in &self.elements {
             if let Element::Dot(at, ink, radius, ring) = element {
@@ -151,9 +158,12 @@ impl View {
         if layer == Layer::Inside {
             for element in &self.elements {
                 match element {
-                    Element::Solid(solid, ink) => self.faces(solid, *ink, &mut items)?,
+                    Element::Solid(solid, ink) => self.faces(solid, *ink, 100.0, &mut items)?,
                     Element::Patch(outline, ink, light) => {
                         self.patched(outline, *ink, *light, &mut items)?;
+                    }
+                    Element::Vector([from, to], ink) => {
+                        self.faces(&Solid::arrow(*from, *to), *ink, VECTOR, &mut items)?;
                     }
                     _ => {}
                 }
@@ -266,6 +276,10 @@ impl View {
                         self.flat(points).into_iter().map(|p| frame.px(p)).collect();
                     obstacles.add_line(Obstacles::NOBODY, &px);
                 }
+                Element::Vector(ends, _) => {
+                    let px: Vec<Point> = self.flat(ends).into_iter().map(|p| frame.px(p)).collect();
+                    obstacles.add_line(Obstacles::NOBODY, &px);
+                }
                 Element::Dot(at, _, radius, _) => {
                     obstacles.take(Rect::about(frame.px(self.camera.project(*at)), *radius));
                 }
@@ -273,6 +287,14 @@ impl View {
             }
         }
         let sheet = canvas.sheet();
+        if let Some(text) = &self.corner {
+            let at = (rect.left + 6.0, rect.top + 14.0);
+            if let Some(placed) = obstacles
+                .place_at(at, Side::Right, 0.0, |side, gap| Words::new(text, Ink::Ink, side, gap))
+            {
+                placed.paint(&sheet)?;
+            }
+        }
         for (at, text, ink, side) in &self.texts {
             let at = frame.px(self.camera.project(*at));
             let words = |side, gap| Words::new(text, *ink, side, gap);

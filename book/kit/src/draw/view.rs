@@ -3,6 +3,7 @@
 use super::canvas::figure;
 use super::display::{Dash, Stroke};
 use super::ink::Ink;
+use super::shadow::Ground;
 use super::solid::{Camera, Solid};
 use super::words::Side;
 use crate::Figure;
@@ -19,16 +20,22 @@ pub(super) enum Element {
     /// A line with a head of this length (px) at its end.
     Arrow(Vec<SpaceVector>, Stroke, f64),
     Solid(Solid, Ink),
-    /// A convex body that is seen through.
-    Ghost(Vec<(Solid, Ink)>),
+    /// A body that is seen through, and what is painted on it.
+    Glass(Vec<(Solid, Ink)>),
     /// A flat patch on a body, with so many percent of light.
     Patch(Vec<SpaceVector>, Ink, u32),
     /// The unit ball in the light.
     Globe(Ink),
     /// A place, its ink, its radius (px), and whether it is a ring.
     Dot(SpaceVector, Ink, f64, bool),
-    /// An area below everything else.
-    Ground(Vec<SpaceVector>),
+    /// A lit arrow from one place to another.
+    Vector([SpaceVector; 2], Ink),
+    /// Level ground below everything else.
+    Ground(Ground),
+    /// The silhouette of a body that is not there, behind all bodies.
+    Ghost(Solid, Ink),
+    /// The part of the unit sphere between two tilts from Z.
+    Band([f64; 2]),
 }
 
 /// A picture of three dimensions, seen by one [`Camera`].
@@ -61,6 +68,7 @@ pub struct View {
     pub(super) triad: bool,
     pub(super) elements: Vec<Element>,
     pub(super) texts: Vec<(SpaceVector, String, Ink, Side)>,
+    pub(super) corner: Option<String>,
 }
 
 impl View {
@@ -78,6 +86,7 @@ impl View {
             triad: false,
             elements: Vec::new(),
             texts: Vec::new(),
+            corner: None,
         }
     }
 
@@ -154,11 +163,25 @@ impl View {
         view.text(z * (end - 0.03), "$Z$", Ink::Frame, Side::Right)
     }
 
-    /// Adds a piece of level ground about the point `at`, round, below everything else.
+    /// Adds a piece of level ground about the point `at`, round, below everything else. Bodies
+    /// throw soft shadows on it.
     #[must_use]
     pub fn ground(mut self, at: SpaceVector, radius: f64) -> Self {
-        let (x, y) = (SpaceVector::new(radius, 0.0, 0.0), SpaceVector::new(0.0, radius, 0.0));
-        self.elements.push(Element::Ground(circle(at, x, y)));
+        self.elements.push(Element::Ground(Ground { at, radius, thickness: 0.0 }));
+        self
+    }
+
+    /// Adds a round table whose top lies about the point `at`: ground with an edge.
+    #[must_use]
+    pub fn table(mut self, at: SpaceVector, radius: f64) -> Self {
+        self.elements.push(Element::Ground(Ground { at, radius, thickness: 0.05 * radius }));
+        self
+    }
+
+    /// Writes a text into the upper left corner: the time, or what is set.
+    #[must_use]
+    pub fn corner(mut self, text: &str) -> Self {
+        self.corner = Some(text.into());
         self
     }
 
@@ -187,6 +210,33 @@ impl View {
             SpaceVector::new(0.0, s, 0.0),
         );
         self.elements.push(Element::OnSphere(circle, Stroke::new(Ink::Frame, 0.8)));
+        self
+    }
+
+    /// Adds the band of the unit sphere between two angles from Z: where an axis may go. It is
+    /// translucent, its far half fainter.
+    #[must_use]
+    pub fn band(mut self, from: f64, to: f64) -> Self {
+        self.elements.push(Element::Band([from, to]));
+        self.latitude(from).latitude(to)
+    }
+
+    /// Adds a path along which something went, as a ribbon that fades towards its old end. The
+    /// points are equal times apart. Bodies hide it.
+    #[must_use]
+    pub fn trail(mut self, points: impl IntoIterator<Item = SpaceVector>, ink: Ink) -> Self {
+        /// So many widths and opacities; more are not told apart.
+        const STEPS: usize = 16;
+        let points: Vec<SpaceVector> = points.into_iter().collect();
+        let last = points.len().saturating_sub(1);
+        for k in 1..=STEPS {
+            let (from, to) = (last * (k - 1) / STEPS, last * k / STEPS);
+            let part = k as f64 / STEPS as f64;
+            if from < to {
+                let stroke = Stroke::new(ink, 1.0 + 2.2 * part).faint(0.08 + 0.92 * part);
+                self.elements.push(Element::Line(points[from..=to].to_vec(), stroke));
+            }
+        }
         self
     }
 
@@ -243,6 +293,28 @@ impl View {
         self.text(to, label, ink, side)
     }
 
+    /// Adds a lit arrow with a label at its tip, a body like others: for the vectors that a picture
+    /// is about, not for forces, whose heads are open.
+    #[must_use]
+    pub fn vector(
+        mut self,
+        from: SpaceVector,
+        to: SpaceVector,
+        ink: Ink,
+        label: &str,
+        side: Side,
+    ) -> Self {
+        self.elements.push(Element::Vector([from, to], ink));
+        self.text(to, label, ink, side)
+    }
+
+    /// Adds the silhouette of a body that is not there, faint and behind all bodies.
+    #[must_use]
+    pub fn ghost(mut self, solid: Solid, ink: Ink) -> Self {
+        self.elements.push(Element::Ghost(solid, ink));
+        self
+    }
+
     /// Adds an arrow along a curve: which way something turns.
     #[must_use]
     pub fn turn(mut self, points: impl IntoIterator<Item = SpaceVector>, ink: Ink) -> Self {
@@ -297,7 +369,7 @@ impl View {
 }
 
 /// A closed circle about `centre` through `centre + u` and `centre + v`.
-fn circle(centre: SpaceVector, u: SpaceVector, v: SpaceVector) -> Vec<SpaceVector> {
+pub(super) fn circle(centre: SpaceVector, u: SpaceVector, v: SpaceVector) -> Vec<SpaceVector> {
     super::sketch::arc((0.0, 0.0), 1.0, (0.0, 2.0 * PI))
         .into_iter()
         .map(|(c, s)| centre + u * c + v * s)
