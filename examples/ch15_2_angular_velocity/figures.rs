@@ -160,7 +160,7 @@ fn gaps() -> Result<Figure> {
 
 /// A ring of square section about the origin, of so many sides that it looks round.
 fn band(axis: SpaceVector, across: SpaceVector, radius: f64) -> Solid {
-    const SIDES: u32 = 72;
+    const SIDES: u32 = 60;
     let (v, half) = (axis.cross(&across), 0.04);
     let at = |i: u32, k: usize| {
         let (s, c) = sincos(2.0 * PI * f64::from(i % SIDES) / f64::from(SIDES));
@@ -179,7 +179,7 @@ fn gimbals(name: &str, alt: &str, g: &Gyroscope) -> View {
     let mark = x * c + y * s;
     let face = z * 0.056;
     View::new(name, alt)
-        .solid(Solid::stand(UP * -1.04, 0.42, 0.4), Ink::Frame)
+        .solid(Solid::stand(UP * -1.04, 0.32, 0.4), Ink::Frame)
         .solid(band(x.cross(&UP), UP, 1.0), Ink::Frame)
         .solid(band(y, z, 0.8), Ink::Frame)
         .solid(Solid::rod(x * 0.84, x * 0.96, 0.03), Ink::Frame)
@@ -359,12 +359,13 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         );
         let scene = gimbals("scene", &alt, &now)
             .camera(Camera::new(FACING, 0.38))
-            .around(UP * 0.15, 1.5)
-            .size(340, 320)
+            .around(UP * 0.06, 1.6)
+            .size(340, 350)
+            .ground(UP * -1.36, 1.0)
             .dashed([corner, sum], Ink::Velocity)
             .component(ORIGIN, first, Ink::Velocity, "$\\dot\\phi$", Side::Left)
             .component(first, corner, Ink::Velocity, "$\\dot\\theta$", Side::Above)
-            .component(ORIGIN, spin, Ink::Velocity, "$\\dot\\zeta$", Side::Right)
+            .component(ORIGIN, spin, Ink::Velocity, "$\\dot\\zeta$", Side::Left)
             .arrow(ORIGIN, sum, Ink::Velocity, "$\\Omega$", Side::Right);
         Stack::frame(&alt, scene, &graph, t)
     })

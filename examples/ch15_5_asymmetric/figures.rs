@@ -24,11 +24,14 @@ pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {
 
 /// Paths of the tip of L on the sphere of the body, for many energies.
 fn polhodes(moments: [f64; 3]) -> Result<Figure> {
-    let alt = "A sphere with the body's axes 1 up, 2 towards the reader, 3 to the right. Closed \
-               curves surround the ends of axes 1 and 3. Two great circles that cross at the ends \
+    let alt = "A ball in the light with the body's axes 1 up, 2 towards the reader, 3 to the right. Closed \
+               curves surround the ends of axes 1 and 3. Two black great circles that cross at the ends \
                of axis 2 part them; near these ends the curves are hyperbolas.";
     let mut view = sphere(
-        View::new("polhodes", alt).camera(camera()).around(SpaceVector::zero(), 1.3),
+        View::new("polhodes", alt)
+            .camera(camera())
+            .around(SpaceVector::zero(), 1.3)
+            .solid_globe(Ink::Body),
         separatrices(moments),
     );
     for about in [0, 2] {
@@ -76,7 +79,8 @@ fn rolling(tumble: Tumble) -> Result<Figure> {
     })?;
     let contact = |t: f64| {
         let at = motion.try_kinematics(t)?;
-        Ok(at.attitude.to_space(at.angular_velocity) * scale)
+        // A hair above the ellipsoid.
+        Ok(at.attitude.to_space(at.angular_velocity) * (1.01 * scale))
     };
     let plane = sampled(times(now - 1.5 * flips, now + 1.5 * flips, 240), contact)?;
     let top = SpaceVector::new(0.0, 0.0, 1.0);
@@ -203,7 +207,7 @@ fn naive_sphere() -> Result<Figure> {
     let moments = true_book.moments;
     let wrong = naive_run().map(|(_, tip)| on_sphere(tip));
     let view = View::new("naive_sphere", alt).camera(camera()).around(SpaceVector::zero(), 1.3);
-    sphere(view, separatrices(moments))
+    sphere(view.globe(Ink::Body), separatrices(moments))
         .trace(wrong, Ink::Wrong)
         .trace(curve, Ink::Momentum)
         .text(on_sphere([-0.62, 0.62, 0.3]), "wrong: Euler", Ink::Wrong, Side::Centre)

@@ -39,12 +39,10 @@ pub fn separatrices([i1, i2, i3]: [f64; 3]) -> [Vec<SpaceVector>; 2] {
     })
 }
 
-/// The sphere of the body in the light, the three axes, and the separatrix in ink.
+/// The three axes on the sphere of the body, and the separatrix in ink.
 pub fn sphere(view: View, separatrices: [Vec<SpaceVector>; 2]) -> View {
     let axes = [(0, "$1$", Side::Above), (1, "$2$", Side::BelowLeft), (2, "$3$", Side::Right)];
-    let view = separatrices
-        .into_iter()
-        .fold(view.globe(Ink::Body), |view, curve| view.trace(curve, Ink::Ink));
+    let view = separatrices.into_iter().fold(view, |view, curve| view.trace(curve, Ink::Ink));
     axes.into_iter().fold(view, |view, (axis, label, side)| {
         let out = on_sphere(unit(axis).to_array());
         view.arrow(out, out * 1.3, Ink::Body, label, side)
@@ -99,7 +97,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         );
         let view =
             View::new("scene", &alt).camera(camera()).around(aside * 0.5, 1.42).size(340, 200);
-        let view = sphere(view, separatrices(tumble.moments))
+        let view = sphere(view.globe(Ink::Body), separatrices(tumble.moments))
             .trace(polhode.iter().copied(), Ink::Momentum)
             .arrow(SpaceVector::zero(), on_sphere(now), Ink::Momentum, "", Side::Right)
             .dot(on_sphere(now), Ink::Momentum, "", Side::Right);

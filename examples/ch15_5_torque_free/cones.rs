@@ -31,8 +31,8 @@ fn funnel(
 /// The cones at the time t: that of the body about its axis, that of space about L, and the
 /// line on which they touch.
 pub fn view(name: &str, alt: &str, top: Top, t: f64) -> Result<View> {
-    let reach = if top.tilt() > top.lean() { 0.8 } else { 0.92 };
-    let view = View::new(name, alt).around(UP * 0.66, reach).size(340, 300);
+    let reach = if top.tilt() > top.lean() { 0.86 } else { 0.94 };
+    let view = View::new(name, alt).around(UP * 0.72, reach).size(340, 300);
     let (body, rim) = body_cone(&top.attitude(t)?, top, 1.0);
     let (centre, at) = (top.axis(t)? * cos(top.lean()), rim[0]);
     // The line lies on the face, a hair above it.

@@ -29,27 +29,46 @@ fn surface((height, width): (f64, f64), turn: f64) -> BodyVector {
     BodyVector::new(HALF_AXES[0] * width * c, HALF_AXES[1] * width * s, HALF_AXES[2] * height)
 }
 
+/// The outline with a point between each two, such that it is smooth (Dyn, Levin and Gregory,
+/// 1987): over the ends it goes on at the other side.
+fn smooth() -> Vec<(f64, f64)> {
+    let last = LOBES.len() - 1;
+    let at = |i: usize| match i {
+        0 => (LOBES[1].0, -LOBES[1].1),
+        i if i == last + 2 => (LOBES[last - 1].0, -LOBES[last - 1].1),
+        i => LOBES[i - 1],
+    };
+    let between = |i: usize| {
+        let ([a, b], [c, d]) = ([at(i), at(i + 1)], [at(i + 2), at(i + 3)]);
+        let middle = |a: f64, b: f64, c: f64, d: f64| (9.0 * (b + c) - (a + d)) / 16.0;
+        (middle(a.0, b.0, c.0, d.0), middle(a.1, b.1, c.1, d.1))
+    };
+    let pairs = (0..last).flat_map(|i| [LOBES[i], between(i)]);
+    pairs.chain([LOBES[last]]).collect()
+}
+
 /// The body in this attitude.
 fn body(attitude: &Attitude) -> Solid {
-    const SIDES: u32 = 14;
+    const SIDES: u32 = 24;
+    let rings = smooth();
     let at = |ring: usize, i: u32| {
-        attitude.to_space(surface(LOBES[ring], TAU * f64::from(i % SIDES) / f64::from(SIDES)))
+        attitude.to_space(surface(rings[ring], TAU * f64::from(i % SIDES) / f64::from(SIDES)))
     };
-    let rings = 0..LOBES.len() - 1;
+    let last = rings.len() - 2;
     let face = |(ring, i): (usize, u32)| match ring {
         0 => vec![at(0, 0), at(1, i + 1), at(1, i)],
-        9 => vec![at(9, i), at(9, i + 1), at(10, 0)],
+        ring if ring == last => vec![at(ring, i), at(ring, i + 1), at(ring + 1, 0)],
         _ => vec![at(ring, i), at(ring, i + 1), at(ring + 1, i + 1), at(ring + 1, i)],
     };
-    Solid::new(rings.flat_map(|ring| (0..SIDES).map(move |i| (ring, i))).map(face))
+    Solid::new((0..=last).flat_map(|ring| (0..SIDES).map(move |i| (ring, i))).map(face))
 }
 
 /// Its outline in the planes of x and y, as it was seen.
 fn ghost(view: View, attitude: &Attitude) -> View {
     let outline = |turn: f64| {
-        let up = LOBES.into_iter().map(move |ring| surface(ring, turn));
-        let down = LOBES.into_iter().rev().map(move |ring| surface(ring, turn + PI));
-        up.chain(down).map(|v| attitude.to_space(v) * 1.03).collect::<Vec<_>>()
+        let up = smooth().into_iter().map(move |ring| surface(ring, turn));
+        let down = smooth().into_iter().rev().map(move |ring| surface(ring, turn + PI));
+        up.chain(down).map(|v| attitude.to_space(v) * 1.04).collect::<Vec<_>>()
     };
     view.dashed(outline(0.0), Ink::Ink).dashed(outline(FRAC_PI_2), Ink::Ink)
 }

@@ -166,8 +166,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let profile: Vec<(f64, f64)> =
         times(-0.5 * PI, 0.5 * PI, 16).map(|a| (0.72 * rim * sin(a), rim * cos(a))).collect();
     let front = SpaceVector::new(cos(0.35), -sin(0.35), 0.0);
-    // A hair above the ground.
-    let [a, b] = [s.cross(&UP), s.cross(&s.cross(&UP))].map(|v| v * (1.005 * rim / v.norm()));
+    // Above the ground, which is of flat faces.
+    let [a, b] = [s.cross(&UP), s.cross(&s.cross(&UP))].map(|v| v * (1.02 * rim / v.norm()));
     let equator: Vec<_> = times(0.0, TAU, 72).map(|turn| a * cos(turn) + b * sin(turn)).collect();
     let stills = [79.0, 172.0, 265.0];
     MovingPicture::above(graph, 0.0..=days, stills, move |d| {
@@ -181,20 +181,15 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              greatest size and lies in the plane of the equator; below, how far the axis has gone round."
         );
         let ring = times(0.0, TAU, 90).map(|a| SpaceVector::new(cos(a), sin(a), 0.0));
-        let mut scene = View::of(UP * 0.18, 1.12)
+        let mut scene = View::of(UP * 0.26, 0.93)
+            .size(340, 250)
             .camera(Camera::new(-0.35, 0.42))
             .dashed(ring, Ink::Frame)
             .solid(Solid::turned(o, s, &profile), Ink::Body)
             .line(equator.clone(), Ink::Ink)
             .dashed([o, UP * 0.95], Ink::Frame)
             .dashed([o, n], Ink::Energy)
-            .solid(Solid::ball(n, 0.06), Ink::Energy)
-            .text(
-                n,
-                "Sun",
-                Ink::Energy,
-                if n.dot(&front) > 0.0 { Side::Below } else { Side::Above },
-            )
+            .dot(n, Ink::Energy, "Sun", if n.dot(&front) > 0.0 { Side::Below } else { Side::Above })
             .arrow(o, s, Ink::Momentum, "$L$", Side::Right);
         if size > 0.02 {
             scene = scene.arrow(s, s + torque * 0.5, Ink::Force, "torque", Side::Above);

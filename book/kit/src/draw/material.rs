@@ -10,8 +10,8 @@ use core::f64::consts::PI;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{acos, atan2, sincos};
 
-/// How much of a body that is seen through is paper: what it holds is drawn in full and must
-/// stand out from it.
+/// How much of a body that is seen through, or that lines are drawn on, is paper: the lines must
+/// stand out from it, in both themes.
 const VEIL: f64 = 0.55;
 
 /// Percents of light are rounded to these: few steps of light keep a picture small.
@@ -54,7 +54,14 @@ impl View {
     /// on its far side too.
     #[must_use]
     pub fn globe(mut self, ink: Ink) -> Self {
-        self.elements.push(Element::Globe(ink));
+        self.elements.push(Element::Globe(ink, true));
+        self
+    }
+
+    /// Adds the unit ball about the origin in the light, as pale, which hides its far side.
+    #[must_use]
+    pub fn solid_globe(mut self, ink: Ink) -> Self {
+        self.elements.push(Element::Globe(ink, false));
         self
     }
 
@@ -75,9 +82,13 @@ impl View {
         Ok(())
     }
 
-    pub(super) fn paint_globes(&self, frame: &Frame<'_>) -> Result<()> {
+    /// The balls that are seen through, or those that are not.
+    pub(super) fn paint_globes(&self, frame: &Frame<'_>, through: bool) -> Result<()> {
         for element in &self.elements {
-            let Element::Globe(ink) = element else { continue };
+            let Element::Globe(ink, seen_through) = element else { continue };
+            if *seen_through != through {
+                continue;
+            }
             for (outline, light) in self.bands() {
                 frame.draw(&outline, &Paint::Face(*ink, light))?;
             }

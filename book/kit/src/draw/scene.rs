@@ -56,7 +56,7 @@ impl View {
         let parts = self.parts();
         self.paint_glass(&frame)?;
         self.paint_layer(&frame, &parts, Layer::Behind, unit)?;
-        self.paint_globes(&frame)?;
+        self.paint_globes(&frame, true)?;
         if self.sphere {
             let outline = super::sketch::arc((0.0, 0.0), 1.0, (0.0, 2.0 * PI));
             frame.draw(&outline, &Paint::Fill(Ink::Frame, 0.07))?;
@@ -69,6 +69,7 @@ impl View {
                 self.on_sphere(&frame, points, false, hidden)?;
             }
         }
+        self.paint_globes(&frame, false)?;
         self.paint_layer(&frame, &parts, Layer::Inside, unit)?;
         for element in &self.elements {
             if let Element::OnSphere(points, stroke) = element {

@@ -24,8 +24,8 @@ pub(super) enum Element {
     Glass(Vec<(Solid, Ink)>),
     /// A flat patch on a body, with so many percent of light.
     Patch(Vec<SpaceVector>, Ink, u32),
-    /// The unit ball in the light.
-    Globe(Ink),
+    /// The unit ball in the light, and whether it is seen through.
+    Globe(Ink, bool),
     /// A place, its ink, its radius (px), and whether it is a ring.
     Dot(SpaceVector, Ink, f64, bool),
     /// A lit arrow from one place to another.
