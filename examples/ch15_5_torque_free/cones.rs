@@ -97,14 +97,14 @@ fn can(view: View, p: &Parameters, attitude: &Attitude) -> View {
     let rim = |z: f64| times(0.0, TAU, 72).map(move |turn| at(turn, 1.0, z));
     let body = Solid::disc(ORIGIN, attitude.axis(), radius, 2.0 * half);
     let (top, p) = (half + 0.006, at(0.0, 1.0, half + 0.006));
-    // A dot that is painted on the end face, so that a cone can hide it.
-    let [x, y] = [at(0.0, 1.0, 0.0), at(0.25 * TAU, 1.0, 0.0)].map(|v| v * (0.045 / v.norm()));
-    let dot = times(0.0, TAU, 16).skip(1).map(|turn| p + x * cos(turn) + y * sin(turn));
-    view.glass(body, Ink::Body, [(stripe, Ink::Ink)])
+    // A ring that is painted on the end face, so that a cone can hide it.
+    let [x, y] = [at(0.0, 1.0, 0.0), at(0.25 * TAU, 1.0, 0.0)].map(|v| v * (0.03 / v.norm()));
+    let ring = times(0.0, TAU, 16).map(|turn| p + x * cos(turn) + y * sin(turn));
+    view.glass(body, Ink::Body, [(stripe, Ink::Body)])
         .line(rim(half), Ink::Body)
         .line(rim(-half), Ink::Body)
         .line([at(0.0, 0.0, top), p], Ink::Ink)
-        .patch(dot, Ink::Ink, 0)
+        .line(ring, Ink::Ink)
         .text(p, "$P$", Ink::Ink, Side::Below)
 }
 
@@ -136,5 +136,5 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             rolling(can(view, &p, &attitude), top, t, body_cone(&attitude, top, SIDE), SIDE)?;
         Stack::frame(&alt, scene, &graph, t)
     };
-    MovingPicture::new(0.0..=end, [0.0, 0.3 * round, 0.6 * round], draw)
+    MovingPicture::new(0.0..=end, [0.0, 0.18 * round, 0.6 * round], draw)
 }

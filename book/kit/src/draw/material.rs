@@ -14,6 +14,9 @@ use rotation_dynamics::math::{acos, atan2, sincos};
 /// stand out from it, in both themes.
 const VEIL: f64 = 0.55;
 
+/// The most light of what is painted on such a body, in percent: it is darker than the body.
+const PAINT: f64 = 40.0;
+
 /// Percents of light are rounded to these: few steps of light keep a picture small.
 const STEP: u32 = 4;
 
@@ -69,8 +72,8 @@ impl View {
         for element in &self.elements {
             let Element::Glass(parts) = element else { continue };
             let mut items = Vec::new();
-            for (solid, ink) in parts {
-                self.faces(solid, *ink, 100.0, &mut items)?;
+            for (k, (solid, ink)) in parts.iter().enumerate() {
+                self.faces(solid, *ink, if k == 0 { 100.0 } else { PAINT }, &mut items)?;
             }
             for item in &items {
                 frame.draw(&self.flat(&item.points), &item.paint)?;
