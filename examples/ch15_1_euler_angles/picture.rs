@@ -10,7 +10,7 @@ const ORIGIN: SpaceVector = SpaceVector::zero();
 const EYE: [f64; 2] = [-0.5, 0.5];
 /// The middle of what they show, to the right of the origin and above it, and its reach to every
 /// side.
-const RIGHT: f64 = 0.25;
+const RIGHT: f64 = 0.15;
 const MIDDLE: f64 = 0.35;
 const REACH: f64 = 1.15;
 /// Lengths of the arrows of the fixed axes and of the body's.

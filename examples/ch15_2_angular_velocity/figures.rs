@@ -158,19 +158,6 @@ fn gaps() -> Result<Figure> {
         .figure()
 }
 
-/// A ring of square section about the origin, of so many sides that it looks round.
-fn band(axis: SpaceVector, across: SpaceVector, radius: f64) -> Solid {
-    const SIDES: u32 = 60;
-    let (v, half) = (axis.cross(&across), 0.04);
-    let at = |i: u32, k: usize| {
-        let (s, c) = sincos(2.0 * PI * f64::from(i % SIDES) / f64::from(SIDES));
-        let (out, up) = [(-half, -half), (-half, half), (half, half), (half, -half)][k % 4];
-        (across * c + v * s) * (radius + out) + axis * up
-    };
-    let face = move |i: u32, k: usize| vec![at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)];
-    Solid::new((0..SIDES).flat_map(|i| [0, 1, 2, 3].map(|k| face(i, k))))
-}
-
 /// The rotor in its gimbals on a stand: the outer ring turns about Z, the inner one about x,
 /// the rotor about z.
 fn gimbals(name: &str, alt: &str, g: &Gyroscope) -> View {
@@ -180,8 +167,8 @@ fn gimbals(name: &str, alt: &str, g: &Gyroscope) -> View {
     let face = z * 0.056;
     View::new(name, alt)
         .solid(Solid::stand(UP * -1.04, 0.32, 0.4), Ink::Frame)
-        .solid(band(x.cross(&UP), UP, 1.0), Ink::Frame)
-        .solid(band(y, z, 0.8), Ink::Frame)
+        .solid(Solid::gimbal(ORIGIN, x.cross(&UP), 1.0, 0.04), Ink::Frame)
+        .solid(Solid::gimbal(ORIGIN, y, 0.8, 0.04), Ink::Frame)
         .solid(Solid::rod(x * 0.84, x * 0.96, 0.03), Ink::Frame)
         .solid(Solid::rod(x * -0.96, x * -0.84, 0.03), Ink::Frame)
         .solid(Solid::rod(z * -0.76, z * 0.76, 0.03), Ink::Frame)
@@ -330,8 +317,11 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// The three rates, one after the other, and their sum; below, the components on x, y, z.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let g = Gyroscope::of(p, 0.1);
-    let scale = scale(&g, 2.3);
     let path: Vec<[f64; 3]> = times(0.0, END, 200).map(|t| g.after(t).nodal()).collect();
+    // The longest arrow, of the sum or of a part, reaches to the edge of the picture at most.
+    let sums = times(0.0, END, 200).map(|t| g.after(t).angular_velocity().norm());
+    let parts = [g.rates.phi.abs(), g.rates.zeta.abs(), 1e-9];
+    let scale = 1.6 / sums.chain(parts).fold(0.0, f64::max);
     let axis = Axis::linear("rad/s").over(path.iter().flatten().copied().chain([-0.1, 0.1]));
     let component = |i: usize, name: &str| {
         let curve = times(0.0, END, 200).zip(path.iter().map(|omega| omega[i]));

@@ -31,7 +31,7 @@ fn polhodes(moments: [f64; 3]) -> Result<Figure> {
         View::new("polhodes", alt)
             .camera(camera())
             .around(SpaceVector::zero(), 1.3)
-            .solid_globe(Ink::Body),
+            .solid_ball(Ink::Body),
         separatrices(moments),
     );
     for about in [0, 2] {
@@ -58,24 +58,19 @@ fn rolling(tumble: Tumble) -> Result<Figure> {
                touch. A closed curve on the ellipsoid and a curve on the plane run through it.";
     let (motion, flips) = (tumble.free_body()?, tumble.between_flips()?);
     let now = 0.3 * flips;
-    let at = motion.kinematics(now);
+    let at_now = motion.kinematics(now);
     // Lengths in the height of the plane above the centre.
     let scale = 1.0 / tumble.height();
     let axes = tumble.moments.map(|i| (tumble.momentum() * scale / i).sqrt());
-    let surface = |i: u32, j: u32| {
-        let ((s, c), (sj, cj)) =
-            (sincos(PI * f64::from(i) / 24.0), sincos(TAU * f64::from(j) / 40.0));
-        let place = BodyVector::new(c * axes[0], s * cj * axes[1], s * sj * axes[2]);
-        at.attitude.to_space(place)
-    };
-    let face = |i: u32, j: u32| {
-        vec![surface(i, j), surface(i + 1, j), surface(i + 1, j + 1), surface(i, j + 1)]
-    };
-    let solid =
-        Solid::new((0..24).flat_map(|i| (0..40).map(move |j| (i, j))).map(|(i, j)| face(i, j)));
+    let profile: Vec<_> = times(0.0, PI, 24).map(|turn| (-cos(turn), sin(turn))).collect();
+    let ball = Solid::turned(SpaceVector::zero(), SpaceVector::new(1.0, 0.0, 0.0), &profile);
+    let solid = ball.carried(|at| {
+        let [x, y, z] = at.to_array();
+        at_now.attitude.to_space(BodyVector::new(axes[0] * x, axes[1] * y, axes[2] * z))
+    });
     let polhode = sampled(times(0.0, 2.0 * flips, 120), |t| {
         let rates = BodyVector::from_array(tumble.rates(t)?) * (scale * 1.01);
-        Ok(at.attitude.to_space(rates))
+        Ok(at_now.attitude.to_space(rates))
     })?;
     let contact = |t: f64| {
         let at = motion.try_kinematics(t)?;
@@ -207,7 +202,7 @@ fn naive_sphere() -> Result<Figure> {
     let moments = true_book.moments;
     let wrong = naive_run().map(|(_, tip)| on_sphere(tip));
     let view = View::new("naive_sphere", alt).camera(camera()).around(SpaceVector::zero(), 1.3);
-    sphere(view.globe(Ink::Body), separatrices(moments))
+    sphere(view.ball(Ink::Body), separatrices(moments))
         .trace(wrong, Ink::Wrong)
         .trace(curve, Ink::Momentum)
         .text(on_sphere([-0.62, 0.62, 0.3]), "wrong: Euler", Ink::Wrong, Side::Centre)

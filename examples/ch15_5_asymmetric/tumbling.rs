@@ -54,22 +54,16 @@ pub fn sphere(view: View, separatrices: [Vec<SpaceVector>; 2]) -> View {
 fn book(view: View, p: &Parameters, attitude: &Attitude, centre: SpaceVector) -> View {
     let size = 1.5 / p.length;
     // A thinner one could not be told from a sheet.
-    let edges = [p.length, p.width, p.thickness.max(0.06 * p.length)];
-    let place = |parts: [f64; 3]| {
-        let [x, y, z] = [0, 1, 2].map(|i| 0.5 * size * edges[i] * parts[i]);
-        centre + attitude.to_space(BodyVector::new(x, y, z))
-    };
-    // The pages: a patch over the edge, from cover to cover.
-    let pages = |corners: [[f64; 2]; 2]| {
-        let [[ax, ay], [bx, by]] = corners;
-        [[ax, ay, -0.7], [bx, by, -0.7], [bx, by, 0.7], [ax, ay, 0.7]].map(place)
-    };
-    let title = |x: f64| [place([x, -0.6, 1.02]), place([x, 0.6, 1.02])];
-    let along = [0, 1, 2].map(|i| attitude.to_space(unit(i)) * (edges[i] * size));
-    view.solid(Solid::cuboid(centre, along), Ink::Body)
-        .patch(pages([[1.01, -0.9], [1.01, 1.0]]), Ink::Frame, 95)
-        .patch(pages([[1.0, 1.01], [-1.0, 1.01]]), Ink::Frame, 95)
-        .patch(pages([[-1.01, 1.0], [-1.01, -0.9]]), Ink::Frame, 95)
+    let lengths = [p.length, p.width, p.thickness.max(0.06 * p.length)];
+    let edges = [0, 1, 2].map(|i| attitude.to_space(unit(i)) * (lengths[i] * size));
+    // The title is a hair above the cover.
+    let [a, b, c] = edges.map(|edge| edge * 0.5);
+    let title = |x: f64| [-0.6, 0.6].map(|y| centre + a * x + b * y + c * 1.02);
+    let (book, pages) = ((centre, edges), [-0.7, 0.7]);
+    view.solid(Solid::cuboid(centre, edges), Ink::Body)
+        .patch_on(book, (0, 1.01), [[-0.9, 1.0], pages], Ink::Frame, 95)
+        .patch_on(book, (0, -1.01), [[-0.9, 1.0], pages], Ink::Frame, 95)
+        .patch_on(book, (1, 1.01), [pages, [-1.0, 1.0]], Ink::Frame, 95)
         .line(title(0.6), Ink::Paper)
         .line(title(0.4), Ink::Paper)
 }
@@ -97,7 +91,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         );
         let view =
             View::new("scene", &alt).camera(camera()).around(aside * 0.5, 1.42).size(340, 200);
-        let view = sphere(view.globe(Ink::Body), separatrices(tumble.moments))
+        let view = sphere(view.ball(Ink::Body), separatrices(tumble.moments))
             .trace(polhode.iter().copied(), Ink::Momentum)
             .arrow(SpaceVector::zero(), on_sphere(now), Ink::Momentum, "", Side::Right)
             .dot(on_sphere(now), Ink::Momentum, "", Side::Right);

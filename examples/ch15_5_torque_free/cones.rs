@@ -6,61 +6,40 @@ use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
 use kit::{MovingPicture, Result, sampled, times};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::math::{cos, hypot, sin, sincos};
+use rotation_dynamics::math::{cos, hypot, sin};
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 const ORIGIN: SpaceVector = SpaceVector::zero();
-
-/// A funnel about `axis` with its tip at the origin, its side so long: only its inner side, so
-/// that the near half is cut away.
-fn funnel(
-    axis: SpaceVector,
-    [u, v]: [SpaceVector; 2],
-    half_angle: f64,
-    long: f64,
-) -> (Solid, Vec<SpaceVector>) {
-    let rim = |turn: f64| {
-        let (s, c) = sincos(turn);
-        (axis * cos(half_angle) + (u * c + v * s) * sin(half_angle)) * long
-    };
-    let rim: Vec<_> = times(0.0, TAU, 72).map(rim).collect();
-    let faces = rim.windows(2).map(|pair| vec![ORIGIN, pair[0], pair[1]]);
-    (Solid::new(faces), rim)
-}
 
 /// The cones at the time t: that of the body about its axis, that of space about L, and the
 /// line on which they touch.
 pub fn view(name: &str, alt: &str, top: Top, t: f64) -> Result<View> {
     let reach = if top.tilt() > top.lean() { 0.86 } else { 0.94 };
     let view = View::new(name, alt).around(UP * 0.72, reach).size(340, 300);
-    let (body, rim) = body_cone(&top.attitude(t)?, top, 1.0);
-    let (centre, at) = (top.axis(t)? * cos(top.lean()), rim[0]);
-    // The line lies on the face, a hair above it.
-    let lift = top.axis(t)? * 0.006;
-    let view = rolling(view, top, t, (body, rim), 1.0)?;
-    Ok(view.line([centre + lift, at + lift], Ink::Ink).dot(at + lift, Ink::Ink, "$P$", Side::Below))
+    // The line OP lies on the face, a hair above it.
+    let (attitude, alpha) = (top.attitude(t)?, top.lean());
+    let centre = attitude.axis() * (cos(alpha) + 0.006);
+    let at = centre + attitude.to_space(LINE) * sin(alpha);
+    let view = rolling(view, top, t, 1.0)?;
+    Ok(view.line([centre, at], Ink::Ink).dot(at, Ink::Ink, "$P$", Side::Below))
 }
 
-/// The cone of the body, its side so long: whole if the other lies outside, else a funnel.
-fn body_cone(attitude: &Attitude, top: Top, long: f64) -> (Solid, Vec<SpaceVector>) {
-    let (axis, lean, side) = (attitude.axis(), top.lean(), attitude.to_space(LINE));
-    let (funnel, rim) = funnel(axis, [side, axis.cross(&side)], lean, long);
-    match top.tilt() > lean {
-        true => (Solid::cone(axis * (long * cos(lean)), ORIGIN, long * sin(lean)), rim),
-        false => (funnel, rim),
-    }
-}
-
-/// The cone of the body on that of space, with the axes and the path of the body's.
-fn rolling(
-    view: View,
-    top: Top,
-    t: f64,
-    (body, rim): (Solid, Vec<SpaceVector>),
-    long: f64,
-) -> Result<View> {
-    let (axis, pole) = (top.axis(t)?, top.pole(t));
-    let between = (top.tilt() - top.lean()).abs();
+/// The cone of the body on that of space, their sides so long, with the axes and the path of the
+/// body's. The cone of the body is whole if the other lies outside, else a funnel, of which the
+/// near half is cut away.
+fn rolling(view: View, top: Top, t: f64, long: f64) -> Result<View> {
+    let (attitude, pole, alpha) = (top.attitude(t)?, top.pole(t), top.lean());
+    let (axis, between) = (attitude.axis(), (top.tilt() - alpha).abs());
+    let rim = times(0.0, TAU, 72).map(|turn| {
+        let to_rim = BodyVector::new(cos(turn), sin(turn), 0.0) * (long * sin(alpha));
+        axis * (long * cos(alpha)) + attitude.to_space(to_rim)
+    });
+    let rim: Vec<_> = rim.collect();
+    let body = match top.tilt() > alpha {
+        true => Solid::cone(axis * (long * cos(alpha)), ORIGIN, long * sin(alpha)),
+        // Its inner side alone.
+        false => Solid::new(rim.windows(2).map(|pair| vec![ORIGIN, pair[0], pair[1]])),
+    };
     // Long enough to come out of the cones.
     let (out, up) = (1.3 * long, 1.5 * long);
     let path = sampled(times(0.0, top.round(), 90), |t| Ok(top.axis(t)? * out))?;
@@ -86,24 +65,24 @@ fn can(view: View, p: &Parameters, attitude: &Attitude) -> View {
     let unit = CAN / hypot(p.radius, 0.5 * p.height);
     // A disc without thickness has no side to be lit.
     let (radius, half) = (p.radius * unit, (0.5 * p.height * unit).max(0.02));
-    let at = |turn: f64, out: f64, z: f64| {
-        attitude.to_space(BodyVector::new(out * radius * cos(turn), out * radius * sin(turn), z))
+    let at = |turn: f64, z: f64| {
+        attitude.to_space(BodyVector::new(radius * cos(turn), radius * sin(turn), z))
     };
     let strip = |from: f64| {
         let to = from + 0.1;
-        vec![at(from, 1.0, -half), at(to, 1.0, -half), at(to, 1.0, half), at(from, 1.0, half)]
+        vec![at(from, -half), at(to, -half), at(to, half), at(from, half)]
     };
     let stripe = Solid::new(times(-0.2, 0.1, 3).map(strip));
-    let rim = |z: f64| times(0.0, TAU, 72).map(move |turn| at(turn, 1.0, z));
-    let body = Solid::disc(ORIGIN, attitude.axis(), radius, 2.0 * half);
-    let (top, p) = (half + 0.006, at(0.0, 1.0, half + 0.006));
-    // A ring that is painted on the end face, so that a cone can hide it.
-    let [x, y] = [at(0.0, 1.0, 0.0), at(0.25 * TAU, 1.0, 0.0)].map(|v| v * (0.03 / v.norm()));
-    let ring = times(0.0, TAU, 16).map(|turn| p + x * cos(turn) + y * sin(turn));
+    let rim = |z: f64| times(0.0, TAU, 72).map(move |turn| at(turn, z));
+    let (body, top) = (Solid::disc(ORIGIN, attitude.axis(), radius, 2.0 * half), half + 0.006);
+    // P is a ring that is painted on the end face, so that a cone can hide it.
+    let p = at(0.0, top);
+    let ring = times(0.0, TAU, 16)
+        .map(|turn| p + attitude.to_space(BodyVector::new(cos(turn), sin(turn), 0.0)) * 0.03);
     view.glass(body, Ink::Body, [(stripe, Ink::Body)])
         .line(rim(half), Ink::Body)
         .line(rim(-half), Ink::Body)
-        .line([at(0.0, 0.0, top), p], Ink::Ink)
+        .line([attitude.axis() * top, p], Ink::Ink)
         .line(ring, Ink::Ink)
         .text(p, "$P$", Ink::Ink, Side::Below)
 }
@@ -131,9 +110,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             turns * t / round
         );
         let view = View::of(UP * 0.5, 1.36).size(340, 320);
-        let attitude = top.attitude(t)?;
-        let scene =
-            rolling(can(view, &p, &attitude), top, t, body_cone(&attitude, top, SIDE), SIDE)?;
+        let scene = rolling(can(view, &p, &top.attitude(t)?), top, t, SIDE)?;
         Stack::frame(&alt, scene, &graph, t)
     };
     MovingPicture::new(0.0..=end, [0.0, 0.18 * round, 0.6 * round], draw)

@@ -2,7 +2,7 @@
 
 use super::figures::december;
 use super::*;
-use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
+use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View, smooth};
 use kit::{MovingPicture, Trajectory, sampled, times};
 
 /// Half of the lengths of the body along x, y and the long axis, over the last: 4.6 km in all.
@@ -29,45 +29,19 @@ fn surface((height, width): (f64, f64), turn: f64) -> BodyVector {
     BodyVector::new(HALF_AXES[0] * width * c, HALF_AXES[1] * width * s, HALF_AXES[2] * height)
 }
 
-/// The outline with a point between each two, such that it is smooth (Dyn, Levin and Gregory,
-/// 1987): over the ends it goes on at the other side.
-fn smooth() -> Vec<(f64, f64)> {
-    let last = LOBES.len() - 1;
-    let at = |i: usize| match i {
-        0 => (LOBES[1].0, -LOBES[1].1),
-        i if i == last + 2 => (LOBES[last - 1].0, -LOBES[last - 1].1),
-        i => LOBES[i - 1],
-    };
-    let between = |i: usize| {
-        let ([a, b], [c, d]) = ([at(i), at(i + 1)], [at(i + 2), at(i + 3)]);
-        let middle = |a: f64, b: f64, c: f64, d: f64| (9.0 * (b + c) - (a + d)) / 16.0;
-        (middle(a.0, b.0, c.0, d.0), middle(a.1, b.1, c.1, d.1))
-    };
-    let pairs = (0..last).flat_map(|i| [LOBES[i], between(i)]);
-    pairs.chain([LOBES[last]]).collect()
-}
-
 /// The body in this attitude.
 fn body(attitude: &Attitude) -> Solid {
-    const SIDES: u32 = 24;
-    let rings = smooth();
-    let at = |ring: usize, i: u32| {
-        attitude.to_space(surface(rings[ring], TAU * f64::from(i % SIDES) / f64::from(SIDES)))
-    };
-    let last = rings.len() - 2;
-    let face = |(ring, i): (usize, u32)| match ring {
-        0 => vec![at(0, 0), at(1, i + 1), at(1, i)],
-        ring if ring == last => vec![at(ring, i), at(ring, i + 1), at(ring + 1, 0)],
-        _ => vec![at(ring, i), at(ring, i + 1), at(ring + 1, i + 1), at(ring + 1, i)],
-    };
-    Solid::new((0..=last).flat_map(|ring| (0..SIDES).map(move |i| (ring, i))).map(face))
+    let up = SpaceVector::new(0.0, 0.0, 1.0);
+    Solid::turned(SpaceVector::zero(), up, &smooth(&LOBES)).carried(|at| {
+        attitude.to_space(BodyVector::new(HALF_AXES[0] * at.x(), HALF_AXES[1] * at.y(), at.z()))
+    })
 }
 
 /// Its outline in the planes of x and y, as it was seen.
 fn ghost(view: View, attitude: &Attitude) -> View {
     let outline = |turn: f64| {
-        let up = smooth().into_iter().map(move |ring| surface(ring, turn));
-        let down = smooth().into_iter().rev().map(move |ring| surface(ring, turn + PI));
+        let up = smooth(&LOBES).into_iter().map(move |ring| surface(ring, turn));
+        let down = smooth(&LOBES).into_iter().rev().map(move |ring| surface(ring, turn + PI));
         up.chain(down).map(|v| attitude.to_space(v) * 1.04).collect::<Vec<_>>()
     };
     view.dashed(outline(0.0), Ink::Ink).dashed(outline(FRAC_PI_2), Ink::Ink)

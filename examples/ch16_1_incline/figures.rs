@@ -1,7 +1,11 @@
 //! The drawings of section 16.1.
 
 use super::*;
+use kit::draw::Camera;
+use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::sort_by_number;
+
+const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 
 /// Over the coefficient of friction, in units of what rolling needs.
 fn frictions() -> Sweep {
@@ -137,13 +141,18 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let graph = Panel::over_axes("$t$ / s", Axis::linear("over the first").range(-1.0, 1.25))
         .level(0.0, Ink::Frame, "")
         .curve(velocity.label_at(r"$\dot x$", 0.7 * end, -0.4, Side::AboveRight))
-        .curve(friction.label_at("$F$", 0.7 * end, 1.0, Side::Below));
+        .curve(friction.label_at("$F$", 0.7 * end, 1.0, Side::Below))
+        .low();
     let length = -0.5 * v * v / Roller::new(p).acceleration() + 6.0 * r;
+    // All of the slope is seen, with the body at its top.
+    let reach = (0.44 * length * c).max(0.58 * length * s + 1.6 * r);
     MovingPicture::above(graph, 0.0..=end, [0.08 * end, 0.5 * end, 0.92 * end], move |t| {
         let (MechanismState { q: [x, _, turn], v: [vx, ..] }, [force]) =
             (run.at(t)?, run.forces(t)?);
-        let along = |d: f64, up: f64| (d * c - up * s, d * s + up * c);
-        let (contact, middle) = (along(x + 3.0 * r, 0.0), along(x + 3.0 * r, r));
+        let (up_slope, off) = (SpaceVector::new(c, 0.0, s), SpaceVector::new(-s, 0.0, c));
+        let across = SpaceVector::new(0.0, 1.0, 0.0);
+        let contact = up_slope * (x + 3.0 * r);
+        let middle = contact + off * r;
         let way = match vx / v {
             rate if rate > 0.01 => "on its way up",
             rate if rate < -0.01 => "on its way down",
@@ -154,30 +163,46 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              the friction at the point of contact points up the slope. Below, velocity and friction."
         );
         let (push, rub) = (force.normal / weight, force.tangential / weight);
-        let wide = (length * c).max(0.4 * (length * s + 4.0 * r));
-        // From the start to the highest place; the arrows have a size of their own.
-        let (foot, top) = (along(3.0 * r, 0.0), along(length - 3.0 * r, 2.3 * r));
-        let scene = Sketch::within((-0.5 * r, wide), (-1.5 * r, length * s + 2.5 * r))
-            .high(311)
-            .clear((foot.0, top.0), (foot.1, top.1), [50.0 * c + 12.0, 90.0 * c + 16.0, 60.0, 60.0])
-            .incline((0.0, 0.0), length, slope)
-            .roller(middle, r, slope + FRAC_PI_2 + turn, Ink::Body)
-            .vector(middle, (0.0, -1.0), 60.0, Ink::Force, "$mg$")
-            .vector(contact, (-s * push, c * push), 60.0, Ink::Force, "$N$")
-            .vector(contact, (c * rub, s * rub), 180.0, Ink::Force, "")
-            .text(
-                along(x + 4.2 * r, 0.45 * r),
-                if rub > 0.0 { "$F$" } else { "" },
+        // Vectors lie before the face of the body that is seen.
+        let (half, size) = (0.8 * r, 0.42 * reach);
+        let front = across * (-1.08 * half);
+        let at = middle + front;
+        let [low, top] = [0.0, length].map(|way| up_slope * way);
+        let (near, far) = (front * 0.99, across * (2.6 * r));
+        let [foot, under] = [SpaceVector::zero(), SpaceVector::new(length * c, 0.0, 0.0)];
+        // The wedge: its front and its back; the slope itself is ground.
+        let wedge = Solid::new([
+            vec![foot + near, under + near, top + near],
+            vec![under + near, under + far, top + far, top + near],
+        ]);
+        let (middle_of, half_across) = ((low + top + near + far) * 0.5, (far - near) * 0.5);
+        let (sin, cos) = sincos(slope + FRAC_PI_2 + turn);
+        let mark = SpaceVector::new(cos, 0.0, sin) * r;
+        let mut scene = View::of(up_slope * (0.5 * length) + off * (0.5 * r), reach)
+            .camera(Camera::new(-FRAC_PI_2 - 0.32, 0.26))
+            .size(340, 250)
+            .slope(middle_of, up_slope * (0.5 * length), half_across)
+            .solid(wedge, Ink::Frame)
+            .solid(Solid::cylinder(middle - across * half, middle + across * half, r), Ink::Body)
+            .line([at, at + mark], Ink::Paper)
+            .arrow(at, at - UP * size, Ink::Force, "$mg$", Side::Below)
+            .arrow(
+                contact + front,
+                contact + front + off * (push * size),
                 Ink::Force,
-                Side::Centre,
+                "$N$",
+                Side::Above,
             )
-            .vector(
-                along(x + 3.0 * r, 2.3 * r),
-                (c * vx / v, s * vx / v),
-                40.0,
-                Ink::Velocity,
-                r"$\dot x$",
-            );
+            .corner(&format!("{t:.2} s"));
+        if rub.abs() * 3.0 * size > 0.04 * reach {
+            let tip = contact + front + up_slope * (3.0 * rub * size);
+            scene = scene.arrow(contact + front, tip, Ink::Force, "$F$", Side::BelowRight);
+        }
+        if (vx / v).abs() > 0.06 {
+            let foot = middle + off * (1.35 * r);
+            let tip = foot + up_slope * (0.9 * size * vx / v);
+            scene = scene.vector(foot, tip, Ink::Velocity, r"$\dot x$", Side::Above);
+        }
         Ok((alt, scene))
     })
 }

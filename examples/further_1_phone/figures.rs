@@ -16,36 +16,18 @@ fn camera() -> Camera {
 /// back a camera.
 fn phone(view: View, p: &Parameters, attitude: &Attitude, centre: SpaceVector) -> View {
     // A thinner one could not be told from a sheet.
-    let thick = p.thickness.max(0.05 * p.length);
-    let half = [0.5 * p.length, 0.5 * p.width, 0.5 * thick];
-    let place = |[x, y, z]: [f64; 3]| {
-        let at = BodyVector::new(x * half[0], y * half[1], z * half[2]);
-        centre + attitude.to_space(at)
-    };
-    let edge = |i: usize| {
-        let mut along = [0.0; 3];
-        along[i] = 2.0 * half[i];
-        attitude.to_space(BodyVector::from_array(along))
-    };
-    // A rectangle on the side z, counterclockwise seen from outside.
-    let sheet = |x: [f64; 2], y: [f64; 2], z: f64| {
-        let mut corners = [[x[0], y[0], z], [x[1], y[0], z], [x[1], y[1], z], [x[0], y[1], z]];
-        if z < 0.0 {
-            corners.reverse();
-        }
-        corners.map(place)
-    };
-    // The screen is on the side -3, a hair above the glass.
-    view.solid(Solid::cuboid(centre, [edge(0), edge(1), edge(2)]), Ink::Body)
-        .patch(sheet([-0.95, 0.95], [-0.9, 0.9], -1.04), Ink::Ink, SCREEN)
-        .patch(sheet([-0.87, -0.84], [-0.3, 0.3], -1.08), Ink::Paper, 100)
-        .patch(sheet([0.5, 0.88], [-0.78, -0.1], 1.04), Ink::Ink, SCREEN)
-        .patch(sheet([0.73, 0.84], [-0.68, -0.46], 1.08), Ink::Paper, 100)
-        .patch(sheet([0.54, 0.65], [-0.68, -0.46], 1.08), Ink::Paper, 100)
+    let lengths = [p.length, p.width, p.thickness.max(0.05 * p.length)];
+    let axis = |i: usize| BodyVector::from_array([0, 1, 2].map(|k| f64::from(u8::from(k == i))));
+    let edges = [0, 1, 2].map(|i| attitude.to_space(axis(i)) * lengths[i]);
+    // The screen is on the side -3; in percent of light it is dark in both themes.
+    let (phone, screen) = ((centre, edges), 8);
+    view.solid(Solid::cuboid(centre, edges), Ink::Body)
+        .patch_on(phone, (2, -1.04), [[-0.95, 0.95], [-0.9, 0.9]], Ink::Ink, screen)
+        .patch_on(phone, (2, -1.08), [[-0.87, -0.84], [-0.3, 0.3]], Ink::Paper, 100)
+        .patch_on(phone, (2, 1.04), [[0.5, 0.88], [-0.78, -0.1]], Ink::Ink, screen)
+        .patch_on(phone, (2, 1.08), [[0.73, 0.84], [-0.68, -0.46]], Ink::Paper, 100)
+        .patch_on(phone, (2, 1.08), [[0.54, 0.65], [-0.68, -0.46]], Ink::Paper, 100)
 }
-
-/// Light of the screen in percent: dark in both themes.
-const SCREEN: u32 = 8;
 
 /// The rates over that of the turn, and the time in turns.
 fn unit(p: &Parameters, tilt: f64, toward: f64) -> Result<Throw> {

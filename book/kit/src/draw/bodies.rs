@@ -111,7 +111,14 @@ impl Solid {
     pub fn ring(centre: SpaceVector, axis: SpaceVector, radius: f64, half: f64) -> Self {
         const ROUND: [(f64, f64); 6] =
             [(-0.5, -0.866), (-1.0, 0.0), (-0.5, 0.866), (0.5, 0.866), (1.0, 0.0), (0.5, -0.866)];
-        Self::hoop(centre, axis, &ROUND.map(|(h, r)| (half * h, radius + half * r)))
+        Self::hoop(32, centre, axis, &ROUND.map(|(h, r)| (half * h, radius + half * r)))
+    }
+
+    /// A ring of square section about `centre`, so large that only many sides make it round: a
+    /// gimbal.
+    pub fn gimbal(centre: SpaceVector, axis: SpaceVector, radius: f64, half: f64) -> Self {
+        let section = [(-1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (1.0, -1.0)];
+        Self::hoop(60, centre, axis, &section.map(|(h, r)| (half * h, radius + half * r)))
     }
 
     /// A flywheel about `centre`: a heavy rim of this outer radius, a hub, and six spokes, one
@@ -129,7 +136,7 @@ impl Solid {
         let aside = axis.cross(&spoke);
         let half = HALF * radius;
         let section = [(-half, INSIDE), (-half, 1.0), (half, 1.0), (half, INSIDE)];
-        let rim = Self::hoop(centre, axis, &section.map(|(h, r)| (h, r * radius)));
+        let rim = Self::hoop(32, centre, axis, &section.map(|(h, r)| (h, r * radius)));
         let hub = Self::turned_with(
             14,
             centre - axis * half,
@@ -146,17 +153,23 @@ impl Solid {
 
     /// What a closed section of `(height along the axis, radius)` sweeps out about `centre`; the
     /// section goes round outwards below and inwards above.
-    fn hoop(centre: SpaceVector, axis: SpaceVector, section: &[(f64, f64)]) -> Self {
-        const SIDES: u32 = 32;
+    fn hoop(sides: u32, centre: SpaceVector, axis: SpaceVector, section: &[(f64, f64)]) -> Self {
         let (u, v) = across(axis);
         let at = |i: u32, k: usize| {
-            let (s, c) = sincos(2.0 * PI * f64::from(i % SIDES) / f64::from(SIDES));
+            let (s, c) = sincos(2.0 * PI * f64::from(i % sides) / f64::from(sides));
             let (h, r) = section[k % section.len()];
             centre + (u * c + v * s) * r + axis * h
         };
         let face = |i: u32, k: usize| vec![at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)];
-        let places = (0..SIDES).flat_map(|i| (0..section.len()).map(move |k| (i, k)));
+        let places = (0..sides).flat_map(|i| (0..section.len()).map(move |k| (i, k)));
         Self::new(places.map(|(i, k)| face(i, k)))
+    }
+
+    /// The body with each of its points carried elsewhere, to where `to` has it: stretched, turned.
+    #[must_use]
+    pub fn carried(mut self, to: impl Fn(SpaceVector) -> SpaceVector) -> Self {
+        self.faces.iter_mut().flatten().for_each(|point| *point = to(*point));
+        self
     }
 
     /// A stand on the ground: a foot plate and a pillar up to `pivot`, `height` above it.
@@ -173,19 +186,20 @@ impl Solid {
         plate.with(pillar)
     }
 
-    /// An arrow with a shaft and a head. Its shaft is cut into short rings, so that what it passes
-    /// through hides the right part of it.
-    pub(super) fn arrow(from: SpaceVector, to: SpaceVector) -> Self {
-        /// Radius of the shaft, radius and length of the head.
-        const SIZE: [f64; 3] = [0.024, 0.066, 0.18];
-        const RINGS: u32 = 8;
+    /// An arrow with a shaft and a head, for a view of this reach, so many times as thick as usual.
+    /// Its shaft is cut into short rings, so that what it passes through hides the right part of it.
+    pub(super) fn arrow(from: SpaceVector, to: SpaceVector, reach: f64, thick: f64) -> Self {
+        /// Radius of the shaft, radius and length of the head over the reach.
+        const SIZE: [f64; 3] = [0.022, 0.06, 0.16];
+        const RINGS: u32 = 5;
         let (axis, length) = direction(from, to);
         // A short arrow is a small one.
-        let [shaft, head, long] = SIZE.map(|size| size * (length / (2.0 * SIZE[2])).min(1.0));
-        let ring = |i: u32| ((length - long) * f64::from(i) / f64::from(RINGS), shaft);
-        let profile: Vec<_> =
-            (0..=RINGS).map(ring).chain([(length - long, head), (length, 0.0)]).collect();
-        Self::turned_with(12, from, axis, &profile)
+        let size = reach.min(length / (2.0 * SIZE[2]));
+        let [shaft, head, long] = SIZE.map(|part| part * size);
+        let ring = |i: u32| ((length - long) * f64::from(i) / f64::from(RINGS), thick * shaft);
+        let head = [(length - long, thick * head), (length, 0.0)];
+        let profile: Vec<_> = (0..=RINGS).map(ring).chain(head).collect();
+        Self::turned_with(10, from, axis, &profile)
     }
 
     /// A square bar.
@@ -235,8 +249,8 @@ mod tests {
             (Solid::ball(at(1.0, 1.0, 1.0), 1.0), 4.0 / 3.0 * PI, 0.1),
             (Solid::ring(at(1.0, 1.0, 1.0), axis, 2.0, 0.1), 4.0 * PI * PI * 0.01, 0.2),
             (
-                Solid::arrow(at(1.0, 1.0, 1.0), at(1.0, 1.0, 3.0)),
-                PI * (0.024 * 0.024 * 1.82 + 0.066 * 0.066 * 0.18 / 3.0) * share(12.0),
+                Solid::arrow(at(1.0, 1.0, 1.0), at(1.0, 1.0, 3.0), 1.0, 1.0),
+                PI * (0.022 * 0.022 * 1.84 + 0.06 * 0.06 * 0.16 / 3.0) * share(10.0),
                 1e-12,
             ),
         ];

@@ -4,7 +4,7 @@ use super::canvas::{Frame, Paint, Point};
 use super::depth::{Item, from_behind};
 use super::display::{Dash, Stroke};
 use super::ink::Ink;
-use super::material::percent;
+use super::material::stepped;
 use super::scene::Part;
 use super::solid::{Solid, normal};
 use super::view::View;
@@ -15,19 +15,20 @@ use rotation_dynamics::frame::SpaceVector;
 const PIECE: f64 = 6.0;
 
 impl View {
-    /// The faces that look at the eye, lighter as they turn to the light; `most` in percent.
+    /// The faces that look at the eye, lighter as they turn to the light: from `least` to `most` percent.
     pub(super) fn faces(
         &self,
         solid: &Solid,
         ink: Ink,
-        most: f64,
+        [least, most]: [f64; 2],
         items: &mut Vec<Item>,
     ) -> Result<()> {
         let camera = &self.camera;
         let light = camera.light() / camera.light().norm();
         for face in &solid.faces {
             if let Some(normal) = self.looks_here(face)? {
-                let paint = Paint::Face(ink, percent(most, normal.dot(&light)));
+                let lit = least + 0.5 * (most - least) * (1.0 + normal.dot(&light));
+                let paint = Paint::Face(ink, stepped(lit));
                 items.push(Item { points: face.clone(), paint, goes_on: false });
             }
         }

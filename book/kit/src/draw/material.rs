@@ -3,6 +3,7 @@
 use super::canvas::{Frame, Paint, Point};
 use super::display::Stroke;
 use super::ink::Ink;
+use super::scene::BODY;
 use super::solid::{Solid, across};
 use super::view::{Element, View};
 use crate::error::Result;
@@ -14,15 +15,15 @@ use rotation_dynamics::math::{acos, atan2, sincos};
 /// stand out from it, in both themes.
 const VEIL: f64 = 0.55;
 
-/// The most light of what is painted on such a body, in percent: it is darker than the body.
-const PAINT: f64 = 40.0;
+/// The light of what is painted on such a body, in percent: it is darker than the body.
+const PAINT: [f64; 2] = [0.0, 40.0];
 
 /// Percents of light are rounded to these: few steps of light keep a picture small.
 const STEP: u32 = 4;
 
-/// A number from -1, away from the light, to 1 as percents of light, at most so many.
-pub(super) fn percent(most: f64, towards: f64) -> u32 {
-    STEP * libm::round(0.5 * most * (1.0 + towards) / f64::from(STEP)) as u32
+/// Percents of light, rounded.
+pub(super) fn stepped(light: f64) -> u32 {
+    STEP * libm::round(light / f64::from(STEP)) as u32
 }
 
 impl View {
@@ -56,16 +57,36 @@ impl View {
     /// Adds the unit ball about the origin in the light, pale, so that [`Self::trace`] is seen
     /// on its far side too.
     #[must_use]
-    pub fn globe(mut self, ink: Ink) -> Self {
-        self.elements.push(Element::Globe(ink, true));
+    pub fn ball(mut self, ink: Ink) -> Self {
+        self.elements.push(Element::Ball(ink, true));
         self
     }
 
     /// Adds the unit ball about the origin in the light, as pale, which hides its far side.
     #[must_use]
-    pub fn solid_globe(mut self, ink: Ink) -> Self {
-        self.elements.push(Element::Globe(ink, false));
+    pub fn solid_ball(mut self, ink: Ink) -> Self {
+        self.elements.push(Element::Ball(ink, false));
         self
+    }
+
+    /// Adds a patch on a side of a box about `centre` with these edges: the end of edge number
+    /// `k`, at `height` from the centre (1 is on the box, -1 on its other end). It is as long as
+    /// the two ranges along the next two edges, all in parts of half the edges.
+    #[must_use]
+    pub fn patch_on(
+        self,
+        (centre, edges): (SpaceVector, [SpaceVector; 3]),
+        (k, height): (usize, f64),
+        [[a, b], [c, d]]: [[f64; 2]; 2],
+        ink: Ink,
+        light: u32,
+    ) -> Self {
+        let [out, u, v] = [0, 1, 2].map(|i| edges[(k + i) % 3] * 0.5);
+        let mut corners = [[a, c], [b, c], [b, d], [a, d]];
+        if (out * height).dot(&u.cross(&v)) < 0.0 {
+            corners.reverse();
+        }
+        self.patch(corners.map(|[x, y]| centre + out * height + u * x + v * y), ink, light)
     }
 
     pub(super) fn paint_glass(&self, frame: &Frame<'_>) -> Result<()> {
@@ -73,7 +94,7 @@ impl View {
             let Element::Glass(parts) = element else { continue };
             let mut items = Vec::new();
             for (k, (solid, ink)) in parts.iter().enumerate() {
-                self.faces(solid, *ink, if k == 0 { 100.0 } else { PAINT }, &mut items)?;
+                self.faces(solid, *ink, if k == 0 { BODY } else { PAINT }, &mut items)?;
             }
             for item in &items {
                 frame.draw(&self.flat(&item.points), &item.paint)?;
@@ -86,9 +107,9 @@ impl View {
     }
 
     /// The balls that are seen through, or those that are not.
-    pub(super) fn paint_globes(&self, frame: &Frame<'_>, through: bool) -> Result<()> {
+    pub(super) fn paint_balls(&self, frame: &Frame<'_>, through: bool) -> Result<()> {
         for element in &self.elements {
-            let Element::Globe(ink, seen_through) = element else { continue };
+            let Element::Ball(ink, seen_through) = element else { continue };
             if *seen_through != through {
                 continue;
             }
@@ -124,7 +145,7 @@ impl View {
             });
             (outline.collect(), percent)
         };
-        (percent(100.0, least)..=100).step_by(STEP as usize).map(band).collect()
+        (stepped(50.0 * (1.0 + least))..=100).step_by(STEP as usize).map(band).collect()
     }
 }
 

@@ -12,8 +12,10 @@ use crate::error::{Result, finite};
 use core::f64::consts::PI;
 use rotation_dynamics::frame::SpaceVector;
 
-/// The most light of an arrow, in percent: its colour says what it is and must be seen.
-const VECTOR: f64 = 56.0;
+/// The light of bodies, and of arrows, whose colour says what they are and must be seen: in percent,
+/// from the shade to the full light.
+pub(super) const BODY: [f64; 2] = [0.0, 100.0];
+const VECTOR: [f64; 2] = [12.0, 60.0];
 
 /// Where a part of a line lies relative to the sphere, from behind to the front.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -56,20 +58,23 @@ impl View {
         let parts = self.parts();
         self.paint_glass(&frame)?;
         self.paint_layer(&frame, &parts, Layer::Behind, unit)?;
-        self.paint_globes(&frame, true)?;
+        self.paint_balls(&frame, true)?;
         if self.sphere {
             let outline = super::sketch::arc((0.0, 0.0), 1.0, (0.0, 2.0 * PI));
             frame.draw(&outline, &Paint::Fill(Ink::Frame, 0.07))?;
             frame.draw(&outline, &Paint::Loop(Stroke::new(Ink::Frame, 1.2)))?;
         }
-        for element in &self.elements {
+        if self.globe {
+            self.paint_globe(&frame)?;
+        }
+        for element in self.elements.iter().filter(|_| !self.globe) {
             if let Element::OnSphere(points, stroke) = element {
                 let hidden =
                     Stroke { dash: Dash::Dashed, width: 0.75 * stroke.width, ..stroke.faint(0.5) };
                 self.on_sphere(&frame, points, false, hidden)?;
             }
         }
-        self.paint_globes(&frame, false)?;
+        self.paint_balls(&frame, false)?;
         self.paint_layer(&frame, &parts, Layer::Inside, unit)?;
         for element in &self.elements {
             if let Element::OnSphere(points, stroke) = element {
@@ -118,7 +123,7 @@ impl View {
     }
 
     fn layered(&self, points: &[SpaceVector]) -> Vec<(Layer, Vec<SpaceVector>)> {
-        if !self.sphere {
+        if !self.sphere && !self.globe {
             return vec![(Layer::Inside, points.to_vec())];
         }
         let mut found: Vec<(Layer, Vec<SpaceVector>)> = Vec::new();
@@ -146,7 +151,16 @@ impl View {
         found
     }
 
-    /// Lines and arrows of a layer; in the middle one with the bodies.
+    /// Where a body is: a globe is before it or behind, and it is within any other sphere.
+    fn layer_of(&self, points: impl IntoIterator<Item = SpaceVector>) -> Layer {
+        if !self.globe {
+            return Layer::Inside;
+        }
+        let depth: f64 = points.into_iter().map(|p| self.camera.depth(p)).sum();
+        if depth < 0.0 { Layer::Behind } else { Layer::Before }
+    }
+
+    /// Lines, arrows and bodies of a layer.
     fn paint_layer(
         &self,
         frame: &Frame<'_>,
@@ -156,18 +170,23 @@ impl View {
     ) -> Result<()> {
         let parts: Vec<&Part<'_>> = parts.iter().filter(|p| p.layer == layer).collect();
         let mut items = Vec::new();
-        if layer == Layer::Inside {
-            for element in &self.elements {
-                match element {
-                    Element::Solid(solid, ink) => self.faces(solid, *ink, 100.0, &mut items)?,
-                    Element::Patch(outline, ink, light) => {
-                        self.patched(outline, *ink, *light, &mut items)?;
-                    }
-                    Element::Vector([from, to], ink) => {
-                        self.faces(&Solid::arrow(*from, *to), *ink, VECTOR, &mut items)?;
-                    }
-                    _ => {}
+        for element in &self.elements {
+            match element {
+                Element::Solid(solid, ink) if self.layer_of(solid.faces.concat()) == layer => {
+                    self.faces(solid, *ink, BODY, &mut items)?;
                 }
+                Element::Patch(outline, ink, light)
+                    if self.layer_of(outline.iter().copied()) == layer =>
+                {
+                    self.patched(outline, *ink, *light, &mut items)?;
+                }
+                Element::Vector([from, to], ink) if self.layer_of([*from, *to]) == layer => {
+                    // The angular velocity may lie along L.
+                    let thick = if *ink == Ink::Velocity { 1.45 } else { 1.0 };
+                    let arrow = Solid::arrow(*from, *to, self.reach, thick);
+                    self.faces(&arrow, *ink, VECTOR, &mut items)?;
+                }
+                _ => {}
             }
         }
         if items.is_empty() {
@@ -260,7 +279,7 @@ impl View {
         if self.triad {
             obstacles.take(Self::triad_rect(rect));
         }
-        if self.sphere {
+        if self.sphere || self.globe {
             let outline = super::sketch::arc((0.0, 0.0), 1.0, (0.0, 2.0 * PI));
             let outline: Vec<Point> = outline.into_iter().map(|p| frame.px(p)).collect();
             obstacles.add_line(Obstacles::NOBODY, &outline);

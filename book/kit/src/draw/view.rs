@@ -2,6 +2,7 @@
 
 use super::canvas::figure;
 use super::display::{Dash, Stroke};
+use super::globe::graticule;
 use super::ink::Ink;
 use super::shadow::Ground;
 use super::solid::{Camera, Solid};
@@ -25,12 +26,12 @@ pub(super) enum Element {
     /// A flat patch on a body, with so many percent of light.
     Patch(Vec<SpaceVector>, Ink, u32),
     /// The unit ball in the light, and whether it is seen through.
-    Globe(Ink, bool),
+    Ball(Ink, bool),
     /// A place, its ink, its radius (px), and whether it is a ring.
     Dot(SpaceVector, Ink, f64, bool),
     /// A lit arrow from one place to another.
     Vector([SpaceVector; 2], Ink),
-    /// Level ground below everything else.
+    /// Ground below everything else.
     Ground(Ground),
     /// The silhouette of a body that is not there, behind all bodies.
     Ghost(Solid, Ink),
@@ -65,6 +66,7 @@ pub struct View {
     pub(super) reach: f64,
     pub(super) centre: SpaceVector,
     pub(super) sphere: bool,
+    pub(super) globe: bool,
     pub(super) triad: bool,
     pub(super) elements: Vec<Element>,
     pub(super) texts: Vec<(SpaceVector, String, Ink, Side)>,
@@ -83,6 +85,7 @@ impl View {
             reach: 1.12,
             centre: SpaceVector::zero(),
             sphere: false,
+            globe: false,
             triad: false,
             elements: Vec::new(),
             texts: Vec::new(),
@@ -130,6 +133,28 @@ impl View {
         self
     }
 
+    /// Adds the unit sphere about the origin as a lit body that hides what is behind it: the Earth
+    /// with its parallels, and its meridians turned about Z by `turn` (rad).
+    #[must_use]
+    pub fn globe(mut self, turn: f64) -> Self {
+        self.globe = true;
+        let thin = Stroke::new(Ink::Frame, 0.8).faint(0.6);
+        let (meridians, parallels) = graticule();
+        let up = SpaceVector::new(0.0, 0.0, 1.0);
+        for meridian in meridians {
+            let (s, c) = sincos(turn + meridian);
+            let half = super::sketch::arc((0.0, 0.0), 1.0, (0.0, PI)).into_iter();
+            let points = half.map(|(z, out)| SpaceVector::new(c * out, s * out, 0.0) + up * z);
+            self.elements.push(Element::OnSphere(points.collect(), thin));
+        }
+        for tilt in parallels {
+            let (s, c) = sincos(tilt);
+            let (x, y) = (SpaceVector::new(s, 0.0, 0.0), SpaceVector::new(0.0, s, 0.0));
+            self.elements.push(Element::OnSphere(circle(up * c, x, y), thin));
+        }
+        self
+    }
+
     /// As it is seen: the camera as the reader turned it, and with the lines of the sphere,
     /// which depend on the camera.
     pub(super) fn furnished(&self) -> Self {
@@ -167,14 +192,23 @@ impl View {
     /// throw soft shadows on it.
     #[must_use]
     pub fn ground(mut self, at: SpaceVector, radius: f64) -> Self {
-        self.elements.push(Element::Ground(Ground { at, radius, thickness: 0.0 }));
+        self.elements.push(Element::Ground(Ground::level(at, radius, 0.0)));
         self
     }
 
     /// Adds a round table whose top lies about the point `at`: ground with an edge.
     #[must_use]
     pub fn table(mut self, at: SpaceVector, radius: f64) -> Self {
-        self.elements.push(Element::Ground(Ground { at, radius, thickness: 0.05 * radius }));
+        self.elements.push(Element::Ground(Ground::level(at, radius, 0.05 * radius)));
+        self
+    }
+
+    /// Adds a rectangle of ground about the point `at` that need not be level: half its edges are
+    /// these vectors, at right angles, and it is the side to which `along` x `across` points.
+    #[must_use]
+    pub fn slope(mut self, at: SpaceVector, along: SpaceVector, across: SpaceVector) -> Self {
+        let slope = Ground { at, along, across, round: false, thickness: 0.0 };
+        self.elements.push(Element::Ground(slope));
         self
     }
 
