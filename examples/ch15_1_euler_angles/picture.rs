@@ -8,9 +8,7 @@ const ORIGIN: SpaceVector = SpaceVector::zero();
 /// Where the pictures are seen from: azimuth and elevation of the eye, rad. From here the axes X,
 /// x and x' of the page fan out.
 const EYE: [f64; 2] = [-0.5, 0.5];
-/// The middle of what they show, to the right of the origin and above it, and its reach to every
-/// side.
-const RIGHT: f64 = 0.15;
+/// The middle of what they show, its height above the origin and its reach to every side.
 const MIDDLE: f64 = 0.35;
 const REACH: f64 = 1.15;
 /// Lengths of the arrows of the fixed axes and of the body's.
@@ -33,7 +31,7 @@ fn shown(p: &Parameters) -> (SpaceVector, f64) {
     // Room for a label below the tip.
     let missing = (MIDDLE * ce - REACH - (lowest - 0.12)).max(0.0);
     let middle = MIDDLE - 0.5 * missing / ce;
-    (SpaceVector::new(-sa * RIGHT, ca * RIGHT, middle), REACH + 0.5 * missing)
+    (SpaceVector::new(0.0, 0.0, middle), REACH + 0.5 * missing)
 }
 
 /// Three arrows of this length with their names.

@@ -6,7 +6,7 @@ use super::*;
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, View};
 use kit::{Figure, sampled};
 use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::math::{pow, sincos};
+use rotation_dynamics::math::pow;
 
 /// All figures of the page.
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {
@@ -79,14 +79,12 @@ fn rolling(tumble: Tumble) -> Result<Figure> {
     };
     let plane = sampled(times(now - 1.5 * flips, now + 1.5 * flips, 240), contact)?;
     let top = SpaceVector::new(0.0, 0.0, 1.0);
-    let rim = times(0.0, TAU, 60)
-        .map(|turn| top + SpaceVector::new(0.9 * cos(turn), 0.9 * sin(turn), 0.0));
     View::new("rolling", alt)
         .camera(camera())
         .around(top * 0.2, 1.5)
         .solid(solid, Ink::Body)
         .line(polhode, Ink::Ink)
-        .line(rim, Ink::Frame)
+        .circle(top, top, 0.9, Ink::Frame)
         .line(plane, Ink::Velocity)
         .arrow(SpaceVector::zero(), contact(now)?, Ink::Velocity, r"$\Omega$", Side::Right)
         .arrow(SpaceVector::zero(), top * 1.55, Ink::Momentum, "$L$", Side::Above)

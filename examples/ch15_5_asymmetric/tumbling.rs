@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, Stack, View};
 use kit::{MovingPicture, Result, sampled, times};
 use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{atan2, cos, sin, sincos};
 
 /// Azimuth and elevation of the eye: the middle axis of the sphere points to the reader.

@@ -73,17 +73,14 @@ fn can(view: View, p: &Parameters, attitude: &Attitude) -> View {
         vec![at(from, -half), at(to, -half), at(to, half), at(from, half)]
     };
     let stripe = Solid::new(times(-0.2, 0.1, 3).map(strip));
-    let rim = |z: f64| times(0.0, TAU, 72).map(move |turn| at(turn, z));
-    let (body, top) = (Solid::disc(ORIGIN, attitude.axis(), radius, 2.0 * half), half + 0.006);
-    // P is a ring that is painted on the end face, so that a cone can hide it.
+    let (axis, top) = (attitude.axis(), half + 0.006);
     let p = at(0.0, top);
-    let ring = times(0.0, TAU, 16)
-        .map(|turn| p + attitude.to_space(BodyVector::new(cos(turn), sin(turn), 0.0)) * 0.03);
-    view.glass(body, Ink::Body, [(stripe, Ink::Body)])
-        .line(rim(half), Ink::Body)
-        .line(rim(-half), Ink::Body)
-        .line([attitude.axis() * top, p], Ink::Ink)
-        .line(ring, Ink::Ink)
+    // P is a ring that is painted on the end face, so that a cone can hide it.
+    view.glass(Solid::disc(ORIGIN, axis, radius, 2.0 * half), Ink::Body, [(stripe, Ink::Body)])
+        .circle(axis * half, axis, radius, Ink::Body)
+        .circle(axis * -half, axis, radius, Ink::Body)
+        .line([axis * top, p], Ink::Ink)
+        .circle(p, axis, 0.03, Ink::Ink)
         .text(p, "$P$", Ink::Ink, Side::Below)
 }
 

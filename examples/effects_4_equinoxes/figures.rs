@@ -166,9 +166,6 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let profile: Vec<(f64, f64)> =
         times(-0.5 * PI, 0.5 * PI, 16).map(|a| (0.72 * rim * sin(a), rim * cos(a))).collect();
     let front = SpaceVector::new(cos(0.35), -sin(0.35), 0.0);
-    // Above the ground, which is of flat faces.
-    let [a, b] = [s.cross(&UP), s.cross(&s.cross(&UP))].map(|v| v * (1.02 * rim / v.norm()));
-    let equator: Vec<_> = times(0.0, TAU, 72).map(|turn| a * cos(turn) + b * sin(turn)).collect();
     let stills = [79.0, 172.0, 265.0];
     MovingPicture::above(graph, 0.0..=days, stills, move |d| {
         let (n, _) = sun.pull(d * DAY);
@@ -186,7 +183,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .camera(Camera::new(-0.35, 0.42))
             .dashed(ring, Ink::Frame)
             .solid(Solid::turned(o, s, &profile), Ink::Body)
-            .line(equator.clone(), Ink::Ink)
+            .circle(o, s, 1.02 * rim, Ink::Ink)
             .dashed([o, UP * 0.95], Ink::Frame)
             .dashed([o, n], Ink::Energy)
             .dot(n, Ink::Energy, "Sun", if n.dot(&front) > 0.0 { Side::Below } else { Side::Above })

@@ -5,7 +5,7 @@ use super::display::{Dash, Stroke};
 use super::globe::graticule;
 use super::ink::Ink;
 use super::shadow::Ground;
-use super::solid::{Camera, Solid};
+use super::solid::{Camera, Solid, across};
 use super::words::Side;
 use crate::Figure;
 use crate::error::{Result, positive};
@@ -280,6 +280,13 @@ impl View {
         let points = points.into_iter().collect();
         self.elements.push(Element::Line(points, Stroke::new(ink, 1.2)));
         self
+    }
+
+    /// Adds a thin circle about `centre` at right angles to the unit vector `axis`: a rim, an equator.
+    #[must_use]
+    pub fn circle(self, centre: SpaceVector, axis: SpaceVector, radius: f64, ink: Ink) -> Self {
+        let (u, v) = across(axis);
+        self.line(circle(centre, u * radius, v * radius), ink)
     }
 
     /// With what `draw` adds, if it is `shown`.
