@@ -96,7 +96,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .arrow(SpaceVector::zero(), on_sphere(now), Ink::Momentum, "", Side::Right)
             .dot(on_sphere(now), Ink::Momentum, "", Side::Right);
         let view = book(view, &p, &attitude, aside)
-            .arrow(aside, aside + UP * 1.2, Ink::Momentum, "$L$", Side::Above)
+            .vector(aside, aside + UP * 1.2, Ink::Momentum, "$L$", Side::Above)
             .arrow(
                 aside,
                 aside + axis * 0.95,

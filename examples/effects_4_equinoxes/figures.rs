@@ -187,7 +187,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .dashed([o, UP * 0.95], Ink::Frame)
             .dashed([o, n], Ink::Energy)
             .dot(n, Ink::Energy, "Sun", if n.dot(&front) > 0.0 { Side::Below } else { Side::Above })
-            .arrow(o, s, Ink::Momentum, "$L$", Side::Right);
+            .vector(o, s, Ink::Momentum, "$L$", Side::Right);
         if size > 0.02 {
             scene = scene.arrow(s, s + torque * 0.5, Ink::Force, "torque", Side::Above);
         }

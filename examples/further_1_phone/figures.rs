@@ -218,7 +218,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .camera(camera())
             .size(340, 220);
         let scene = phone(view, &p, &attitude, centre)
-            .arrow(centre, centre + momentum, Ink::Momentum, "$L$", Side::Below)
+            .vector(centre, centre + momentum, Ink::Momentum, "$L$", Side::Below)
             .arrow(centre, centre + axis, Ink::Body, "2", Side::Left);
         Ok((alt, scene))
     })
