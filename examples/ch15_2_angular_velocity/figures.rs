@@ -353,7 +353,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .size(340, 350)
             .ground(UP * -1.36, 1.0)
             .dashed([corner, sum], Ink::Velocity)
-            .component(ORIGIN, first, Ink::Velocity, "$\\dot\\phi$", Side::Left)
+            .component(ORIGIN, first, Ink::Velocity, "", Side::Left)
+            .text(first * 0.6, "$\\dot\\phi$", Ink::Velocity, Side::Left)
             .component(first, corner, Ink::Velocity, "$\\dot\\theta$", Side::Above)
             .component(ORIGIN, spin, Ink::Velocity, "$\\dot\\zeta$", Side::Left)
             .arrow(ORIGIN, sum, Ink::Velocity, "$\\Omega$", Side::Right);

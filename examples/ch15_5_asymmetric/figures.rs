@@ -25,7 +25,7 @@ pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {
 /// Paths of the tip of L on the sphere of the body, for many energies.
 fn polhodes(moments: [f64; 3]) -> Result<Figure> {
     let alt = "A ball in the light with the body's axes 1 up, 2 towards the reader, 3 to the right. Closed \
-               curves surround the ends of axes 1 and 3. Two black great circles that cross at the ends \
+               curves surround the ends of axes 1 and 3. Two great circles that cross at the ends \
                of axis 2 part them; near these ends the curves are hyperbolas.";
     let mut view = sphere(
         View::new("polhodes", alt)

@@ -85,8 +85,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let axis = attitude.to_space(unit(1));
         let alt = format!(
             "{t:.2} s after the throw: a book turns about the vertical L, its middle axis 2 {:.0} \
-             degrees from it; beside it L as an arrow in the sphere of the body, its tip on a blue \
-             path that runs close to the black separatrix and passes close by both ends of axis 2; below, the component of L along axis 2.",
+             degrees from it; beside it L as an arrow in the sphere of the body, its tip on a \
+             path that runs close to the separatrix and passes close by both ends of axis 2; below, \
+             the component of L along axis 2.",
             rotation_dynamics::math::acos(now[1].clamp(-1.0, 1.0)).to_degrees()
         );
         let view =

@@ -30,16 +30,8 @@ pub fn view(name: &str, alt: &str, top: Top, t: f64) -> Result<View> {
 fn rolling(view: View, top: Top, t: f64, long: f64) -> Result<View> {
     let (attitude, pole, alpha) = (top.attitude(t)?, top.pole(t), top.lean());
     let (axis, between) = (attitude.axis(), (top.tilt() - alpha).abs());
-    let rim = times(0.0, TAU, 72).map(|turn| {
-        let to_rim = BodyVector::new(cos(turn), sin(turn), 0.0) * (long * sin(alpha));
-        axis * (long * cos(alpha)) + attitude.to_space(to_rim)
-    });
-    let rim: Vec<_> = rim.collect();
-    let body = match top.tilt() > alpha {
-        true => Solid::cone(axis * (long * cos(alpha)), ORIGIN, long * sin(alpha)),
-        // Its inner side alone.
-        false => Solid::new(rim.windows(2).map(|pair| vec![ORIGIN, pair[0], pair[1]])),
-    };
+    let (base, radius) = (axis * (long * cos(alpha)), long * sin(alpha));
+    let cone = if top.tilt() > alpha { Solid::cone } else { Solid::funnel };
     // Long enough to come out of the cones.
     let (out, up) = (1.3 * long, 1.5 * long);
     let path = sampled(times(0.0, top.round(), 90), |t| Ok(top.axis(t)? * out))?;
@@ -48,16 +40,15 @@ fn rolling(view: View, top: Top, t: f64, long: f64) -> Result<View> {
     Ok(view
         .dashed(path, Ink::Body)
         .solid(space, Ink::Frame)
-        .solid(body, Ink::Body)
-        .line(rim, Ink::Body)
+        .solid(cone(base, ORIGIN, radius), Ink::Body)
+        .circle(base, axis, radius, Ink::Body)
         .arrow(ORIGIN, UP * up, Ink::Momentum, "$L$", Side::Above)
         .arrow(ORIGIN, axis * out, Ink::Body, "$z$", beside(axis))
         .arrow(ORIGIN, pole * out, Ink::Velocity, r"$\Omega$", beside(pole)))
 }
 
-/// Half the diagonal of the can in the picture: its middle is the tip of the cones.
+/// Half the diagonal of the can in the picture, and the sides of the cones, which come out of it.
 const CAN: f64 = 0.95;
-/// How long the sides of the cones are, so that they come out of the can.
 const SIDE: f64 = 1.2;
 
 /// The can itself, seen through, with the line OP on its end face and a stripe down its side.
@@ -68,20 +59,22 @@ fn can(view: View, p: &Parameters, attitude: &Attitude) -> View {
     let at = |turn: f64, z: f64| {
         attitude.to_space(BodyVector::new(radius * cos(turn), radius * sin(turn), z))
     };
-    let strip = |from: f64| {
-        let to = from + 0.1;
-        vec![at(from, -half), at(to, -half), at(to, half), at(from, half)]
-    };
-    let stripe = Solid::new(times(-0.2, 0.1, 3).map(strip));
+    let edges: Vec<_> =
+        times(-0.2, 0.2, 4).map(|turn| [-half, half].map(|z| at(turn, z))).collect();
+    let strips = edges.windows(2).map(|w| vec![w[0][0], w[1][0], w[1][1], w[0][1]]);
     let (axis, top) = (attitude.axis(), half + 0.006);
     let p = at(0.0, top);
     // P is a ring that is painted on the end face, so that a cone can hide it.
-    view.glass(Solid::disc(ORIGIN, axis, radius, 2.0 * half), Ink::Body, [(stripe, Ink::Body)])
-        .circle(axis * half, axis, radius, Ink::Body)
-        .circle(axis * -half, axis, radius, Ink::Body)
-        .line([axis * top, p], Ink::Ink)
-        .circle(p, axis, 0.03, Ink::Ink)
-        .text(p, "$P$", Ink::Ink, Side::Below)
+    view.glass(
+        Solid::disc(ORIGIN, axis, radius, 2.0 * half),
+        Ink::Body,
+        [(Solid::new(strips), Ink::Body)],
+    )
+    .circle(axis * half, axis, radius, Ink::Body)
+    .circle(axis * -half, axis, radius, Ink::Body)
+    .line([axis * top, p], Ink::Ink)
+    .circle(p, axis, 0.03, Ink::Ink)
+    .text(p, "$P$", Ink::Ink, Side::Below)
 }
 
 /// Two turns of the axis of the body asked for, its tilt drawn larger.
@@ -106,9 +99,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             t / round,
             turns * t / round
         );
-        let view = View::of(UP * 0.5, 1.36).size(340, 320);
-        let scene = rolling(can(view, &p, &top.attitude(t)?), top, t, SIDE)?;
-        Stack::frame(&alt, scene, &graph, t)
+        let can = can(View::of(UP * 0.5, 1.36).size(340, 320), &p, &top.attitude(t)?);
+        Stack::frame(&alt, rolling(can, top, t, SIDE)?, &graph, t)
     };
     MovingPicture::new(0.0..=end, [0.0, 0.18 * round, 0.6 * round], draw)
 }

@@ -31,6 +31,16 @@ impl Solid {
         Self::turned(base, axis, &[(0.0, radius), (length, 0.0)])
     }
 
+    /// The inner side of a cone from its base to its tip, without its base: a funnel whose near half
+    /// is cut away.
+    pub fn funnel(base: SpaceVector, tip: SpaceVector, radius: f64) -> Self {
+        let mut faces = Self::cone(base, tip, radius).faces;
+        // The last two are its ends.
+        faces.truncate(faces.len().saturating_sub(2));
+        faces.iter_mut().for_each(|face| face.reverse());
+        Self { faces }
+    }
+
     /// A ball.
     pub fn ball(centre: SpaceVector, radius: f64) -> Self {
         const RINGS: u32 = 9;
