@@ -25,7 +25,7 @@ fn circle(centre: Point, radius: f64) -> Curve {
 /// The Earth with its line OP, which points so.
 fn earth(sketch: Sketch, centre: Point, radius: f64, angle: f64) -> Sketch {
     sketch
-        .disc(centre, radius, Ink::Body, 0.15)
+        .disc(centre, radius, Ink::Body, 0.3)
         .curve(Curve::new([centre, at(centre, radius, angle)], Ink::Body))
         .dot(at(centre, radius, angle), Ink::Body, "", Side::Above)
 }
@@ -271,7 +271,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         // The half away from the Sun.
         let night = times(-0.5 * PI, 0.5 * PI, 40).map(|a| at(centre, 0.24, place + a));
         let scene = earth(scene, centre, 0.24, angle)
-            .ghost(|sketch| sketch.body(night, Ink::Ink, 1.0))
+            .ghost(|sketch| sketch.body(night, Ink::Shadow, 1.0))
             .text(at(centre, 0.34, angle), "$P$", Ink::Body, Side::Centre)
             .dot(centre, Ink::Ink, "", Side::Below);
         Stack::frame(&alt, scene, &graph, t)
