@@ -151,7 +151,52 @@ impl View {
 
 #[cfg(test)]
 mod tests {
+    use super::super::display::Shape;
     use super::*;
+
+    /// Of two screens on the sides of a box the one is seen that looks at the eye, with its own light.
+    #[test]
+    fn a_patch_is_seen_from_outside() -> Result<()> {
+        let [x, y, z] = [(2.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 0.2)]
+            .map(|(x, y, z)| SpaceVector::new(x, y, z));
+        let all = [[-0.9, 0.9]; 2];
+        let lights = |edges: [SpaceVector; 3]| -> Result<Vec<u32>> {
+            let on = (SpaceVector::zero(), edges);
+            let view = View::new("box", "a box with a screen above and another below")
+                .solid(Solid::cuboid(on.0, edges), Ink::Body)
+                .patch_on(on, (2, 1.1), all, Ink::Ink, 7)
+                .patch_on(on, (2, -1.1), all, Ink::Ink, 9);
+            let shapes = view.figure()?.display.shapes.into_iter();
+            Ok(shapes.filter_map(|shape| screen(&shape)).collect())
+        };
+        assert_eq!(lights([x, y, z])?, [7]);
+        assert_eq!(lights([x, y, z * -1.0])?, [9]);
+        Ok(())
+    }
+
+    fn screen(shape: &Shape) -> Option<u32> {
+        match shape {
+            Shape::Face(_, Ink::Ink, light) => Some(*light),
+            _ => None,
+        }
+    }
+
+    /// What is in a glass is drawn after its veil.
+    #[test]
+    fn what_is_in_a_glass_is_drawn_over_it() -> Result<()> {
+        let (origin, up) = (SpaceVector::zero(), SpaceVector::new(0.0, 0.0, 1.0));
+        let view = View::new("glass", "a ball in a can that is seen through")
+            .solid(Solid::ball(origin, 0.2), Ink::Frame)
+            .glass(Solid::disc(origin, up, 0.5, 1.0), Ink::Body, []);
+        let shapes = view.figure()?.display.shapes;
+        let veil = shapes.iter().position(|shape| matches!(shape, Shape::Area(_, Ink::Paper, _)));
+        let of = |ink: Ink| {
+            shapes.iter().position(move |s| matches!(s, Shape::Face(_, i, _) if *i == ink))
+        };
+        assert!(of(Ink::Body) < veil && veil < of(Ink::Frame));
+        assert!(of(Ink::Body).is_some());
+        Ok(())
+    }
 
     /// The twenty bands of the ball lie in its outline, each within the one before, and the
     /// first is all of it.
