@@ -1,11 +1,8 @@
 //! The drawings of section 16.1.
 
 use super::*;
-use kit::draw::Camera;
-use rotation_dynamics::frame::SpaceVector;
+use models::wedge::Wedge;
 use rotation_dynamics::math::sort_by_number;
-
-const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 
 /// Over the coefficient of friction, in units of what rolling needs.
 fn frictions() -> Sweep {
@@ -132,8 +129,8 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 
 /// The body on its way up and back, with its forces; below, velocity and friction.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let (r, weight, v, slope) = (p.radius, p.gravity, p.speed, p.angle);
-    let ((run, end), (s, c)) = (motion(p)?, sincos(p.angle));
+    let (r, weight, v) = (p.radius, p.gravity, p.speed);
+    let (run, end) = motion(p)?;
     let first = run.forces(0.0)?[0].tangential;
     let velocity = Curve::sampled(times(0.0, end, 80), |t| Ok(run.at(t)?.v[0] / v), Ink::Velocity)?;
     let friction = |t| Ok(if first > 0.0 { run.forces(t)?[0].tangential / first } else { 0.0 });
@@ -144,15 +141,10 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(friction.label_at("$F$", 0.7 * end, 1.0, Side::Below))
         .low();
     let length = -0.5 * v * v / Roller::new(p).acceleration() + 6.0 * r;
-    // All of the slope is seen, with the body at its top.
-    let reach = (0.44 * length * c).max(0.58 * length * s + 1.6 * r);
+    let wedge = Wedge { angle: p.angle, length, radius: r };
     MovingPicture::above(graph, 0.0..=end, [0.08 * end, 0.5 * end, 0.92 * end], move |t| {
         let (MechanismState { q: [x, _, turn], v: [vx, ..] }, [force]) =
             (run.at(t)?, run.forces(t)?);
-        let (up_slope, off) = (SpaceVector::new(c, 0.0, s), SpaceVector::new(-s, 0.0, c));
-        let across = SpaceVector::new(0.0, 1.0, 0.0);
-        let contact = up_slope * (x + 3.0 * r);
-        let middle = contact + off * r;
         let way = match vx / v {
             rate if rate > 0.01 => "on its way up",
             rate if rate < -0.01 => "on its way down",
@@ -162,47 +154,16 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             "The body {t:.2} s after its start, {way}. Its weight pulls down, the slope pushes, and \
              the friction at the point of contact points up the slope. Below, velocity and friction."
         );
-        let (push, rub) = (force.normal / weight, force.tangential / weight);
-        // Vectors lie before the face of the body that is seen.
-        let (half, size) = (0.8 * r, 0.42 * reach);
-        let front = across * (-1.08 * half);
-        let at = middle + front;
-        let [low, top] = [0.0, length].map(|way| up_slope * way);
-        let (near, far) = (front * 0.99, across * (2.6 * r));
-        let [foot, under] = [SpaceVector::zero(), SpaceVector::new(length * c, 0.0, 0.0)];
-        // The wedge: its front and its back; the slope itself is ground.
-        let wedge = Solid::new([
-            vec![foot + near, under + near, top + near],
-            vec![under + near, under + far, top + far, top + near],
-        ]);
-        let (middle_of, half_across) = ((low + top + near + far) * 0.5, (far - near) * 0.5);
-        let (sin, cos) = sincos(slope + FRAC_PI_2 + turn);
-        let mark = SpaceVector::new(cos, 0.0, sin) * r;
-        let mut scene = View::of(up_slope * (0.5 * length) + off * (0.5 * r), reach)
-            .camera(Camera::new(-FRAC_PI_2 - 0.32, 0.26))
-            .size(340, 250)
-            .slope(middle_of, up_slope * (0.5 * length), half_across)
-            .solid(wedge, Ink::Frame)
-            .solid(Solid::cylinder(middle - across * half, middle + across * half, r), Ink::Body)
-            .line([at, at + mark], Ink::Paper)
-            .arrow(at, at - UP * size, Ink::Force, "$mg$", Side::Below)
-            .arrow(
-                contact + front,
-                contact + front + off * (push * size),
-                Ink::Force,
-                "$N$",
-                Side::Above,
-            )
-            .corner(&format!("{t:.2} s"));
-        if rub.abs() * 3.0 * size > 0.04 * reach {
-            let tip = contact + front + up_slope * (3.0 * rub * size);
-            scene = scene.arrow(contact + front, tip, Ink::Force, "$F$", Side::BelowRight);
-        }
-        if (vx / v).abs() > 0.06 {
-            let foot = middle + off * (1.35 * r);
-            let tip = foot + up_slope * (0.9 * size * vx / v);
-            scene = scene.vector(foot, tip, Ink::Velocity, r"$\dot x$", Side::Above);
-        }
+        let forces = [force.normal, force.tangential].map(|force| force / weight);
+        let [up, off] = wedge.directions();
+        let over = up * (x + 3.0 * r) + off * (2.35 * r);
+        let velocity = up * (0.9 * wedge.force() * vx / v);
+        let scene = wedge
+            .with_body(x + 3.0 * r, turn, forces)
+            .corner(&format!("{t:.2} s"))
+            .only_if((vx / v).abs() > 0.06, |view| {
+                view.vector(over, over + velocity, Ink::Velocity, r"$\dot x$", Side::Above)
+            });
         Ok((alt, scene))
     })
 }

@@ -1,7 +1,7 @@
 //! A spin that is braked: the sleeping top that wakes, and what friction costs.
 
 use super::{Body, Parameters, TOP, WHEEL, driven};
-use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, View};
+use kit::draw::{Curve, Ink, Panel, Side, Solid, View};
 use kit::{MovingPicture, Result, sampled, times};
 use models::heavy_top::{Pose, Steady};
 use rotation_dynamics::attitude::Attitude;
@@ -150,7 +150,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let waking = Waking::new(asked.map_or(TOP, |(_, body)| body))?;
     let end = waking.end;
     let moments = sampled(times(0.0, end, 700), |t| Ok((t, waking.at(t)?)))?;
-    let path: Vec<_> = moments.iter().map(|(t, m)| (*t, m.axis)).collect();
+    let path: Vec<_> = moments.iter().map(|(t, m)| (*t, m.axis * HEIGHT)).collect();
     let tilts = moments.iter().map(|(t, m)| (*t, m.tilt()));
     // The brake's torque is constant.
     let critical = end * (FROM - 1.0) / (FROM - TO);
@@ -172,10 +172,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
                 None => ", whose torque is too small to be drawn",
             }
         );
-        let from = path.partition_point(|(s, _)| *s < t - 0.3 * end);
-        let to = path.partition_point(|(s, _)| *s < t);
-        let been = path[from..to].iter().map(|(_, axis)| *axis).chain([moment.axis]);
-        let view = scene(&moment).trail(been.map(|axis| axis * HEIGHT), Ink::Body);
+        let now = moment.axis * HEIGHT;
+        let view = scene(&moment).followed(&path, [t, 0.3 * end], now, Ink::Body);
         Ok((alt, view.corner(&format!("spin / critical $=$ {:.2}", moment.ratio))))
     })
 }

@@ -137,16 +137,13 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              time.",
             tilt.to_degrees()
         );
-        let from = path.partition_point(|(s, _)| *s < t - 0.8 * nod);
-        let to = path.partition_point(|(s, _)| *s < t);
-        let been = path[from..to].iter().map(|(_, axis)| *axis).chain([z]);
         let scene = View::of(UP * 0.34 - SpaceVector::new(0.0, 0.3, 0.0), 0.86)
             .camera(Camera::new(-0.7, 0.38))
             .size(340, 270)
             .solid(Solid::cylinder(-face, face, radius * unit), Ink::Body)
             .line([face * 1.01, rim], Ink::Ink)
             .dashed(circle.clone(), Ink::Body)
-            .trail(been, Ink::Body)
+            .followed(&path, [t, 0.8 * nod], z, Ink::Body)
             .line(meridian, Ink::Body)
             .arrow(SpaceVector::zero(), UP * 1.15, Ink::Frame, "$Z$", Side::Right)
             .vector(SpaceVector::zero(), l * 1.2, Ink::Momentum, "$L$", Side::Above)

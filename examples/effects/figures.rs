@@ -119,16 +119,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let graph = Panel::over_axes("$t$ / s", "apart / rad").curve(curve).low();
     MovingPicture::above(graph, 0.0..=end, [0.3 * end, 0.6 * end, end], move |t| {
         let [alone, air] = at(t);
-        let pose = |axis: SpaceVector| {
-            let [x, y, z] = axis.to_array();
-            Pose { theta: atan2(hypot(x, y), z), phi: atan2(x, -y), zeta: spin * t }
-        };
         let past = sampled(times((t - 0.12 * end).max(0.0), t, 160), |s| Ok(at(s)))?;
         let trail = |i: usize| past.iter().map(move |axes| axes[i]);
-        let scene = on_stand("scene", "scene", &pose(air))
+        let scene = on_stand("scene", "scene", &Pose::of(air, spin * t))
             .camera(Camera::new(-0.55, 0.6))
             .around(UP * -0.17, 1.12)
-            .ghost(rotor(&pose(alone)), Ink::Frame)
+            .ghost(rotor(&Pose::of(alone, spin * t)), Ink::Frame)
             .trail(trail(0), Ink::Frame)
             .trail(trail(1), Ink::Body)
             .dot(alone, Ink::Frame, "vacuum", Side::Left)

@@ -28,7 +28,7 @@ fn on_stand(theta: f64, phi: f64, zeta: f64) -> View {
     let hub = axis * HUB;
     let (s, c) = sincos(zeta);
     let spoke = node * c + axis.cross(&node) * s;
-    View::of(UP * 0.02, 1.16)
+    View::of(UP * 0.04, 1.19)
         .camera(Camera::new(0.1, 0.3))
         .size(340, 290)
         .table(low, 1.1)
@@ -248,10 +248,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         );
         // Spokes at their true place would stand still in one frame and jump in the next.
         let axis = direction(at.theta, at.phi);
-        let from = trail.partition_point(|(when, _)| *when < t - past);
-        let to = trail.partition_point(|(when, _)| *when < t);
         let scene = on_stand(at.theta, at.phi, 0.02 * at.zeta)
-            .trail(trail[from..to].iter().map(|(_, end)| *end).chain([axis]), Ink::Body)
+            .followed(&trail, [t, past], axis, Ink::Body)
             .vector(axis, axis * 1.34, Ink::Momentum, "$L$", Side::Above)
             .arrow(axis * HUB, axis * HUB - UP * 0.5, Ink::Force, "$mg$", Side::Left)
             .corner(&format!("{t:.2} s"));

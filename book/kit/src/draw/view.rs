@@ -274,6 +274,21 @@ impl View {
         self
     }
 
+    /// Adds the trail of the last `past` up to the time `t`, along a path of `(time, place)`, equal
+    /// times apart, to the place `now`.
+    #[must_use]
+    pub fn followed(
+        self,
+        path: &[(f64, SpaceVector)],
+        [t, past]: [f64; 2],
+        now: SpaceVector,
+        ink: Ink,
+    ) -> Self {
+        let [from, to] = [t - past, t].map(|t| path.partition_point(|(s, _)| *s < t));
+        let been = path.iter().take(to).skip(from).map(|(_, place)| *place);
+        self.trail(been.chain([now]), ink)
+    }
+
     /// Adds a line anywhere in space: a rope, an edge, a path. Bodies hide it.
     #[must_use]
     pub fn line(mut self, points: impl IntoIterator<Item = SpaceVector>, ink: Ink) -> Self {

@@ -7,16 +7,16 @@ use kit::Result;
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, View};
 use kit::{MovingPicture, sampled, times};
 use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::math::{acos, sincos};
+use rotation_dynamics::math::{acos, atan2, hypot, sincos};
 use std::sync::Arc;
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 /// Lengths of the longest arrows of L and of the angular velocity, of the torque on a level axis,
 /// and of dL.
-const MOMENTUM: f64 = 1.3;
+const MOMENTUM: f64 = 1.2;
 const VELOCITY: f64 = 0.5;
 const TORQUE: f64 = 0.62;
-const CHANGE: f64 = 0.4;
+const CHANGE: f64 = 0.36;
 
 /// A motion as its picture needs it.
 pub(super) struct Drawn {
@@ -114,10 +114,8 @@ impl Drawn {
                     ""
                 },
             );
-            let from = path.partition_point(|(s, _)| *s < t - self.past);
-            let to = path.partition_point(|(s, _)| *s < t);
-            let trail = path[from..to].iter().map(|(_, axis)| *axis).chain([axis]);
-            let view = body(&pose).corner(&clock).trail(trail, Ink::Body);
+            let view = body(&pose).corner(&clock);
+            let view = view.followed(&path, [t, self.past], axis, Ink::Body);
             let view = match fallen {
                 Some(fallen) => view.ghost(fallen, Ink::Frame),
                 None => view,
@@ -151,6 +149,12 @@ pub struct Pose {
 }
 
 impl Pose {
+    /// With its axis along this vector, turned by `zeta` about it.
+    pub fn of(axis: SpaceVector, zeta: f64) -> Self {
+        let [x, y, z] = axis.to_array();
+        Self { theta: atan2(hypot(x, y), z), phi: atan2(x, -y), zeta }
+    }
+
     /// The unit vector along the axis.
     pub fn axis(&self) -> SpaceVector {
         direction(self.theta, self.phi)

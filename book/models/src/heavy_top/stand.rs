@@ -35,8 +35,8 @@ pub fn on_stand(name: &str, alt: &str, pose: &Pose) -> View {
     let origin = SpaceVector::zero();
     View::new(name, alt)
         .camera(Camera::new(-0.55, 0.38))
-        .around(UP * 0.08, 1.12)
-        .size(340, 266)
+        .around(UP * 0.11, 1.2)
+        .size(340, 276)
         .table(UP * -HEIGHT, 1.1)
         .solid(Solid::stand(origin, HEIGHT, 0.26), Ink::Frame)
         .solid(Solid::rod(origin, pose.axis(), AXLE), Ink::Frame)
