@@ -137,9 +137,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (centre, reach) = shown(&p);
     // At least as high as for the angles of the page, so that larger ones look larger.
     let angles = [p.angles(), Parameters::default().angles()].concat();
-    let axes = Panel::new("graph", "")
-        .x(Axis::linear("turns made").step(1.0))
-        .y(Axis::linear("angle / rad").over(angles));
+    let turns = Axis::linear("turns made").step(1.0);
+    let axes = Panel::over_axes(turns, Axis::linear("angle / rad").over(angles));
     let graph = (0..3).fold(axes, |panel, i| {
         let curve = Curve::new(angle(i), Ink::Velocity);
         panel.curve(

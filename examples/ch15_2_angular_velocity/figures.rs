@@ -213,17 +213,13 @@ fn gyroscope(p: &Parameters) -> Result<Figure> {
         .figure()
 }
 
-/// The length of an arrow of 1 rad/s with which the three rates together have this length.
-fn scale(g: &Gyroscope, together: f64) -> f64 {
-    let EulerRates { phi, theta, zeta } = g.rates;
-    together / (phi.abs() + theta.abs() + zeta.abs()).max(1e-9)
-}
-
 /// The notes' figure 3: the three rates on the triad, and what the precession has along y, z.
 fn triad(p: &Parameters) -> Result<Figure> {
     let g = posed(p);
     let [x, y, z] = g.triad();
-    let scale = scale(&g, 2.2);
+    // Together the three rates are so long.
+    let scale = 2.2
+        / [g.rates.phi, g.rates.theta, g.rates.zeta].map(f64::abs).iter().sum::<f64>().max(1e-9);
     let (turn, [_, along_y, _]) = (UP * (g.rates.phi * scale), g.nodal());
     let (on_y, on_z) = (y * (along_y * scale), z * (turn.dot(&z)));
     let alt = "The axes x, y and z, at right angles, and the vertical Z in the plane of y and z. Arrows show the rate of \
@@ -327,9 +323,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let curve = times(0.0, END, 200).zip(path.iter().map(|omega| omega[i]));
         Curve::new(curve, Ink::Velocity).label_end(name)
     };
-    let graph = Panel::new("graph", "")
-        .x(Axis::linear("$t$ / s"))
-        .y(axis)
+    let graph = Panel::over_axes("$t$ / s", axis)
         .curve(component(0, "$\\Omega_x$").dotted())
         .curve(component(1, "$\\Omega_y$").dashed())
         .curve(component(2, "$\\Omega_z$"));

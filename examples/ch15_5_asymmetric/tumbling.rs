@@ -74,9 +74,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (motion, flips) = (tumble.free_body()?, tumble.between_flips()?);
     let end = 2.5 * flips;
     let along = sampled(times(0.0, end, 250), |t| Ok((t, tip(&tumble, t)?[1])))?;
-    let graph = Panel::new("graph", "")
-        .x(Axis::linear("$t$ / s"))
-        .y(Axis::linear("$L_2/L$").range(-1.0, 1.0).step(1.0))
+    let graph = Panel::over_axes("$t$ / s", Axis::linear("$L_2/L$").range(-1.0, 1.0).step(1.0))
         .curve(Curve::new(along, Ink::Momentum));
     let polhode = sampled(times(0.0, 2.0 * flips, 160), |t| Ok(on_sphere(tip(&tumble, t)?)))?;
     let aside = SpaceVector::new(sin(EYE.0), -cos(EYE.0), 0.0) * 2.35;

@@ -1,7 +1,6 @@
 //! The two cones that roll on each other: as stills, and as they move.
 
 use super::{LINE, Parameters, Top, top};
-use core::f64::consts::TAU;
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
 use kit::{MovingPicture, Result, sampled, times};
 use rotation_dynamics::attitude::Attitude;
@@ -86,9 +85,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     // Whole turns, as long as there are few of them.
     let counted = Axis::linear("turns");
     let counted = if turns < 4.0 { counted.step(1.0) } else { counted };
-    let graph = Panel::new("graph", "")
-        .x(Axis::linear("$t$ / s"))
-        .y(counted)
+    let graph = Panel::over_axes("$t$ / s", counted)
         .curve(line(1.0, Ink::Ink).dashed().label("axis"))
         .curve(line(turns, Ink::Body).label("line $OP$"));
     let draw = move |t: f64| {
