@@ -172,7 +172,9 @@ impl View {
         let mut items = Vec::new();
         for element in &self.elements {
             match element {
-                Element::Solid(solid, ink) if self.layer_of(solid.faces.concat()) == layer => {
+                Element::Solid(solid, ink)
+                    if self.layer_of(solid.faces.iter().flatten().copied()) == layer =>
+                {
                     self.faces(solid, *ink, BODY, &mut items)?;
                 }
                 Element::Patch(outline, ink, light)
