@@ -23,6 +23,7 @@ mod backend;
 mod bodies;
 mod canvas;
 mod clip;
+mod crowded;
 mod curve;
 mod depth;
 mod display;
@@ -48,6 +49,7 @@ mod tests;
 mod ticks;
 mod turned;
 mod view;
+mod widths;
 mod words;
 
 pub use axis::Axis;

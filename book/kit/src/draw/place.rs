@@ -1,7 +1,7 @@
 //! Where labels go: beside their line, clear of lines, ticks and each other.
 
-use super::canvas::{Frame, Paint, Point};
-use super::display::Stroke;
+use super::canvas::{Frame, Paint, Point, head_at_end, units};
+use super::display::{Place, Stroke, UNITS};
 use super::stations::stations;
 use super::words::{Rect, Side, Words};
 use crate::error::Result;
@@ -27,7 +27,7 @@ const DISTANCES: [(f64, f64); 6] =
     [(GAP, 0.0), (9.0, 2.0), (14.0, 5.0), (22.0, 14.0), (34.0, 18.0), (50.0, 24.0)];
 
 /// What a label keeps between its box and lines: its halo and a little.
-const HALO: f64 = 3.0;
+pub(super) const HALO: f64 = 3.0;
 
 /// From this distance on a thin line leads from a label to what it names.
 const LEADER: f64 = 20.0;
@@ -78,6 +78,14 @@ impl Obstacles {
                 self.points.push((curve, p));
             }
         }
+    }
+
+    /// Adds the head of an arrow along this line, so long, in px.
+    pub(super) fn add_head(&mut self, line: &[Point], length: f64) {
+        let mut places: Vec<Place> = line.iter().map(|p| (units(p.0), units(p.1))).collect();
+        let head = head_at_end(&mut places, length, true).into_iter();
+        let px = |(x, y)| (f64::from(x) / UNITS, f64::from(y) / UNITS);
+        self.add_line(Self::NOBODY, &head.map(px).collect::<Vec<_>>());
     }
 
     /// Marks a box as taken.

@@ -232,7 +232,7 @@ impl View {
             let stroke = Stroke::new(Ink::Frame, 1.0);
             frame.draw(&[(0.0, 0.0), tip], &Paint::Arrow(stroke, 5.0, false))?;
             let words = Words::new(name, Ink::Frame, Side::Centre, 0.0);
-            let beyond = 1.0 + 0.4 / rotation_dynamics::math::hypot(tip.0, tip.1).max(0.4);
+            let beyond = 1.0 + 0.45 / rotation_dynamics::math::hypot(tip.0, tip.1).max(0.4);
             frame.draw(&[(tip.0 * beyond, tip.1 * beyond)], &Paint::Text(words))?;
         }
         Ok(())
@@ -259,6 +259,9 @@ impl View {
                     let px: Vec<Point> =
                         self.flat(points).into_iter().map(|p| frame.px(p)).collect();
                     obstacles.add_line(Obstacles::NOBODY, &px);
+                    if let Element::Arrow(_, _, head) = element {
+                        obstacles.add_head(&px, *head);
+                    }
                 }
                 Element::Dot(at, _, radius, _) => {
                     obstacles.take(Rect::about(frame.px(self.camera.project(*at)), *radius));
