@@ -92,7 +92,7 @@ figures! { _: &Parameters, usual = machine(&Parameters::default())?;
         };
         rub.panel(Axis::linear("acceleration$/g$").range(0.0, 0.22))
             .curve(rub.exact(|mu| at(mu).closed_form().1[0]).label_at("masses", 0.012, 0.19, Side::Right))
-            .curve(rub.exact(|mu| at(mu).closed_form().1[1]).dashed().label_at("rim", 0.012, 0.045, Side::Right))
+            .curve(rub.exact(|mu| at(mu).closed_form().1[1]).dashed().label_at("rim", 0.02, 0.07, Side::BelowRight))
             .curve(rub.simulated(run(1))?)
             .curve(rub.simulated(run(3))?)
     };

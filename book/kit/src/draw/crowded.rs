@@ -1,9 +1,9 @@
 //! Whether a drawing can be read: every label whole, large enough, apart from the others and clear
 //! of lines.
 //!
-//! A line counts if the eye follows it: solid, at least 1 px wide, at least half opaque, and not
-//! behind a body. Thinner, fainter and broken lines are guides; they may pass below a label, whose
-//! halo parts them. What is filled may lie below a label as a whole.
+//! A line counts if the eye follows it: at least 1 px wide, or 1.5 px if it is broken, at least half
+//! opaque, and not behind a body. Thinner and fainter lines are guides; they may pass below a label,
+//! whose halo parts them. What is filled may lie below a label as a whole.
 
 use super::canvas::Point;
 use super::display::{Anchor, Dash, Display, Place, Run, Shape, Text, UNITS};
@@ -142,7 +142,8 @@ fn within(outline: &[Place], (x, y): Point) -> bool {
 fn seen(shape: &Shape) -> Option<(Vec<Place>, f64)> {
     match shape {
         Shape::Line(points, closed, stroke)
-            if stroke.dash == Dash::Solid && stroke.width >= 1.0 && stroke.opacity >= 0.5 =>
+            if stroke.opacity >= 0.5
+                && stroke.width >= if stroke.dash == Dash::Solid { 1.0 } else { 1.5 } =>
         {
             let back = points.first().filter(|_| *closed);
             Some((points.iter().chain(back).copied().collect(), 0.5 * stroke.width))
@@ -255,5 +256,83 @@ impl Display {
             boxes.iter().any(|r| r.contains(p)) && !hidden(p)
         });
         part * counts.count() as f64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::display::Stroke;
+    use super::super::ink::Ink;
+    use super::super::label::{Label, SIZE};
+    use super::*;
+
+    fn label(text: &str, (x, y): Place) -> Text {
+        let runs = Label::new(text).runs(SIZE);
+        Text { at: (100 * x, 100 * y), anchor: Anchor::Start, ink: Ink::Ink, halo: true, runs }
+    }
+
+    fn line(y: i32, change: impl Fn(Stroke) -> Stroke) -> Shape {
+        Shape::Line(
+            vec![(0, 100 * y), (20000, 100 * y)],
+            false,
+            change(Stroke::new(Ink::Body, 1.8)),
+        )
+    }
+
+    fn found(shapes: Vec<Shape>, texts: Vec<Text>) -> Vec<String> {
+        Display { size: (200, 100), shapes, texts }.crowded()
+    }
+
+    #[test]
+    fn labels_are_apart() {
+        let beside = |at| found(vec![], vec![label("air", (20, 50)), label("creaking", at)]);
+        // The first ends at 35.55.
+        assert_eq!(beside((42, 50)), Vec::<String>::new());
+        assert_eq!(beside((39, 50)), ["“creaking” is too close to “air” by 0.6 px"]);
+        assert_eq!(beside((20, 63)), Vec::<String>::new());
+        assert_eq!(beside((20, 60)).len(), 1);
+    }
+
+    #[test]
+    fn labels_are_whole_and_large_enough() {
+        let at = |at| found(vec![], vec![label("air", at)]);
+        assert_eq!(at((183, 50)), Vec::<String>::new());
+        assert_eq!(at((187, 50)), ["“air” leaves the figure by 2.6 px"]);
+        assert_eq!(at((20, 8)), ["“air” leaves the figure by 2.2 px"]);
+        let wide =
+            Display { size: (400, 100), shapes: vec![], texts: vec![label("$x_1$", (20, 50))] };
+        assert_eq!(wide.crowded(), ["“x1” has 9.4 px on a phone"]);
+    }
+
+    #[test]
+    fn lines_that_the_eye_follows_keep_clear_of_labels() {
+        let near = |shapes| found(shapes, vec![label("air", (20, 50))]).len();
+        assert_eq!([near(vec![line(45, |s| s)]), near(vec![line(52, |s| s)])], [1, 1]);
+        assert_eq!([near(vec![line(36, |s| s)]), near(vec![line(53, |s| s)])], [0, 0]);
+        // Guides may pass below, and what a body hides is not seen.
+        let guides: [fn(Stroke) -> Stroke; 3] = [
+            |s| Stroke { width: 0.8, ..s },
+            |s| Stroke { width: 1.4, dash: Dash::Dashed, ..s },
+            |s| s.faint(0.3),
+        ];
+        for guide in guides {
+            assert_eq!(near(vec![line(45, guide)]), 0);
+        }
+        let body = Shape::Area(vec![(0, 0), (20000, 0), (20000, 9000), (0, 9000)], Ink::Body, 1.0);
+        assert_eq!(near(vec![line(45, |s| s), body.clone()]), 0);
+        assert_eq!(near(vec![body, line(45, |s| s)]), 1);
+        // The head of an arrow, and a dot.
+        let head = Shape::Area(vec![(2500, 4500), (3300, 4200), (3300, 4800)], Ink::Force, 1.0);
+        assert_eq!(near(vec![head]), 1);
+        assert_eq!(near(vec![Shape::Dot((1700, 4500), 2.6, Ink::Body, false)]), 1);
+        assert_eq!(near(vec![Shape::Dot((1500, 4500), 2.6, Ink::Body, false)]), 0);
+    }
+
+    #[test]
+    fn primes_are_clear_of_their_letters() {
+        let mut prime = label("$x'$", (20, 50));
+        assert_eq!(found(vec![], vec![prime.clone()]), Vec::<String>::new());
+        prime.runs[1].text = "\u{200a}′".into();
+        assert_eq!(found(vec![], vec![prime]), ["“x′” has a prime that touches its letter"]);
     }
 }
