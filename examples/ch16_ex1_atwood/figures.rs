@@ -145,7 +145,14 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let forces = m.forces(grip, way);
         let pull = |sketch: Sketch, k: usize| {
             let (x, low) = ([-radius, radius][k] * 1.6, -hang[k]);
-            sketch.arrow_along([(x, low), (x, low + force * forces[2 + k])], Ink::Force)
+            let tip = (x, low + force * forces[2 + k]);
+            sketch.arrow(
+                (x, low),
+                tip,
+                Ink::Force,
+                ["$T_1$", "$T_2$"][k],
+                [Side::Left, Side::Right][k],
+            )
         };
         Ok((alt, [0, 1].into_iter().fold(sketch, pull)))
     })
