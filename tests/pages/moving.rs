@@ -1,7 +1,6 @@
 //! The moving pictures, for what a reader sets: each is moved by a slider, or is one of a list, and
 //! at the ends of its sliders all that it shows is in its frame.
 
-use crate::snapshots::misplaced;
 use kit::draw::{Display, Ink, Shape, Sketch};
 use kit::{Figure, Moves, MovingPicture, Page};
 use pages::{ALL, MOVING, WHOLE};
@@ -85,7 +84,7 @@ fn faults(picture: &MovingPicture, size: (u32, u32)) -> Vec<String> {
     for part in [0.0, 0.3, 0.6, 1.0] {
         let figure = frame(picture, part);
         let (svg, display) = (figure.svg(), figure.display);
-        found.extend(misplaced(&svg));
+        found.extend(display.collided());
         let out = beyond(&display);
         if out > 2.0 {
             found.push(format!("{out:.0} px of it leave the frame after {part} of the span"));

@@ -166,22 +166,32 @@ fn seen(shape: &Shape) -> Option<(Vec<Place>, f64)> {
 impl Display {
     /// What is hard to read, a sentence for each: nothing for a good figure.
     pub fn crowded(&self) -> Vec<String> {
+        self.faults(0.0, true)
+    }
+
+    /// Labels that leave the drawing or lie on one another: none in any frame of a moving picture.
+    pub fn collided(&self) -> Vec<String> {
+        self.faults(SPACE, false)
+    }
+
+    /// What is wrong with labels: those that are closer than they may be by more than this (px), and,
+    /// if they are asked for, those that lines cross.
+    fn faults(&self, more: f64, lines: bool) -> Vec<String> {
         let labels: Vec<(&Text, Vec<Rect>)> = self.texts.iter().map(|t| (t, t.boxes())).collect();
         let mut found = Vec::new();
         for (i, (text, boxes)) in labels.iter().enumerate() {
             let says = text.says();
-            found.extend(
-                self.alone(text, boxes).into_iter().map(|fault| format!("“{says}” {fault}")),
-            );
+            let alone = self.alone(text, boxes).into_iter();
+            found.extend(alone.map(|fault| format!("“{says}” {fault}")));
             for (other, others) in &labels[..i] {
                 let pairs = boxes.iter().flat_map(|a| others.iter().map(move |b| too_close(a, b)));
                 let worst = pairs.fold(0.0, f64::max);
-                if worst > 0.0 {
+                if worst > more {
                     let other = other.says();
                     found.push(format!("“{says}” is too close to “{other}” by {worst:.1} px"));
                 }
             }
-            for (ink, length) in self.crossing(boxes) {
+            for (ink, length) in self.crossing(boxes).into_iter().filter(|_| lines) {
                 found.push(format!("“{says}” is crossed by {length:.1} px of a line in {ink}"));
             }
         }
@@ -291,6 +301,11 @@ mod tests {
         assert_eq!(beside((39, 50)), ["“creaking” is too close to “air” by 0.6 px"]);
         assert_eq!(beside((20, 63)), Vec::<String>::new());
         assert_eq!(beside((20, 60)).len(), 1);
+        let on = |at| {
+            let texts = vec![label("air", (20, 50)), label("creaking", at)];
+            Display { size: (200, 100), shapes: vec![], texts }.collided().len()
+        };
+        assert_eq!([on((34, 50)), on((39, 50)), on((183, 30))], [1, 0, 1]);
     }
 
     #[test]
