@@ -181,9 +181,18 @@ impl Label {
                             continue;
                         }
                         "sin" | "cos" | "tan" | "ln" | "exp" | "max" | "min" => {
+                            // Between thin spaces; a parenthesis follows closely.
+                            let before = self.spans.last().and_then(|s| s.text.chars().last());
+                            let mark = |c| ('\u{300}'..='\u{36f}').contains(&c);
+                            if before.is_some_and(|c| c.is_alphanumeric() || mark(c)) {
+                                self.push("\u{2009}", false, level);
+                            }
                             self.push(&name, false, level);
-                            // A parenthesis follows closely, an argument after a thin space.
-                            if input.peek().is_some_and(|c| !"(^_{".contains(*c)) {
+                            let ahead: String = input.clone().take(2).collect();
+                            if !ahead.is_empty()
+                                && !ahead.starts_with(['(', '^', '_', '{'])
+                                && ahead != r"\,"
+                            {
                                 self.push("\u{2009}", false, level);
                             }
                             continue;
@@ -266,6 +275,7 @@ mod tests {
         assert_eq!(plain(r"$t'$"), "t\u{200a}\u{200a}′");
         assert_eq!(plain("a - b"), "a - b");
         assert_eq!(plain(r"$\cos\theta=b$"), "cos\u{2009}θ\u{2009}=\u{2009}b");
+        assert_eq!(plain(r"$2h\tan\,x$"), "2h\u{2009}tan\u{2009}x");
         assert_eq!(plain(r"$\ell/2$"), "ℓ\u{200a}/2");
     }
 
