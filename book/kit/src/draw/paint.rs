@@ -18,8 +18,9 @@ use rotation_dynamics::math::sort_by_number;
 /// Length of ticks, and distance of the axes from the data.
 const TICK: f64 = 5.0;
 const OFFSET: f64 = 6.0;
-/// Half the width of a mark on a curve.
+/// Half the width of a mark on a curve, and of a dot.
 const MARK: f64 = 2.6;
+const DOT: f64 = 3.5;
 /// Height of a line of text.
 const LINE: f64 = 17.0;
 
@@ -153,6 +154,10 @@ impl Panel {
             top: outer.top + 2.0,
             bottom: plot.bottom + 3.0,
         });
+        if self.now.is_some() {
+            // The dot of the present runs along the curves.
+            obstacles.clear = 0.5 * HALO + DOT;
+        }
         obstacles.add_line(Obstacles::NOBODY, &[(wall, plot.top), (wall, plot.bottom)]);
         obstacles.take(text.rect(at));
         sheet.draw(&[at], &Paint::Text(text))?;
@@ -214,7 +219,7 @@ impl Panel {
             }
         }
         for note in self.notes.iter().filter(|note| note.dot.is_some()) {
-            obstacles.take(Rect::about(frame.px(self.place(note.at)?), 3.5));
+            obstacles.take(Rect::about(frame.px(self.place(note.at)?), DOT));
         }
         let placed;
         let labels = match kept {
@@ -235,7 +240,7 @@ impl Panel {
         }
         for note in &self.notes {
             if let Some(ring) = note.dot {
-                frame.draw(&[self.place(note.at)?], &Paint::Dot(note.ink, 3.5, ring))?;
+                frame.draw(&[self.place(note.at)?], &Paint::Dot(note.ink, DOT, ring))?;
             }
         }
         canvas.again(labels);
@@ -271,7 +276,7 @@ impl Panel {
         for curve in curves.iter().filter(|c| c.line && c.runs_on()) {
             let at = clipped(&curve.points, (now, now), y);
             if let Some(&at) = at.first().and_then(|part| part.first()) {
-                frame.draw(&[at], &Paint::Dot(curve.ink, 3.5, false))?;
+                frame.draw(&[at], &Paint::Dot(curve.ink, DOT, false))?;
             }
         }
         Ok(())
@@ -310,7 +315,7 @@ impl Panel {
         let at_ends: Vec<(Words, Point)> = at_ends.collect();
         let mut heights: Vec<(usize, f64)> =
             at_ends.iter().map(|(_, end)| end.1).enumerate().collect();
-        spread(&mut heights, LINE - 1.0, plot.top - 8.0, plot.bottom + 8.0);
+        spread(&mut heights, LINE, plot.top - 8.0, plot.bottom + 8.0);
         for (i, height) in heights {
             let (words, end) = &at_ends[i];
             let at = (end.0, height);

@@ -26,7 +26,7 @@ pub(super) const GAP: f64 = 5.0;
 const DISTANCES: [(f64, f64); 6] =
     [(GAP, 0.0), (9.0, 2.0), (14.0, 5.0), (22.0, 14.0), (34.0, 18.0), (50.0, 24.0)];
 
-/// What a label keeps between its box and lines: its halo and a little.
+/// What is clear about a label: its halo and a little.
 pub(super) const HALO: f64 = 3.0;
 
 /// From this distance on a thin line leads from a label to what it names.
@@ -56,6 +56,8 @@ pub(super) struct Obstacles {
     points: Vec<(usize, Point)>,
     taken: Vec<Rect>,
     room: Rect,
+    /// What a label keeps between its box and lines, in px.
+    pub(super) clear: f64,
 }
 
 impl Obstacles {
@@ -64,7 +66,7 @@ impl Obstacles {
 
     /// Nothing yet, in a room (px) that labels must not leave.
     pub(super) fn new(room: Rect) -> Self {
-        Self { points: Vec::new(), taken: Vec::new(), room }
+        Self { points: Vec::new(), taken: Vec::new(), room, clear: HALO }
     }
 
     /// Adds a line of curve number `curve`, in px.
@@ -178,11 +180,11 @@ impl Obstacles {
         if cost >= enough {
             return cost;
         }
-        let tight = rect.grown(HALO);
+        let tight = rect.grown(self.clear);
         let (mut own, mut other) = (f64::INFINITY, f64::INFINITY);
         for &(owner, p) in &self.points {
             let distance = rect.squared_distance(p);
-            if distance < HALO * HALO * 2.0 && tight.contains(p) {
+            if distance < self.clear * self.clear * 2.0 && tight.contains(p) {
                 cost += 10.0;
             }
             // A line that leads across others leads astray.
