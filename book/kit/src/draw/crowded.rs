@@ -14,9 +14,9 @@ use rotation_dynamics::math::hypot;
 /// Of the 2 px of their halo, letters keep this much clear of lines, in px.
 const CLEAR: f64 = 1.5;
 /// The width of a halo: as much lies between labels, in px.
-const APART: f64 = 2.0;
+pub(super) const APART: f64 = 2.0;
 /// The width of a space: labels that are closer on one line are read as one text, in px.
-const SPACE: f64 = 4.0;
+pub(super) const SPACE: f64 = 4.0;
 /// The smallest size of letters on a phone, where a figure is as wide as [`PHONE`], in px.
 const SMALLEST: f64 = 11.0;
 const PHONE: f64 = 340.0;

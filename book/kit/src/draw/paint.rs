@@ -49,8 +49,17 @@ impl Panel {
         Ok((self.x.extent(xs)?, self.y.extent(ys)?))
     }
 
+    /// Ticks about 28 px apart; where a small range makes them closer, every second of them.
     fn y_ticks(&self, y: Point, height: f64) -> rotation_dynamics::Result<Vec<(f64, String)>> {
-        self.y.marks(y, (height / 28.0).clamp(3.0, 6.0) as usize)
+        let unit = height / (y.1 - y.0);
+        let close = |ticks: &[(f64, String)]| {
+            ticks.windows(2).any(|pair| (pair[1].0 - pair[0].0).abs() * unit < LINE - 3.0)
+        };
+        let mut ticks = self.y.marks(y, (height / 28.0).clamp(3.0, 6.0) as usize)?;
+        while ticks.len() > 2 && close(&ticks) {
+            ticks = ticks.into_iter().step_by(2).collect();
+        }
+        Ok(ticks)
     }
 
     /// The room that the labels of the vertical axis need.

@@ -1,6 +1,7 @@
 //! Where labels go: beside their line, clear of lines, ticks and each other.
 
 use super::canvas::{Frame, Paint, Point, head_at_end, units};
+use super::crowded::{APART, SPACE};
 use super::display::{Place, Stroke, UNITS};
 use super::stations::stations;
 use super::words::{Rect, Side, Words};
@@ -173,7 +174,9 @@ impl Obstacles {
             let crossed = leader.is_some_and(|leader| {
                 !t.contains(leader[1]) && distance_squared(leader, t.middle()) < 36.0
             });
-            crossed || t.grown(2.0).overlaps(rect)
+            // As far apart as the check of all figures asks.
+            let t = Rect { left: t.left - SPACE, right: t.right + SPACE, ..t.grown(APART) };
+            crossed || t.overlaps(rect)
         };
         let taken = self.taken.iter().filter(taken).count();
         let mut cost = if outside { 1e4 } else { 0.0 } + 500.0 * taken as f64;
