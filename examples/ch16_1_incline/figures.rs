@@ -1,6 +1,7 @@
 //! The drawings of section 16.1.
 
 use super::*;
+use models::wedge::Wedge;
 use rotation_dynamics::math::sort_by_number;
 
 /// Over the coefficient of friction, in units of what rolling needs.
@@ -128,8 +129,8 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 
 /// The body on its way up and back, with its forces; below, velocity and friction.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let (r, weight, v, slope) = (p.radius, p.gravity, p.speed, p.angle);
-    let ((run, end), (s, c)) = (motion(p)?, sincos(p.angle));
+    let (r, weight, v) = (p.radius, p.gravity, p.speed);
+    let (run, end) = motion(p)?;
     let first = run.forces(0.0)?[0].tangential;
     let velocity = Curve::sampled(times(0.0, end, 80), |t| Ok(run.at(t)?.v[0] / v), Ink::Velocity)?;
     let friction = |t| Ok(if first > 0.0 { run.forces(t)?[0].tangential / first } else { 0.0 });
@@ -137,13 +138,13 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let graph = Panel::over_axes("$t$ / s", Axis::linear("over the first").range(-1.0, 1.25))
         .level(0.0, Ink::Frame, "")
         .curve(velocity.label_at(r"$\dot x$", 0.7 * end, -0.4, Side::AboveRight))
-        .curve(friction.label_at("$F$", 0.7 * end, 1.0, Side::Below));
+        .curve(friction.label_at("$F$", 0.7 * end, 1.0, Side::Below))
+        .low();
     let length = -0.5 * v * v / Roller::new(p).acceleration() + 6.0 * r;
+    let wedge = Wedge { angle: p.angle, length, radius: r };
     MovingPicture::above(graph, 0.0..=end, [0.08 * end, 0.5 * end, 0.92 * end], move |t| {
         let (MechanismState { q: [x, _, turn], v: [vx, ..] }, [force]) =
             (run.at(t)?, run.forces(t)?);
-        let along = |d: f64, up: f64| (d * c - up * s, d * s + up * c);
-        let (contact, middle) = (along(x + 3.0 * r, 0.0), along(x + 3.0 * r, r));
         let way = match vx / v {
             rate if rate > 0.01 => "on its way up",
             rate if rate < -0.01 => "on its way down",
@@ -153,31 +154,16 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             "The body {t:.2} s after its start, {way}. Its weight pulls down, the slope pushes, and \
              the friction at the point of contact points up the slope. Below, velocity and friction."
         );
-        let (push, rub) = (force.normal / weight, force.tangential / weight);
-        let wide = (length * c).max(0.4 * (length * s + 4.0 * r));
-        // From the start to the highest place; the arrows have a size of their own.
-        let (foot, top) = (along(3.0 * r, 0.0), along(length - 3.0 * r, 2.3 * r));
-        let scene = Sketch::within((-0.5 * r, wide), (-1.5 * r, length * s + 2.5 * r))
-            .high(311)
-            .clear((foot.0, top.0), (foot.1, top.1), [50.0 * c + 12.0, 90.0 * c + 16.0, 60.0, 60.0])
-            .incline((0.0, 0.0), length, slope)
-            .roller(middle, r, slope + FRAC_PI_2 + turn, Ink::Body)
-            .vector(middle, (0.0, -1.0), 60.0, Ink::Force, "$mg$")
-            .vector(contact, (-s * push, c * push), 60.0, Ink::Force, "$N$")
-            .vector(contact, (c * rub, s * rub), 180.0, Ink::Force, "")
-            .text(
-                along(x + 4.2 * r, 0.45 * r),
-                if rub > 0.0 { "$F$" } else { "" },
-                Ink::Force,
-                Side::Centre,
-            )
-            .vector(
-                along(x + 3.0 * r, 2.3 * r),
-                (c * vx / v, s * vx / v),
-                40.0,
-                Ink::Velocity,
-                r"$\dot x$",
-            );
+        let forces = [force.normal, force.tangential].map(|force| force / weight);
+        let [up, off] = wedge.directions();
+        let over = up * (x + 3.0 * r) + off * (2.35 * r);
+        let velocity = up * (0.9 * wedge.force() * vx / v);
+        let scene = wedge
+            .with_body(x + 3.0 * r, turn, forces)
+            .corner(&format!("{t:.2} s"))
+            .only_if((vx / v).abs() > 0.06, |view| {
+                view.vector(over, over + velocity, Ink::Velocity, r"$\dot x$", Side::Above)
+            });
         Ok((alt, scene))
     })
 }

@@ -1,10 +1,11 @@
 //! The figures of the page.
 
 use super::friction::{FRICTION, damped, tilts};
-use super::picture::{HUB, UP, camera, causes, on_stand};
+use super::picture::{UP, camera, causes};
 use super::{Equations, Parameters, driven, fast};
 use kit::draw::{Axis, Curve, Ink, Panel, Side, View};
 use kit::{Figure, Result, sampled, times};
+use models::heavy_top::stand::{HUB, on_stand};
 use models::heavy_top::{Motion, Pose, direction, extents};
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{acos, exp, pow};
@@ -43,17 +44,21 @@ fn setup() -> Result<Figure> {
     let (axis, node, origin) = (pose.axis(), pose.node(), SpaceVector::zero());
     let hub = axis * HUB;
     let level = |phi: f64| Pose { phi, ..pose }.node();
+    let mark = [0.1, 0.35].map(|out| hub + axis * 0.05 + pose.spoke(0.0) * out);
     let tilt = times(0.0, pose.theta, 24).map(|theta| direction(theta, pose.phi));
     let azimuth = times(0.0, pose.phi, 24).map(|phi| level(phi) * 0.6);
     // From the line of nodes, moved up to the disc, to the mark on it.
     let spin = times(-pose.zeta, 0.0, 24).map(|turn| hub + pose.spoke(turn) * 0.46);
     on_stand(
         "setup",
-        "A disc on an axle that leans on a stand, at the angle theta from the vertical Z through the pivot O; \
+        "A wheel on an axle that leans on a stand, at the angle theta from the vertical Z through the pivot O; \
          the line of nodes lies level, at the angle phi from the fixed axis X and at right angles to the axle; \
-         a mark on the disc is at the angle zeta from the line of nodes; the weight pulls down at the centre of the disc",
+         a marked spoke is at the angle zeta from the line of nodes; the weight pulls down at the centre of the wheel",
         &pose,
     )
+    .camera(camera())
+    .around(UP * 0.1, 1.2)
+    .size(340, 300)
     .dashed([origin, UP * 1.3], Ink::Frame)
     .text(UP * 1.3, "$Z$", Ink::Frame, Side::Right)
     .dashed([origin, level(0.0)], Ink::Frame)
@@ -68,6 +73,7 @@ fn setup() -> Result<Figure> {
         Side::Centre,
     )
     .dashed([hub, hub + node * 0.5], Ink::Frame)
+    .line(mark, Ink::Ink)
     .turn(spin, Ink::Velocity)
     .text(hub + pose.spoke(-0.5 * pose.zeta) * 0.5, "$\\zeta$", Ink::Velocity, Side::Right)
     .arrow(axis, axis * 1.3, Ink::Body, "$z$", Side::Left)

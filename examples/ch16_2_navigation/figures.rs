@@ -67,7 +67,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         Ok((hour, under_way(&p, hour * HOUR)?.2.to_degrees()))
     })?;
     let graph = Panel::over_axes("$t$ / h", r"azimuth $\alpha$ / deg").level(0.0, Ink::Frame, "");
-    let graph = graph.curve(Curve::new(azimuth, Ink::Momentum));
+    let graph = graph.curve(Curve::new(azimuth, Ink::Momentum)).low();
+    // It is seen from the half of the Earth on which it flies.
+    let middle = out.from.z() + back.from.z();
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.5 * end, end], move |hour| {
         let t = hour * HOUR;
         let (way, turned, azimuth) = under_way(&p, t)?;
@@ -77,20 +79,30 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let [axle, north] = [azimuth, 0.0].map(|a| there.to_space(towards([a, 0.0])));
         let route = times(0.0, out.angle, 60).map(|a| turn.to_space(out.at(a)[0]));
         let alt = format!(
-            "The Earth from above the north pole after {hour:.1} hours, the aircraft on its great \
-             circle. The axle points {:.0} degrees to the {} of the north; below, this angle against time.",
+            "The Earth from above the {} pole after {hour:.1} hours, turned with its meridians; the \
+             aircraft on its great circle, behind it a fading ribbon where it has flown. A blue arrow, L \
+             along the axle, points {:.0} degrees to the {} of the north; below, this angle against time.",
+            if middle < 0.0 { "south" } else { "north" },
             azimuth.to_degrees().abs(),
             if azimuth < 0.0 { "left" } else { "right" }
         );
-        let scene = View::of(SpaceVector::zero(), 1.15)
-            .camera(Camera::new(-FRAC_PI_2, 1.3))
-            .sphere()
+        let since = if t <= out.time { 0.0 } else { out.time };
+        let flown = sampled(times(since.max(t - 3.0 * HOUR), t, 60), |s| {
+            let (way, turned, _) = under_way(&p, s)?;
+            Ok(turn.to_space(way.at(turned)[0]))
+        })?;
+        let scene = View::of(SpaceVector::zero(), 1.08)
+            .camera(Camera::new(-FRAC_PI_2, 1.2_f64.copysign(middle)))
+            .size(340, 300)
+            .globe(EARTH * t)
             .trace(route, Ink::Frame)
+            .trail(flown.into_iter().map(|p| p * 1.01), Ink::Body)
             .dot(turn.to_space(out.from), Ink::Ink, "start", Side::Right)
             .dot(turn.to_space(back.from), Ink::Ink, "destination", Side::Below)
-            .arrow(here, here + north * 0.35, Ink::Frame, "", Side::Above)
+            .arrow(here, here + north * 0.4, Ink::Ink, "north", Side::Above)
             .solid(Solid::turned(here, axle, &[(-0.025, 0.09), (0.025, 0.09)]), Ink::Body)
-            .arrow(here, here + axle * 0.5, Ink::Momentum, "$L$", Side::Above);
+            .vector(here, here + axle * 0.5, Ink::Momentum, "$L$", Side::Above)
+            .corner(&format!("{hour:.1} h"));
         Ok((alt, scene))
     })
 }

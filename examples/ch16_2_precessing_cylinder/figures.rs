@@ -103,7 +103,10 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     })
 }
 
-/// A fork that holds a cylinder by two pins along `x`.
+/// How far the table lies below the cylinder.
+const FLOOR: f64 = 0.95;
+
+/// A fork that stands on the table and holds a cylinder by two pins along `x`.
 fn fork(view: View, x: SpaceVector) -> View {
     let (wide, high) = (x * 0.46, UP * 0.82);
     let rod = |view: View, from, to| view.solid(Solid::rod(from, to, 0.022), Ink::Frame);
@@ -112,7 +115,7 @@ fn fork(view: View, x: SpaceVector) -> View {
         view = rod(view, high + wide * side, wide * side - high);
         view = rod(view, wide * side, wide * (0.4 * side));
         view = rod(view, high * side + wide, high * side - wide);
-        view = rod(view, high * side, high * (1.3 * side));
+        view = rod(view, high * side, high * (1.17 * side));
     }
     view
 }
@@ -132,7 +135,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let tilt = sampled(times(0.0, end, 240), |t| Ok((t, seen(t)?.euler_angles().theta)))?;
     let graph = Panel::over_axes("$t$ / s", Axis::angle(r"$\theta$ / rad"))
         .upright(turn, Ink::Frame, "let go")
-        .curve(Curve::new(tilt, Ink::Body));
+        .curve(Curve::new(tilt, Ink::Body))
+        .low();
     let stills = [0.68 * turn, turn + 0.25 * nod, turn + 0.5 * nod];
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
         let (now, held) = (attitude(t)?, t < turn);
@@ -152,7 +156,10 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let along = body.rate * cos(body.tilt);
         let omega = (l * (1.0 / size) - axis * ((body.i3 - body.i1) * along))
             * (0.95 / (body.i1 * body.rate.abs()));
-        let view = View::of(UP * 0.18, 1.32);
+        let view = View::of(UP * -0.01, 1.36)
+            .size(340, 290)
+            .table(UP * -FLOOR, 1.12)
+            .corner(&format!("{t:.2} s"));
         let view =
             if held { fork(view, now.to_space(BodyVector::new(1.0, 0.0, 0.0))) } else { view };
         let end = axis * (half * unit).max(0.02);
@@ -161,17 +168,22 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         } else {
             sampled(times(turn, turn + nod, 60), |t| Ok(attitude(t)?.axis() * 0.95))?
         };
+        let since = if held { 0.0 } else { turn };
+        let been = sampled(times((t - 0.7 * turn).max(since), t, 60), |t| {
+            Ok(if held { momentum(&attitude(t)?) * size } else { attitude(t)?.axis() * 0.95 })
+        })?;
         // Above the fork, which would hide it.
-        let foot = if held { UP * 1.07_f64.copysign(body.rate) } else { SpaceVector::zero() };
+        let foot = if held { UP * 0.97_f64.copysign(body.rate) } else { SpaceVector::zero() };
         let path = if held { Ink::Momentum } else { Ink::Body };
         let scene = view
             .solid(Solid::cylinder(-end, end, radius * unit), Ink::Body)
             .dashed(circle, path)
+            .trail(been, path)
             .arrow(end, axis * 0.95, Ink::Body, "$z$", Side::Above)
-            .arrow(SpaceVector::zero(), l, Ink::Momentum, "$L$", Side::Left)
-            .arrow(
+            .vector(SpaceVector::zero(), l, Ink::Momentum, "$L$", Side::Left)
+            .vector(
                 foot,
-                foot + omega * if held { 0.4 } else { 1.0 },
+                foot + omega * if held { 0.38 } else { 1.0 },
                 Ink::Velocity,
                 r"$\Omega$",
                 Side::Right,

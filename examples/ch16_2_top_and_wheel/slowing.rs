@@ -1,7 +1,7 @@
 //! A spin that is braked: the sleeping top that wakes, and what friction costs.
 
 use super::{Body, Parameters, TOP, WHEEL, driven};
-use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
+use kit::draw::{Curve, Ink, Panel, Side, Solid, View};
 use kit::{MovingPicture, Result, sampled, times};
 use models::heavy_top::{Pose, Steady};
 use rotation_dynamics::attitude::Attitude;
@@ -150,25 +150,21 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let waking = Waking::new(asked.map_or(TOP, |(_, body)| body))?;
     let end = waking.end;
     let moments = sampled(times(0.0, end, 700), |t| Ok((t, waking.at(t)?)))?;
-    let path: Vec<_> = moments.iter().map(|(t, m)| (*t, m.axis)).collect();
+    let path: Vec<_> = moments.iter().map(|(t, m)| (*t, m.axis * HEIGHT)).collect();
     let tilts = moments.iter().map(|(t, m)| (*t, m.tilt()));
-    let tilts = Panel::new("tilt", "tilt")
-        .x(Axis::linear("$t$ / s"))
-        .y(Axis::linear("tilt / rad"))
-        .curve(Curve::new(tilts, Ink::Body).label_end("$\\theta$"));
-    let spins = moments.iter().map(|(t, m)| (*t, m.ratio));
-    let spins = Panel::new("spin", "spin")
-        .x(Axis::linear("$t$ / s"))
-        .y(Axis::linear("spin / critical").range(TO - 0.02, FROM + 0.02).step(0.1))
-        .level(1.0, Ink::Frame, "")
-        .curve(Curve::new(spins, Ink::Velocity).label_end("$\\omega$"));
+    // The brake's torque is constant.
+    let critical = end * (FROM - 1.0) / (FROM - TO);
+    let graph = Panel::over_axes("$t$ / s", r"tilt $\theta$ / rad")
+        .upright(critical, Ink::Frame, "critical spin")
+        .curve(Curve::new(tilts, Ink::Body))
+        .low();
     let stills = [0.2, 0.71, 0.81].map(|part| part * end);
-    MovingPicture::new(0.0..=end, stills, move |t| {
+    MovingPicture::above(graph, 0.0..=end, stills, move |t| {
         let moment = waking.at(t)?;
         let alt = format!(
             "A top on its tip at t = {t:.2} s, at {:.2} of the critical spin: its axis leans at {:.2} rad; \
-             arrows show its angular momentum, its weight{}; \
-             a line shows where the upper end of the axis has been; below, tilt and spin against time",
+             arrows show its angular momentum, its weight{}; a fading ribbon shows where the upper end of \
+             the axis has been; below, the tilt against time, with a line where the spin is critical",
             moment.ratio,
             moment.tilt(),
             match moment.torque() {
@@ -176,14 +172,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
                 None => ", whose torque is too small to be drawn",
             }
         );
-        let been = path.iter().take_while(|(s, _)| *s < t).map(|(_, axis)| *axis);
-        let been: Vec<_> = been.chain([moment.axis]).map(|axis| axis * HEIGHT).collect();
-        Stack::new("frame", &alt)
-            .row_height(84)
-            .scene(scene(&moment).line(been, Ink::Body))
-            .panel(tilts.clone().now(t))
-            .panel(spins.clone().now(t))
-            .figure()
+        let now = moment.axis * HEIGHT;
+        let view = scene(&moment).followed(&path, [t, 0.3 * end], now, Ink::Body);
+        Ok((alt, view.corner(&format!("spin / critical $=$ {:.2}", moment.ratio))))
     })
 }
 
@@ -196,9 +187,9 @@ fn leaning(pose: &Pose) -> View {
     let (axis, origin, spoke) = (pose.axis(), SpaceVector::zero(), pose.spoke(0.0));
     let mark = [(0.625, 0.1), (0.515, 0.97)].map(|(h, r)| axis * h + spoke * (r * BELLY));
     View::new("scene", "scene")
-        .around(UP * 0.2, 1.25)
-        .size(340, 320)
-        .ground(origin, 0.55)
+        .around(UP * 0.45, 1.1)
+        .size(340, 280)
+        .table(origin, 1.0)
         .solid(Solid::top(origin, axis, HEIGHT, BELLY), Ink::Body)
         .line(mark, Ink::Paper)
 }
@@ -236,19 +227,18 @@ fn scene(moment: &Moment) -> View {
         [(0.625, 0.1), (0.515, 0.97)].map(|(h, r)| axis * (h * HEIGHT) + spoke * (r * BELLY));
     let (centre, momentum) = (axis * 0.44, moment.momentum * 1.25);
     let view = View::new("scene", "scene")
-        .around(UP * 0.6, 0.86)
+        .around(UP * 0.58, 0.84)
         .size(340, 270)
-        .ground(origin, 0.55)
-        .dashed([origin, UP * 1.5], Ink::Frame)
-        .text(UP * 1.5, "$Z$", Ink::Frame, Side::Right)
+        .table(origin, 0.9)
+        .dashed([origin, UP * 1.45], Ink::Frame)
         .solid(Solid::top(origin, axis, HEIGHT, BELLY), Ink::Body)
         .line(mark, Ink::Paper)
-        .arrow(origin, momentum, Ink::Momentum, "$L$", Side::Left)
+        .vector(origin, momentum, Ink::Momentum, "$L$", Side::Left)
         .arrow(centre, centre - UP * 0.4, Ink::Force, "$mg$", Side::Left);
     let Some(torque) = moment.torque() else {
         return view;
     };
-    view.arrow(origin, torque, Ink::Force, "torque", Side::Below).arrow(
+    view.arrow(origin, torque, Ink::Force, "torque", Side::Below).vector(
         momentum,
         momentum + torque * 0.6,
         Ink::Momentum,

@@ -117,7 +117,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (nod, l) = (top.nod(), pole(&top));
     let end = 1.5 * nod;
     let tilt = sampled(times(0.0, end, 160), |t| Ok((t, top.angles(t)?.theta)))?;
-    let graph = Panel::over_axes("$t$ / s", r"$\theta$ / rad").curve(Curve::new(tilt, Ink::Body));
+    let graph =
+        Panel::over_axes("$t$ / s", r"$\theta$ / rad").curve(Curve::new(tilt, Ink::Body)).low();
+    let path = sampled(times(0.0, end, 400), |t| Ok((t, axis(&top.angles(t)?))))?;
     let circle = sampled(times(0.0, nod, 90), |t| Ok(axis(&top.angles(t)?)))?;
     let (half, radius) = (0.5 * p.height, p.radius);
     let unit = 0.34 / half.max(radius);
@@ -127,25 +129,27 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let face = z * (half * unit).max(0.02);
         let rim = face * 1.01 + attitude.to_space(BodyVector::new(radius * unit, 0.0, 0.0));
         let tilt = angles.theta;
-        let meridian = times(0.0, 1.0, 24).map(|k| {
-            let (s, c) = sincos(k * tilt);
-            SpaceVector::new(s * sin(angles.phi), -s * cos(angles.phi), c)
-        });
+        let between = |k: f64| axis(&EulerAngles { theta: k * tilt, ..angles });
+        let (meridian, middle) = (times(0.0, 1.0, 24).map(between), between(0.5));
         let alt = format!(
             "A free cylinder {t:.2} s after the start. L stays, to the left of the vertical Z; the \
              axis z, on a dashed circle about L, is {:.0} degrees from Z. Below, this tilt against \
              time.",
             tilt.to_degrees()
         );
-        let scene = View::of(UP * 0.3 - SpaceVector::new(0.0, 0.25, 0.0), 1.1)
+        let scene = View::of(UP * 0.34 - SpaceVector::new(0.0, 0.3, 0.0), 0.86)
             .camera(Camera::new(-0.7, 0.38))
+            .size(340, 270)
             .solid(Solid::cylinder(-face, face, radius * unit), Ink::Body)
             .line([face * 1.01, rim], Ink::Ink)
             .dashed(circle.clone(), Ink::Body)
+            .followed(&path, [t, 0.8 * nod], z, Ink::Body)
             .line(meridian, Ink::Body)
             .arrow(SpaceVector::zero(), UP * 1.15, Ink::Frame, "$Z$", Side::Right)
-            .arrow(SpaceVector::zero(), l * 1.2, Ink::Momentum, "$L$", Side::Left)
-            .arrow(face, z, Ink::Body, "$z$", Side::Left);
+            .vector(SpaceVector::zero(), l * 1.2, Ink::Momentum, "$L$", Side::Above)
+            .arrow(face, z, Ink::Body, "$z$", Side::Left)
+            .text(middle, r"$\theta$", Ink::Body, Side::Above)
+            .corner(&format!("{t:.2} s"));
         Ok((alt, scene))
     })
 }

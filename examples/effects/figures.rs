@@ -1,7 +1,9 @@
 //! The drawings of the page on effects.
 
 use super::*;
-use core::f64::consts::TAU;
+use kit::draw::Camera;
+use models::heavy_top::Pose;
+use models::heavy_top::stand::{on_stand, rotor};
 
 /// How far the axis is from where it would be without this effect, against the time.
 fn aside(q: &Question<Weight>, effect: impl Effect, name: &str, ink: Ink) -> Result<Curve> {
@@ -89,9 +91,13 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     Ok(rows)
 }
 
-/// The axle seen from above, with the weight alone and in air.
+/// How many times too slow the spin is drawn: true spokes would stand still in one frame and jump
+/// in the next.
+const SLOW: f64 = 50.0;
+
+/// The gyroscope in air, and as a ghost where its weight alone would have taken it.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let end = p.seconds;
+    let (end, spin) = (p.seconds, p.spin / SLOW);
     // Sampled once; a frame is a straight line between two samples.
     let axes = in_air(p, 1e-6, 2000)?;
     let at = move |t: f64| {
@@ -100,19 +106,26 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let (part, from, to) = (x - n as f64, axes[n].1, axes[n + 1].1);
         [0, 1].map(|i| from[i] * (1.0 - part) + to[i] * part)
     };
-    let curve = Curve::of(times(0.0, end, 1000), |t| angle(at(t)), Ink::Body);
-    let graph = Panel::over_axes("$t$ / s", "apart / rad").curve(curve);
+    let curve = Curve::of(times(0.0, end, 1000), |t| angle(at(t)), Ink::Body).thin();
+    let graph = Panel::over_axes("$t$ / s", "apart / rad").curve(curve).low();
     MovingPicture::above(graph, 0.0..=end, [0.3 * end, 0.6 * end, end], move |t| {
-        let [a, b] = at(t);
-        let ring = times(0.0, TAU, 90).map(|x| (0.87 * cos(x), 0.87 * sin(x)));
-        let sketch = Sketch::within((-1.25, 1.25), (-1.1, 1.1))
-            .guide(ring)
-            .arrow((0.0, 0.0), (a.x(), a.y()), Ink::Body, "vacuum", Side::Right)
-            .arrow((0.0, 0.0), (b.x(), b.y()), Ink::Ink, "air", Side::Left);
+        let [alone, air] = at(t);
+        let past = sampled(times((t - 0.12 * end).max(0.0), t, 160), |s| Ok(at(s)))?;
+        let trail = |i: usize| past.iter().map(move |axes| axes[i]);
+        let scene = on_stand("scene", "scene", &Pose::of(air, spin * t))
+            .camera(Camera::new(-0.55, 0.6))
+            .around(UP * -0.17, 1.12)
+            .ghost(rotor(&Pose::of(alone, spin * t)), Ink::Frame)
+            .trail(trail(0), Ink::Frame)
+            .trail(trail(1), Ink::Body)
+            .dot(alone, Ink::Frame, "vacuum", Side::Left)
+            .dot(air, Ink::Body, "air", Side::Right)
+            .corner(&format!("{t:.1} s"));
         let alt = format!(
-            "The axle from above after {t:.1} s: in air it is {:.2} rad from where it would be in a vacuum; below, that angle against time.",
-            angle([a, b])
+            "A spoked wheel on a stand, {t:.1} s after its release in air; a pale outline shows the same wheel in a \
+             vacuum. The ends of the two axles, with fading ribbons, are {:.2} rad apart; below, that angle against time.",
+            angle([alone, air])
         );
-        Ok((alt, sketch))
+        Ok((alt, scene))
     })
 }

@@ -10,7 +10,7 @@ const HUB: f64 = 0.6;
 const HALF: f64 = 0.42;
 const WIDE: f64 = 0.5;
 
-/// The gyroscope on its stand: fork, ring, and a disc with two marks.
+/// The gyroscope on its stand on a table: fork, ring, and a spoked wheel.
 fn on_stand(theta: f64, phi: f64, zeta: f64) -> View {
     let (o, axis) = (SpaceVector::zero(), direction(theta, phi));
     let (s, c) = sincos(phi);
@@ -26,22 +26,17 @@ fn on_stand(theta: f64, phi: f64, zeta: f64) -> View {
         .with(rod(node * HALF, axis + node * HALF))
         .with(rod(axis - node * HALF, axis + node * HALF));
     let hub = axis * HUB;
-    let spoke = |turn: f64| {
-        let (s, c) = sincos(zeta + turn);
-        let out = node * c + axis.cross(&node) * s;
-        let face = hub + axis * 0.041;
-        [face + out * 0.06, face + out * 0.33]
-    };
-    View::of(UP * 0.02, 1.16)
-        .camera(Camera::new(0.3, 0.3))
-        .size(340, 330)
+    let (s, c) = sincos(zeta);
+    let spoke = node * c + axis.cross(&node) * s;
+    View::of(UP * 0.04, 1.19)
+        .camera(Camera::new(0.1, 0.3))
+        .size(340, 290)
+        .table(low, 1.1)
         .solid(Solid::stand(low + UP * 0.12, 0.12, 0.34), Ink::Frame)
         .solid(fork, Ink::Frame)
-        .solid(ring, Ink::Force)
+        .solid(ring, Ink::Ink)
         .solid(Solid::rod(o, axis, 0.018), Ink::Frame)
-        .solid(Solid::disc(hub, axis, 0.34, 0.08), Ink::Body)
-        .line(spoke(0.0), Ink::Paper)
-        .line(spoke(PI), Ink::Paper)
+        .solid(Solid::flywheel(hub, axis, spoke, 0.36), Ink::Body)
 }
 
 /// The first moments, nods and all.
@@ -94,6 +89,7 @@ figures! { p: &Parameters, y = Gyroscope::new(p)?, first = nods(&y, p)?,
         let (theta, phi) = (0.9, 0.15);
         let (axis, node) = (direction(theta, phi), SpaceVector::new(cos(phi), sin(phi), 0.0));
         on_stand(theta, phi, 0.9)
+            .camera(Camera::new(0.35, 0.3))
             .dashed([SpaceVector::zero(), UP * 0.95], Ink::Frame)
             .text(UP * 0.95, "$Z$", Ink::Frame, Side::Above)
             .turn(times(0.0, theta, 24).map(|t| direction(t, phi) * 0.8), Ink::Ink)
@@ -102,7 +98,7 @@ figures! { p: &Parameters, y = Gyroscope::new(p)?, first = nods(&y, p)?,
             .dot(UP * -0.78, Ink::Velocity, "pivot", Side::Right)
             .dot(axis, Ink::Velocity, "axle", Side::Left)
             .text(node * WIDE + UP * -0.42, "fork", Ink::Frame, Side::Left)
-            .text(axis * 0.85 + node * HALF, "ring", Ink::Force, Side::Left)
+            .text(axis * 0.85 + node * HALF, "ring", Ink::Ink, Side::Left)
     };
 
     /// The path of the end of the axis on a sphere, near the start: cusp after cusp, each nod
@@ -233,26 +229,30 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (course, end) = nods(&y, p)?;
     let end = end.min(course.end_time());
     let graph = Panel::over_axes("$t$ / s", r"tilt $\theta$ / rad")
-        .curve(Curve::new(tilt(&course, end, 1500)?, Ink::Body).thin());
+        .curve(Curve::new(tilt(&course, end, 1500)?, Ink::Body).thin())
+        .low();
     let trail = sampled(times(0.0, end, 3000), |t| {
         let at = course.at(t)?;
         Ok((t, direction(at.theta, at.phi)))
     })?;
+    // The ribbon is as long as the nods last, or most of a turn.
+    let past = 0.8 * TAU / y.fading()?.precession;
     let lowest = 0.5 * TAU / y.fading()?.frequency;
     MovingPicture::above(graph, 0.0..=end, [0.0, lowest, end], move |t| {
         let at = course.at(t)?;
         let alt = format!(
             "The gyroscope {t:.2} s after the release: its axis leans by {:.3} rad and has gone \
-             {:.2} rad round the vertical; the end of the axis has drawn its path; below, the tilt against time.",
+             {:.2} rad round the vertical; a fading ribbon shows where the end of the axis has been; \
+             below, the tilt against time.",
             at.theta, at.phi
         );
         // Spokes at their true place would stand still in one frame and jump in the next.
         let axis = direction(at.theta, at.phi);
         let scene = on_stand(at.theta, at.phi, 0.02 * at.zeta)
-            .arrow(axis, axis * 1.3, Ink::Momentum, "$L$", Side::Above)
-            .arrow(axis * HUB, axis * HUB - UP * 0.5, Ink::Force, "$mg$", Side::Left);
-        let drawn: Vec<SpaceVector> =
-            trail.iter().take_while(|(when, _)| *when <= t).map(|(_, e)| *e).collect();
-        Ok((alt, if drawn.len() > 1 { scene.line(drawn, Ink::Body) } else { scene }))
+            .followed(&trail, [t, past], axis, Ink::Body)
+            .vector(axis, axis * 1.34, Ink::Momentum, "$L$", Side::Above)
+            .arrow(axis * HUB, axis * HUB - UP * 0.5, Ink::Force, "$mg$", Side::Left)
+            .corner(&format!("{t:.2} s"));
+        Ok((alt, scene))
     })
 }

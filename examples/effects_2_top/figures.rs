@@ -34,7 +34,8 @@ fn view(p: &Parameters, at: &Configuration) -> View {
     let centre = SpaceVector::new(0.0, 0.0, MM * at.centre.z());
     View::of(SpaceVector::new(0.0, 0.0, 38.0), 66.0)
         .camera(Camera::new(-0.5, 0.3))
-        .ground(floor, 62.0)
+        .size(340, 270)
+        .ground(floor, 78.0)
         .solid(body(p, centre, at.axis), Ink::Body)
 }
 
@@ -200,7 +201,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         Axis::linear("$t$ / s, each part at its own pace").range(0.0, ACTS[5]).ticks(ticks),
         Axis::linear("tilt / rad"),
     )
-    .curve(Curve::new(line, Ink::Body));
+    .curve(Curve::new(line, Ink::Body))
+    .low();
     MovingPicture::above(graph, 0.0..=ACTS[5], [0.0, 9.0, ACTS[5]], move |u| {
         let t = pace(u);
         let (at, forces) = life.forces(t)?;
@@ -212,14 +214,15 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let friction = forces.friction * (30.0 / (p.friction * WEIGHT));
         let alt = format!(
             "The top {t:.1} s after the throw: its axis leans by {:.3} rad and it spins at {:.0} rad/s. \
-             On the floor the path of its contact in the last second; below, the tilt against time.",
+             On the floor a fading ribbon, the path of its contact in the last second; below, the tilt against time.",
             at.tilt(),
             at.spin()
         );
         let mut scene = view(&p, &at)
-            .line(trail, Ink::Velocity)
+            .trail(trail, Ink::Velocity)
             .dot(contact, Ink::Velocity, "", Side::Below)
-            .arrow(
+            .corner(&format!("{t:.1} s"))
+            .vector(
                 height,
                 height + at.axis * (56.0 * at.spin() / p.spin),
                 Ink::Momentum,

@@ -111,15 +111,52 @@ impl Solid {
     pub fn ring(centre: SpaceVector, axis: SpaceVector, radius: f64, half: f64) -> Self {
         const ROUND: [(f64, f64); 6] =
             [(-0.5, -0.866), (-1.0, 0.0), (-0.5, 0.866), (0.5, 0.866), (1.0, 0.0), (0.5, -0.866)];
+        Self::hoop(centre, axis, &ROUND.map(|(h, r)| (half * h, radius + half * r)))
+    }
+
+    /// A flywheel about `centre`: a heavy rim of this outer radius, a hub, and six spokes, one
+    /// along the unit vector `spoke` at right angles to the axis.
+    pub fn flywheel(
+        centre: SpaceVector,
+        axis: SpaceVector,
+        spoke: SpaceVector,
+        radius: f64,
+    ) -> Self {
+        // Parts of the radius: the inside of the rim, half its width, the hub.
+        const INSIDE: f64 = 0.76;
+        const HALF: f64 = 0.12;
+        const HUB: f64 = 0.2;
+        let aside = axis.cross(&spoke);
+        let half = HALF * radius;
+        let section = [(-half, INSIDE), (-half, 1.0), (half, 1.0), (half, INSIDE)];
+        let rim = Self::hoop(centre, axis, &section.map(|(h, r)| (h, r * radius)));
+        let hub = Self::turned_with(
+            14,
+            centre - axis * half,
+            axis,
+            &[(0.0, HUB * radius), (2.0 * half, HUB * radius)],
+        );
+        let spokes = (0..6).map(|i| {
+            let (s, c) = sincos(PI * f64::from(i) / 3.0);
+            let out = (spoke * c + aside * s) * radius;
+            Self::beam(centre + out * (0.9 * HUB), centre + out * (1.02 * INSIDE), 0.055 * radius)
+        });
+        spokes.fold(rim.with(hub), Self::with)
+    }
+
+    /// What a closed section of `(height along the axis, radius)` sweeps out about `centre`; the
+    /// section goes round outwards below and inwards above.
+    fn hoop(centre: SpaceVector, axis: SpaceVector, section: &[(f64, f64)]) -> Self {
         const SIDES: u32 = 32;
         let (u, v) = across(axis);
         let at = |i: u32, k: usize| {
             let (s, c) = sincos(2.0 * PI * f64::from(i % SIDES) / f64::from(SIDES));
-            let (h, r) = ROUND[k % 6];
-            centre + (u * c + v * s) * (radius + half * r) + axis * (half * h)
+            let (h, r) = section[k % section.len()];
+            centre + (u * c + v * s) * r + axis * h
         };
         let face = |i: u32, k: usize| vec![at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)];
-        Self::new((0..SIDES).flat_map(|i| (0..6).map(move |k| (i, k))).map(|(i, k)| face(i, k)))
+        let places = (0..SIDES).flat_map(|i| (0..section.len()).map(move |k| (i, k)));
+        Self::new(places.map(|(i, k)| face(i, k)))
     }
 
     /// A stand on the ground: a foot plate and a pillar up to `pivot`, `height` above it.
@@ -134,6 +171,22 @@ impl Solid {
             &[(0.0, 0.16 * foot), (height - 0.12 * foot, 0.05 * foot)],
         );
         plate.with(pillar)
+    }
+
+    /// An arrow with a shaft and a head, for a view of this reach, so many times as thick as usual.
+    /// Its shaft is cut into short rings, so that what it passes through hides the right part of it.
+    pub(super) fn arrow(from: SpaceVector, to: SpaceVector, reach: f64, thick: f64) -> Self {
+        /// Radius of the shaft, radius and length of the head over the reach.
+        const SIZE: [f64; 3] = [0.022, 0.06, 0.16];
+        const RINGS: u32 = 5;
+        let (axis, length) = direction(from, to);
+        // A short arrow is a small one.
+        let size = reach.min(length / (2.0 * SIZE[2]));
+        let [shaft, head, long] = SIZE.map(|part| part * size);
+        let ring = |i: u32| ((length - long) * f64::from(i) / f64::from(RINGS), thick * shaft);
+        let head = [(length - long, thick * head), (length, 0.0)];
+        let profile: Vec<_> = (0..=RINGS).map(ring).chain(head).collect();
+        Self::turned_with(10, from, axis, &profile)
     }
 
     /// A square bar.
@@ -182,13 +235,18 @@ mod tests {
             (Solid::cuboid(at(5.0, 5.0, 5.0), mirrored), 3.0, 1e-13),
             (Solid::ball(at(1.0, 1.0, 1.0), 1.0), 4.0 / 3.0 * PI, 0.1),
             (Solid::ring(at(1.0, 1.0, 1.0), axis, 2.0, 0.1), 4.0 * PI * PI * 0.01, 0.2),
+            (
+                Solid::arrow(at(1.0, 1.0, 1.0), at(1.0, 1.0, 3.0), 1.0, 1.0),
+                PI * (0.022 * 0.022 * 1.84 + 0.06 * 0.06 * 0.16 / 3.0) * share(10.0),
+                1e-12,
+            ),
         ];
         let count = cases.len();
         for (i, (solid, expected, within)) in cases.into_iter().enumerate() {
             let found = volume(&solid);
             assert!((found / expected - 1.0).abs() < within, "{i}: {found} {expected}");
         }
-        assert_eq!(count, 7);
+        assert_eq!(count, 8);
         // The damaged twin: a body without one of its faces is not closed.
         let mut open = Solid::cuboid(at(5.0, 5.0, 5.0), edges);
         open.faces.pop();

@@ -1,7 +1,7 @@
 //! A sheet of paper: marks in the coordinates of a figure become a display list.
 
 use super::backend::{Mark, Scale, Sheet};
-use super::display::{Dash, Display, Place, Shape, Stroke, Text, UNITS, thinned};
+use super::display::{Dash, Display, NEAR, Place, Shape, Stroke, Text, UNITS, thinned};
 use super::ink::Ink;
 use super::label::SIZE;
 use super::method::Marker;
@@ -41,13 +41,15 @@ pub(super) enum Paint {
 impl Display {
     fn line(&mut self, points: &[Place], closed: bool, stroke: Stroke) {
         if points.len() >= 2 {
-            self.shapes.push(Shape::Line(thinned(points), closed, stroke));
+            self.shapes.push(Shape::Line(thinned(points, NEAR), closed, stroke));
         }
     }
 
     fn area(&mut self, points: &[Place], ink: Ink, opacity: f64) {
         if points.len() >= 3 {
-            self.shapes.push(Shape::Area(thinned(points), ink, opacity));
+            // The edge of a shadow is soft.
+            let near = if ink == Ink::Shadow { 20.0 * NEAR } else { NEAR };
+            self.shapes.push(Shape::Area(thinned(points, near), ink, opacity));
         }
     }
 
@@ -57,7 +59,7 @@ impl Display {
             Paint::Loop(stroke) => self.line(&points, true, *stroke),
             Paint::Fill(ink, alpha) => self.area(&points, *ink, *alpha),
             Paint::Face(ink, light) => {
-                self.shapes.push(Shape::Face(thinned(&points), *ink, *light));
+                self.shapes.push(Shape::Face(thinned(&points, NEAR), *ink, *light));
             }
             Paint::Dot(ink, radius, ring) => {
                 let dots = points.iter().map(|&p| Shape::Dot(p, *radius, *ink, *ring));

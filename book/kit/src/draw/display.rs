@@ -149,10 +149,12 @@ impl Display {
     }
 }
 
-/// Drops points that lie within 0.04 px of the line through those kept
+/// From how far a point is kept: 0.04 px.
+pub(super) const NEAR: f64 = 4.0;
+
+/// Drops points that lie within `near` of the line through those kept
 /// (Douglas and Peucker, 1973).
-pub(super) fn thinned(points: &[Place]) -> Vec<Place> {
-    const NEAR: f64 = 4.0;
+pub(super) fn thinned(points: &[Place], near: f64) -> Vec<Place> {
     let Some(last) = points.len().checked_sub(1) else {
         return Vec::new();
     };
@@ -164,7 +166,7 @@ pub(super) fn thinned(points: &[Place]) -> Vec<Place> {
     while let Some((a, b)) = spans.pop() {
         let farthest = (a + 1..b)
             .map(|i| (i, distance_squared([at(a), at(b)], at(i))))
-            .fold((a, NEAR * NEAR), |best, next| if next.1 > best.1 { next } else { best });
+            .fold((a, near * near), |best, next| if next.1 > best.1 { next } else { best });
         if farthest.0 != a {
             keep[farthest.0] = true;
             spans.push((a, farthest.0));
@@ -182,9 +184,9 @@ mod tests {
     #[test]
     fn a_straight_line_is_thinned_to_its_ends_and_a_corner_is_kept() {
         let straight: Vec<Place> = (0..=100).map(|i| (30 * i, 7 * i)).collect();
-        assert_eq!(thinned(&straight), [(0, 0), (3000, 700)]);
-        assert_eq!(thinned(&[(0, 0), (50, 5), (100, 0)]).len(), 3);
-        assert_eq!(thinned(&[(0, 0), (50, 4), (100, 0)]).len(), 2);
-        assert!(thinned(&[]).is_empty());
+        assert_eq!(thinned(&straight, NEAR), [(0, 0), (3000, 700)]);
+        assert_eq!(thinned(&[(0, 0), (50, 5), (100, 0)], NEAR).len(), 3);
+        assert_eq!(thinned(&[(0, 0), (50, 4), (100, 0)], NEAR).len(), 2);
+        assert!(thinned(&[], NEAR).is_empty());
     }
 }

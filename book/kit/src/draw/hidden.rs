@@ -14,11 +14,16 @@ use rotation_dynamics::frame::SpaceVector;
 const PIECE: f64 = 6.0;
 
 impl View {
-    /// The faces that look at the eye, lighter as they turn to the light.
-    pub(super) fn faces(&self, solid: &Solid, ink: Ink, items: &mut Vec<Item>) -> Result<()> {
+    /// The faces that look at the eye, lighter as they turn to the light: from `least` to `most` percent.
+    pub(super) fn faces(
+        &self,
+        solid: &Solid,
+        ink: Ink,
+        [least, most]: [f64; 2],
+        items: &mut Vec<Item>,
+    ) -> Result<()> {
         let camera = &self.camera;
-        let light = camera.eye * 0.85 + camera.up * 0.45 - camera.right * 0.3;
-        let light = light / light.norm();
+        let light = camera.light() / camera.light().norm();
         for face in &solid.faces {
             for &p in face {
                 finite("depth in a view", camera.depth(p))?;
@@ -27,7 +32,8 @@ impl View {
                 continue;
             };
             // Few steps of light keep the picture small.
-            let percent = 4.0 * libm::round(12.5 * (1.0 + normal.dot(&light)));
+            let lit = least + 0.5 * (most - least) * (1.0 + normal.dot(&light));
+            let percent = 4.0 * libm::round(0.25 * lit);
             items.push(Item {
                 points: face.clone(),
                 paint: Paint::Face(ink, percent as u32),

@@ -33,10 +33,12 @@ pub enum Ink {
     WeakKicks,
     /// Gauss-Legendre collocation.
     Gauss,
+    /// Where less light falls on the ground: dark in both themes.
+    Shadow,
 }
 
 /// One colour in both themes. Lines keep a contrast of 3 to 1 against the theme's
-/// paper, text 4.5 to 1.
+/// paper, text 4.5 to 1, but for paper and shadow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Colour {
     /// Which ink.
@@ -60,7 +62,7 @@ const fn colour(ink: Ink, name: &'static str, light: [u32; 2], dark: [u32; 2]) -
 /// Every ink. The quantities after Okabe and Ito; the orange's lines and the text of most
 /// are darker than theirs, which do not reach the contrast on white. The methods' five are
 /// chosen to be told apart by those who see no red or no green.
-pub const PALETTE: [Colour; 14] = [
+pub const PALETTE: [Colour; 15] = [
     colour(Ink::Ink, "fig-ink", [0x1F2328; 2], [0xE6E3DD; 2]),
     colour(Ink::Frame, "fig-axis", [0x6B7076, 0x5F646A], [0x9BA1A8, 0xA8AEB5]),
     colour(Ink::Paper, "fig-paper", [0xFFFFFF; 2], [0x16191D; 2]),
@@ -75,6 +77,7 @@ pub const PALETTE: [Colour; 14] = [
     colour(Ink::Splitting, "fig-splitting", [0x6E7A00; 2], [0xD2DD60; 2]),
     colour(Ink::WeakKicks, "fig-weak-kicks", [0x00757D; 2], [0x5CCBD2; 2]),
     colour(Ink::Gauss, "fig-gauss", [0x5A3FC0; 2], [0xA08CFF; 2]),
+    colour(Ink::Shadow, "fig-shadow", [0x1F2328; 2], [0x000000; 2]),
 ];
 
 /// `percent` of `a` with the rest `b`, channel by channel.
@@ -175,6 +178,11 @@ mod tests {
         if a > b { a / b } else { b / a }
     }
 
+    /// The inks of which lines and letters are drawn.
+    fn drawn() -> impl Iterator<Item = &'static Colour> {
+        PALETTE.iter().filter(|c| !matches!(c.ink, Ink::Paper | Ink::Shadow))
+    }
+
     #[test]
     fn entries_stand_at_their_own_place() {
         for (i, c) in PALETTE.iter().enumerate() {
@@ -187,7 +195,7 @@ mod tests {
     fn contrast_is_enough_in_both_themes() {
         let paper = Ink::Paper.colour();
         let (mut lines, mut texts) = (21.0_f64, 21.0_f64);
-        for c in PALETTE.iter().filter(|c| c.ink != Ink::Paper) {
+        for c in drawn() {
             lines =
                 lines.min(contrast(c.line, paper.line)).min(contrast(c.dark_line, paper.dark_line));
             texts =
@@ -202,7 +210,7 @@ mod tests {
     #[test]
     fn a_lit_face_is_lighter_than_one_in_the_shade_in_both_themes() {
         let mut seen = 0;
-        for c in PALETTE.iter().filter(|c| c.ink != Ink::Paper) {
+        for c in drawn() {
             for dark in [false, true] {
                 let [lit, shade] = c.body(dark);
                 assert!(contrast(lit, shade) > 1.6, "{} {dark}", c.name);

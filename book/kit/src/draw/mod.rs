@@ -21,6 +21,7 @@
 
 mod axis;
 mod backend;
+mod band;
 mod bodies;
 mod canvas;
 mod clip;
@@ -30,6 +31,7 @@ mod depth;
 mod display;
 mod drawing;
 mod encoded;
+mod globe;
 mod hidden;
 mod ink;
 mod label;
@@ -39,6 +41,7 @@ mod paint;
 mod panel;
 mod place;
 mod scene;
+mod shadow;
 mod sketch;
 mod solid;
 mod stack;

@@ -50,6 +50,8 @@ pub struct Panel {
     pub(super) curves: Vec<Curve>,
     pub(super) notes: Vec<Note>,
     pub(super) now: Option<f64>,
+    /// Its height below a moving scene, in px.
+    pub(super) row: u32,
     /// The labels with what they were placed in, if they are kept.
     pub(super) labels: Option<Arc<OnceLock<(Rect, Display)>>>,
 }
@@ -69,6 +71,7 @@ impl Panel {
             curves: Vec::new(),
             notes: Vec::new(),
             now: None,
+            row: 130,
             labels: None,
         }
     }
@@ -184,6 +187,13 @@ impl Panel {
     #[must_use]
     pub fn now(mut self, x: f64) -> Self {
         self.now = Some(x);
+        self
+    }
+
+    /// Is low below a moving scene: the scene is the picture.
+    #[must_use]
+    pub fn low(mut self) -> Self {
+        self.row = 78;
         self
     }
 

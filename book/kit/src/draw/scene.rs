@@ -5,11 +5,17 @@ use super::canvas::{Canvas, Frame, Paint, Point};
 use super::display::{Dash, Stroke};
 use super::ink::Ink;
 use super::place::{GAP, Obstacles};
+use super::solid::Solid;
 use super::view::{Element, View};
 use super::words::{Rect, Side, Words};
 use crate::error::{Result, finite};
 use core::f64::consts::PI;
 use rotation_dynamics::frame::SpaceVector;
+
+/// The light of bodies, and of arrows, whose colour says what they are and must be seen: in percent,
+/// from the shade to the full light.
+const BODY: [f64; 2] = [0.0, 100.0];
+const VECTOR: [f64; 2] = [12.0, 60.0];
 
 /// Where a part of a line lies relative to the sphere, from behind to the front.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -42,11 +48,13 @@ impl View {
         let (cx, cy) = self.camera.project(self.centre);
         let (rx, ry) = (width / unit / 2.0, height / unit / 2.0);
         let frame = canvas.frame((cx - rx, cx + rx), (cy - ry, cy + ry), rect);
+        self.paint_ground(&frame)?;
         for element in &self.elements {
-            if let Element::Ground(outline) = element {
-                frame.draw(&self.flat(outline), &Paint::Fill(Ink::Frame, 0.14))?;
+            if let Element::Ghost(solid, ink) = element {
+                self.paint_ghost(&frame, solid, *ink)?;
             }
         }
+        self.paint_bands(&frame, false)?;
         let parts = self.parts();
         self.paint_layer(&frame, &parts, Layer::Behind, unit)?;
         if self.sphere {
@@ -54,7 +62,10 @@ impl View {
             frame.draw(&outline, &Paint::Fill(Ink::Frame, 0.07))?;
             frame.draw(&outline, &Paint::Loop(Stroke::new(Ink::Frame, 1.2)))?;
         }
-        for element in &self.elements {
+        if self.globe {
+            self.paint_globe(&frame)?;
+        }
+        for element in self.elements.iter().filter(|_| !self.globe) {
             if let Element::OnSphere(points, stroke) = element {
                 let hidden =
                     Stroke { dash: Dash::Dashed, width: 0.75 * stroke.width, ..stroke.faint(0.5) };
@@ -67,6 +78,7 @@ impl View {
                 self.on_sphere(&frame, points, true, *stroke)?;
             }
         }
+        self.paint_bands(&frame, true)?;
         self.paint_layer(&frame, &parts, Layer::Before, unit)?;
         for element in &self.elements {
             if let Element::Dot(at, ink, radius, ring) = element {
@@ -108,7 +120,7 @@ impl View {
     }
 
     fn layered(&self, points: &[SpaceVector]) -> Vec<(Layer, Vec<SpaceVector>)> {
-        if !self.sphere {
+        if !self.sphere && !self.globe {
             return vec![(Layer::Inside, points.to_vec())];
         }
         let mut found: Vec<(Layer, Vec<SpaceVector>)> = Vec::new();
@@ -136,7 +148,16 @@ impl View {
         found
     }
 
-    /// Lines and arrows of a layer; in the middle one with the bodies.
+    /// Where a body is: a globe is before it or behind, and it is within any other sphere.
+    fn layer_of(&self, points: impl IntoIterator<Item = SpaceVector>) -> Layer {
+        if !self.globe {
+            return Layer::Inside;
+        }
+        let depth: f64 = points.into_iter().map(|p| self.camera.depth(p)).sum();
+        if depth < 0.0 { Layer::Behind } else { Layer::Before }
+    }
+
+    /// Lines, arrows and bodies of a layer.
     fn paint_layer(
         &self,
         frame: &Frame<'_>,
@@ -146,11 +167,20 @@ impl View {
     ) -> Result<()> {
         let parts: Vec<&Part<'_>> = parts.iter().filter(|p| p.layer == layer).collect();
         let mut items = Vec::new();
-        if layer == Layer::Inside {
-            for element in &self.elements {
-                if let Element::Solid(solid, ink) = element {
-                    self.faces(solid, *ink, &mut items)?;
+        for element in &self.elements {
+            match element {
+                Element::Solid(solid, ink)
+                    if self.layer_of(solid.faces.iter().flatten().copied()) == layer =>
+                {
+                    self.faces(solid, *ink, BODY, &mut items)?;
                 }
+                Element::Vector([from, to], ink) if self.layer_of([*from, *to]) == layer => {
+                    // The angular velocity may lie along L.
+                    let thick = if *ink == Ink::Velocity { 1.45 } else { 1.0 };
+                    let arrow = Solid::arrow(*from, *to, self.reach, thick);
+                    self.faces(&arrow, *ink, VECTOR, &mut items)?;
+                }
+                _ => {}
             }
         }
         if items.is_empty() {
@@ -243,7 +273,7 @@ impl View {
         if self.triad {
             obstacles.take(Self::triad_rect(rect));
         }
-        if self.sphere {
+        if self.sphere || self.globe {
             let outline = super::sketch::arc((0.0, 0.0), 1.0, (0.0, 2.0 * PI));
             let outline: Vec<Point> = outline.into_iter().map(|p| frame.px(p)).collect();
             obstacles.add_line(Obstacles::NOBODY, &outline);
@@ -263,6 +293,10 @@ impl View {
                         obstacles.add_head(&px, *head);
                     }
                 }
+                Element::Vector(ends, _) => {
+                    let px: Vec<Point> = self.flat(ends).into_iter().map(|p| frame.px(p)).collect();
+                    obstacles.add_line(Obstacles::NOBODY, &px);
+                }
                 Element::Dot(at, _, radius, _) => {
                     obstacles.take(Rect::about(frame.px(self.camera.project(*at)), *radius));
                 }
@@ -270,6 +304,14 @@ impl View {
             }
         }
         let sheet = canvas.sheet();
+        if let Some(text) = &self.corner {
+            let at = (rect.left + 6.0, rect.top + 14.0);
+            if let Some(placed) = obstacles
+                .place_at(at, Side::Right, 0.0, |side, gap| Words::new(text, Ink::Ink, side, gap))
+            {
+                placed.paint(&sheet)?;
+            }
+        }
         for (at, text, ink, side) in &self.texts {
             let at = frame.px(self.camera.project(*at));
             let words = |side, gap| Words::new(text, *ink, side, gap);

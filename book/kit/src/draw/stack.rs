@@ -90,7 +90,7 @@ impl Stack {
     /// # Errors
     /// As [`Stack::figure`].
     pub fn frame(alt: &str, scene: impl Into<Scene>, graph: &Panel, t: f64) -> Result<Figure> {
-        let stack = Self::new("frame", alt).scene(scene);
+        let stack = Self::new("frame", alt).row_height(graph.row).scene(scene);
         stack.panel(graph.clone().now(t)).figure()
     }
 

@@ -3,9 +3,10 @@
 use super::canvas::Paint;
 use super::display::{Dash, Shape, Stroke};
 use super::label::{Label, SIZE};
-use super::{Axis, Curve, Ink, Panel, Sketch};
+use super::{Axis, Curve, Ink, Panel, Side, Sketch, Solid, View};
 use crate::Result;
 use core::f64::consts::PI;
+use rotation_dynamics::frame::SpaceVector;
 
 fn sheet() -> Sketch {
     Sketch::new("sheet", "what is drawn on a sheet for a test").window((-1.0, 4.0), (-1.0, 4.0))
@@ -109,5 +110,84 @@ fn heads_are_not_dashed() -> Result<()> {
         })
         .collect();
     assert_eq!(dashes, [Dash::Dashed, Dash::Solid]);
+    Ok(())
+}
+
+/// A trail gets wider and stronger towards its new end; one of a single point is none.
+#[test]
+fn a_trail_fades_towards_its_old_end() -> Result<()> {
+    let strokes = |count: u32| -> Result<Vec<(f64, f64)>> {
+        let points = (0..count).map(|i| SpaceVector::new(0.0, 0.02 * f64::from(i), 0.0));
+        let figure =
+            View::new("trail", "where something has gone").trail(points, Ink::Body).figure()?;
+        let line = |shape: Shape| match shape {
+            Shape::Line(_, _, stroke) => Some((stroke.opacity, stroke.width)),
+            _ => None,
+        };
+        Ok(figure.display.shapes.into_iter().filter_map(line).collect())
+    };
+    let found = strokes(33)?;
+    assert_eq!(found.len(), 16);
+    assert!(found.windows(2).all(|w| w[0].0 < w[1].0 && w[0].1 < w[1].1), "{found:?}");
+    assert_eq!(found[15].0, 1.0);
+    assert_eq!([strokes(2)?.len(), strokes(1)?.len()], [1, 0]);
+    Ok(())
+}
+
+/// What was at the path's places before the span is not followed.
+#[test]
+fn a_trail_begins_at_its_time() -> Result<()> {
+    let path: Vec<_> =
+        (0..50).map(|i| (f64::from(i), SpaceVector::new(0.0, 0.02 * f64::from(i), 0.0))).collect();
+    let now = SpaceVector::new(0.0, 0.61, 0.0);
+    let view = View::new("trail", "where something has gone");
+    let followed = view.clone().followed(&path, [30.5, 10.0], now, Ink::Body).figure()?;
+    let by_hand = path[21..=30].iter().map(|(_, place)| *place).chain([now]);
+    assert_eq!(followed, view.trail(by_hand, Ink::Body).figure()?);
+    Ok(())
+}
+
+/// A globe hides what is behind it, and a ghost lies behind every body.
+#[test]
+fn what_is_behind_is_painted_first() -> Result<()> {
+    let place = |view: View, wanted: Ink| -> Result<usize> {
+        let shapes = view.figure()?.display.shapes;
+        let found = shapes.iter().position(|shape| match shape {
+            Shape::Face(_, ink, _) | Shape::Area(_, ink, _) => *ink == wanted,
+            _ => false,
+        });
+        Ok(found.expect("it is drawn"))
+    };
+    // The camera looks along -x.
+    let with_ball = |x: f64| {
+        let ball = Solid::ball(SpaceVector::new(x, 0.0, 0.0), 0.1);
+        let view = View::new("globe", "a ball beside the Earth")
+            .globe(0.3)
+            .around(SpaceVector::zero(), 2.0);
+        view.camera(super::Camera::new(0.0, 0.1)).solid(ball, Ink::Body)
+    };
+    assert!(place(with_ball(-1.2), Ink::Body)? < place(with_ball(-1.2), Ink::Paper)?);
+    assert!(place(with_ball(1.2), Ink::Body)? > place(with_ball(1.2), Ink::Paper)?);
+    let ball = |x: f64| Solid::ball(SpaceVector::new(x, 0.0, 0.0), 0.3);
+    let view = View::new("ghost", "a ball and where it was").solid(ball(0.0), Ink::Body);
+    let view = view.ghost(ball(0.5), Ink::Energy).corner("1 s");
+    assert!(place(view.clone(), Ink::Energy)? < place(view, Ink::Body)?);
+    Ok(())
+}
+
+/// A vector is a body of its own colour, with no light so strong that the colour is lost.
+#[test]
+fn a_vector_keeps_its_colour() -> Result<()> {
+    let origin = SpaceVector::zero();
+    let tip = SpaceVector::new(0.0, 0.6, 0.6);
+    let view = View::new("vector", "an angular momentum that leans");
+    let shapes =
+        view.vector(origin, tip, Ink::Momentum, "$L$", Side::Right).figure()?.display.shapes;
+    let lights = shapes.iter().filter_map(|shape| match shape {
+        Shape::Face(_, Ink::Momentum, light) => Some(*light),
+        _ => None,
+    });
+    let (least, most) = lights.fold((100, 0), |(a, b), light| (light.min(a), light.max(b)));
+    assert!(least >= 12 && most <= 60 && most > least + 10, "{least} {most}");
     Ok(())
 }

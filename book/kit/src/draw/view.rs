@@ -2,7 +2,9 @@
 
 use super::canvas::figure;
 use super::display::{Dash, Stroke};
+use super::globe::graticule;
 use super::ink::Ink;
+use super::shadow::Ground;
 use super::solid::{Camera, Solid};
 use super::words::Side;
 use crate::Figure;
@@ -21,8 +23,14 @@ pub(super) enum Element {
     Solid(Solid, Ink),
     /// A place, its ink, its radius (px), and whether it is a ring.
     Dot(SpaceVector, Ink, f64, bool),
-    /// An area below everything else.
-    Ground(Vec<SpaceVector>),
+    /// A lit arrow from one place to another.
+    Vector([SpaceVector; 2], Ink),
+    /// Ground below everything else.
+    Ground(Ground),
+    /// The silhouette of a body that is not there, behind all bodies.
+    Ghost(Solid, Ink),
+    /// The part of the unit sphere between two tilts from Z.
+    Band([f64; 2]),
 }
 
 /// A picture of three dimensions, seen by one [`Camera`].
@@ -52,9 +60,11 @@ pub struct View {
     pub(super) reach: f64,
     pub(super) centre: SpaceVector,
     pub(super) sphere: bool,
+    pub(super) globe: bool,
     pub(super) triad: bool,
     pub(super) elements: Vec<Element>,
     pub(super) texts: Vec<(SpaceVector, String, Ink, Side)>,
+    pub(super) corner: Option<String>,
 }
 
 impl View {
@@ -69,9 +79,11 @@ impl View {
             reach: 1.12,
             centre: SpaceVector::zero(),
             sphere: false,
+            globe: false,
             triad: false,
             elements: Vec::new(),
             texts: Vec::new(),
+            corner: None,
         }
     }
 
@@ -115,6 +127,28 @@ impl View {
         self
     }
 
+    /// Adds the unit sphere about the origin as a lit body that hides what is behind it: the Earth
+    /// with its parallels, and its meridians turned about Z by `turn` (rad).
+    #[must_use]
+    pub fn globe(mut self, turn: f64) -> Self {
+        self.globe = true;
+        let thin = Stroke::new(Ink::Frame, 0.8).faint(0.6);
+        let (meridians, parallels) = graticule();
+        let up = SpaceVector::new(0.0, 0.0, 1.0);
+        for meridian in meridians {
+            let (s, c) = sincos(turn + meridian);
+            let half = super::sketch::arc((0.0, 0.0), 1.0, (0.0, PI)).into_iter();
+            let points = half.map(|(z, out)| SpaceVector::new(c * out, s * out, 0.0) + up * z);
+            self.elements.push(Element::OnSphere(points.collect(), thin));
+        }
+        for tilt in parallels {
+            let (s, c) = sincos(tilt);
+            let (x, y) = (SpaceVector::new(s, 0.0, 0.0), SpaceVector::new(0.0, s, 0.0));
+            self.elements.push(Element::OnSphere(circle(up * c, x, y), thin));
+        }
+        self
+    }
+
     /// As it is seen: the camera as the reader turned it, and with the lines of the sphere,
     /// which depend on the camera.
     pub(super) fn furnished(&self) -> Self {
@@ -148,11 +182,34 @@ impl View {
         view.text(z * (end - 0.03), "$Z$", Ink::Frame, Side::Right)
     }
 
-    /// Adds a piece of level ground about the point `at`, round, below everything else.
+    /// Adds a piece of level ground about the point `at`, round, below everything else. Bodies
+    /// throw soft shadows on it.
     #[must_use]
     pub fn ground(mut self, at: SpaceVector, radius: f64) -> Self {
-        let (x, y) = (SpaceVector::new(radius, 0.0, 0.0), SpaceVector::new(0.0, radius, 0.0));
-        self.elements.push(Element::Ground(circle(at, x, y)));
+        self.elements.push(Element::Ground(Ground::level(at, radius, 0.0)));
+        self
+    }
+
+    /// Adds a round table whose top lies about the point `at`: ground with an edge.
+    #[must_use]
+    pub fn table(mut self, at: SpaceVector, radius: f64) -> Self {
+        self.elements.push(Element::Ground(Ground::level(at, radius, 0.05 * radius)));
+        self
+    }
+
+    /// Adds a rectangle of ground about the point `at` that need not be level: half its edges are
+    /// these vectors, at right angles, and it is the side to which `along` x `across` points.
+    #[must_use]
+    pub fn slope(mut self, at: SpaceVector, along: SpaceVector, across: SpaceVector) -> Self {
+        let slope = Ground { at, along, across, round: false, thickness: 0.0 };
+        self.elements.push(Element::Ground(slope));
+        self
+    }
+
+    /// Writes a text into the upper left corner: the time, or what is set.
+    #[must_use]
+    pub fn corner(mut self, text: &str) -> Self {
+        self.corner = Some(text.into());
         self
     }
 
@@ -182,6 +239,48 @@ impl View {
         );
         self.elements.push(Element::OnSphere(circle, Stroke::new(Ink::Frame, 0.8)));
         self
+    }
+
+    /// Adds the band of the unit sphere between two angles from Z: where an axis may go. It is
+    /// translucent, its far half fainter.
+    #[must_use]
+    pub fn band(mut self, from: f64, to: f64) -> Self {
+        self.elements.push(Element::Band([from, to]));
+        self.latitude(from).latitude(to)
+    }
+
+    /// Adds a path along which something went, as a ribbon that fades towards its old end. The
+    /// points are equal times apart. Bodies hide it.
+    #[must_use]
+    pub fn trail(mut self, points: impl IntoIterator<Item = SpaceVector>, ink: Ink) -> Self {
+        /// So many widths and opacities; more are not told apart.
+        const STEPS: usize = 16;
+        let points: Vec<SpaceVector> = points.into_iter().collect();
+        let last = points.len().saturating_sub(1);
+        for k in 1..=STEPS {
+            let (from, to) = (last * (k - 1) / STEPS, last * k / STEPS);
+            let part = k as f64 / STEPS as f64;
+            if from < to {
+                let stroke = Stroke::new(ink, 1.0 + 2.2 * part).faint(0.08 + 0.92 * part);
+                self.elements.push(Element::Line(points[from..=to].to_vec(), stroke));
+            }
+        }
+        self
+    }
+
+    /// Adds the trail of the last `past` up to the time `t`, along a path of `(time, place)`, equal
+    /// times apart, to the place `now`.
+    #[must_use]
+    pub fn followed(
+        self,
+        path: &[(f64, SpaceVector)],
+        [t, past]: [f64; 2],
+        now: SpaceVector,
+        ink: Ink,
+    ) -> Self {
+        let [from, to] = [t - past, t].map(|t| path.partition_point(|(s, _)| *s < t));
+        let been = path.iter().take(to).skip(from).map(|(_, place)| *place);
+        self.trail(been.chain([now]), ink)
     }
 
     /// Adds a line anywhere in space: a rope, an edge, a path. Bodies hide it.
@@ -221,6 +320,28 @@ impl View {
         let stroke = Stroke::new(ink, if thin { 1.4 } else { 2.2 });
         self.elements.push(Element::Arrow(vec![from, to], stroke, 9.0));
         self.text(to, label, ink, side)
+    }
+
+    /// Adds a lit arrow with a label at its tip, a body like others: for the vectors that a picture
+    /// is about, not for forces, whose heads are open.
+    #[must_use]
+    pub fn vector(
+        mut self,
+        from: SpaceVector,
+        to: SpaceVector,
+        ink: Ink,
+        label: &str,
+        side: Side,
+    ) -> Self {
+        self.elements.push(Element::Vector([from, to], ink));
+        self.text(to, label, ink, side)
+    }
+
+    /// Adds the silhouette of a body that is not there, faint and behind all bodies.
+    #[must_use]
+    pub fn ghost(mut self, solid: Solid, ink: Ink) -> Self {
+        self.elements.push(Element::Ghost(solid, ink));
+        self
     }
 
     /// Adds an arrow along a curve: which way something turns.
@@ -277,7 +398,7 @@ impl View {
 }
 
 /// A closed circle about `centre` through `centre + u` and `centre + v`.
-fn circle(centre: SpaceVector, u: SpaceVector, v: SpaceVector) -> Vec<SpaceVector> {
+pub(super) fn circle(centre: SpaceVector, u: SpaceVector, v: SpaceVector) -> Vec<SpaceVector> {
     super::sketch::arc((0.0, 0.0), 1.0, (0.0, 2.0 * PI))
         .into_iter()
         .map(|(c, s)| centre + u * c + v * s)

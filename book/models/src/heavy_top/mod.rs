@@ -3,9 +3,11 @@
 //! Not for: the closed form itself ([`rotation_dynamics::exact::heavy_top`]).
 
 mod claims;
+mod falling;
 mod moving;
 mod pictures;
 mod routes;
+pub mod stand;
 mod steady;
 mod stepped;
 mod strip;

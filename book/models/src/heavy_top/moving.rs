@@ -1,19 +1,22 @@
 //! A top in space with what moves it: its weight, the torque, the angular momentum; at one
 //! moment, and moving.
 
+use super::falling::Falling;
 use super::{Motion, direction};
 use kit::Result;
-use kit::draw::{Axis, Curve, Ink, Panel, Side, View};
+use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, View};
 use kit::{MovingPicture, sampled, times};
 use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::math::{acos, sincos};
+use rotation_dynamics::math::{acos, atan2, hypot, sincos};
 use std::sync::Arc;
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
-/// Length of the longest arrow of L, of the torque on a level axis, and of dL over the torque.
-const MOMENTUM: f64 = 1.3;
+/// Lengths of the longest arrows of L and of the angular velocity, of the torque on a level axis,
+/// and of dL.
+const MOMENTUM: f64 = 1.2;
+const VELOCITY: f64 = 0.5;
 const TORQUE: f64 = 0.62;
-const CHANGE: f64 = 0.6;
+const CHANGE: f64 = 0.36;
 
 /// A motion as its picture needs it.
 pub(super) struct Drawn {
@@ -21,11 +24,34 @@ pub(super) struct Drawn {
     pub(super) end: f64,
     /// The times of the stills.
     pub(super) stills: [f64; 3],
-    /// Whether times are in seconds, not in t'.
-    pub(super) seconds: bool,
-    /// 1, -1 for a centre of mass on the other side, 0 without weight.
-    pub(crate) sense: f64,
+    /// What the clock shows at a time, and in words.
+    pub(super) clock: fn(f64, f64) -> [String; 2],
+    /// The other unit of time in that of the motion.
+    pub(super) unit: f64,
+    /// How long the end of the axis is followed back.
+    pub(super) past: f64,
+    /// m g l in the motion's units, below 0 for a centre of mass on the other side.
+    pub(super) weight: f64,
+    /// The two tilts between which the axis nods, if it keeps them.
+    pub(super) band: Option<[f64; 2]>,
+    /// What the body without spin looks like at a time, so long as it falls.
+    pub(super) ghost: Box<dyn Fn(f64) -> Option<Solid> + Send + Sync>,
     pub(super) at: At,
+}
+
+/// A time in t', and in seconds beside it, if t' has a `unit` in seconds.
+fn seconds_beside(t: f64, unit: f64) -> [String; 2] {
+    if unit == 0.0 {
+        return [format!("$t'=${t:.1}"), format!("t' = {t:.1}")];
+    }
+    let seconds = t * unit;
+    [format!("$t'=${t:.1}, {seconds:.2} s"), format!("t' = {t:.1}, {seconds:.2} s")]
+}
+
+/// A time in seconds, and in t' beside it.
+pub(super) fn reduced_beside(t: f64, unit: f64) -> [String; 2] {
+    let reduced = t / unit;
+    [format!("{t:.3} s, $t'=${reduced:.1}"), format!("{t:.3} s, t' = {reduced:.1}")]
 }
 
 /// What there is at a time.
@@ -36,12 +62,13 @@ pub(super) struct Moment {
     pub(crate) pose: Pose,
     pub(super) axis: SpaceVector,
     pub(super) momentum: SpaceVector,
+    pub(super) velocity: SpaceVector,
 }
 
 impl Drawn {
     /// The moving picture: `body` draws the body and what holds it, with its centre of mass at
-    /// `hub` along an axis of length 1, whose end draws on a sphere; below, what `panel` makes
-    /// of the tilt against time.
+    /// `hub` along an axis of length 1, whose end leaves a trail; below, what `panel` makes of the
+    /// tilt against time.
     pub(super) fn moving(
         self,
         panel: impl FnOnce(Vec<(f64, f64)>) -> Panel,
@@ -50,25 +77,62 @@ impl Drawn {
     ) -> Result<MovingPicture> {
         let moments = sampled(times(0.0, self.end, 600), |t| Ok((t, (self.at)(t)?)))?;
         // A gyroscope whose spin runs against z has L along -z.
-        let longest = moments.iter().map(|(_, now)| now.momentum.norm());
-        let scale = MOMENTUM / longest.fold(0.0, f64::max);
+        let longest = |of: fn(&Moment) -> SpaceVector| {
+            moments.iter().map(|(_, now)| of(now).norm()).fold(0.0, f64::max)
+        };
+        let scale = MOMENTUM / longest(|now| now.momentum);
+        let rates = VELOCITY / longest(|now| now.velocity);
         let tilt = |(t, now): &(f64, Moment)| (*t, acos(now.axis.z().clamp(-1.0, 1.0)));
-        let panel = panel(moments.iter().map(tilt).collect());
+        let graph = panel(moments.iter().map(tilt).collect()).low();
         let path: Vec<_> = moments.into_iter().map(|(t, now)| (t, now.axis)).collect();
-        MovingPicture::above(panel, 0.0..=self.end, self.stills, move |t| {
-            let Moment { pose, axis, momentum } = (self.at)(t)?;
-            let time = if self.seconds { format!("t = {t:.3} s") } else { format!("t' = {t:.2}") };
+        // In this time a level axis makes dL so long.
+        let brief = if self.weight == 0.0 { 0.0 } else { CHANGE / (scale * self.weight.abs()) };
+        MovingPicture::above(graph, 0.0..=self.end, self.stills, move |t| {
+            let now = (self.at)(t)?;
+            let Moment { pose, axis, .. } = now;
+            let [clock, when] = (self.clock)(t, self.unit);
+            let fallen = (self.ghost)(t);
             let alt = format!(
-                "The body at {time}: its axis leans at {:.2} rad and has gone {:.2} rad round the vertical; \
-                 arrows show L, the level torque of the weight, and at the tip of L its change, along the torque; \
-                 the end of the axis has drawn its path on a sphere; below, the tilt against time",
-                pose.theta, pose.phi
+                "The body at {when}: its axis leans at {:.2} rad and has gone {:.2} rad round the vertical; \
+                 solid arrows show L and the angular velocity{}; a fading ribbon shows where the end of the axis \
+                 has been{}{}; below, the tilt against time",
+                pose.theta,
+                pose.phi,
+                match self.weight {
+                    0.0 => "",
+                    _ =>
+                        ", others the weight, its level torque, and at the tip of L what the torque adds to it in a short time",
+                },
+                if self.band.is_some() {
+                    ", in a level band between its two turning tilts"
+                } else {
+                    ""
+                },
+                if fallen.is_some() {
+                    "; a pale outline of the same body without spin falls"
+                } else {
+                    ""
+                },
             );
-            let drawn = path.iter().take_while(|(s, _)| *s < t);
-            let drawn = drawn.map(|(_, axis)| *axis).chain([axis]);
-            let view = body(&pose).sphere().trace(drawn, Ink::Body);
-            let view = pose.with_cause(view, hub, self.sense, momentum * scale);
-            Ok((alt, view.dot(axis, Ink::Body, "", Side::Right)))
+            let view = body(&pose).corner(&clock);
+            let view = view.followed(&path, [t, self.past], axis, Ink::Body);
+            let view = match fallen {
+                Some(fallen) => view.ghost(fallen, Ink::Frame),
+                None => view,
+            };
+            let view = match self.band {
+                Some([from, to]) => view.band(from, to),
+                None => view,
+            };
+            let momentum = now.momentum * scale;
+            // After the release it grows.
+            let grown = if brief > 0.0 { (t / brief).min(1.0) } else { 0.0 };
+            let view = pose.with_cause(view, hub, self.weight, momentum, grown);
+            let at = axis * hub;
+            let scene = view
+                .vector(at, at + now.velocity * rates, Ink::Velocity, r"$\Omega$", Side::Right)
+                .dot(axis, Ink::Body, "", Side::Right);
+            Ok((alt, scene))
         })
     }
 }
@@ -85,6 +149,12 @@ pub struct Pose {
 }
 
 impl Pose {
+    /// With its axis along this vector, turned by `zeta` about it.
+    pub fn of(axis: SpaceVector, zeta: f64) -> Self {
+        let [x, y, z] = axis.to_array();
+        Self { theta: atan2(hypot(x, y), z), phi: atan2(x, -y), zeta }
+    }
+
     /// The unit vector along the axis.
     pub fn axis(&self) -> SpaceVector {
         direction(self.theta, self.phi)
@@ -108,20 +178,36 @@ impl Pose {
     }
 
     /// Adds the weight, which acts at `hub` along the axis, its torque about the origin, L
-    /// with its tip at `momentum`, and the change that the torque makes of it in a short
-    /// time. `sense`: 1, -1 for a centre of mass on the other side, 0 without weight.
+    /// with its tip at `momentum`, and what the torque adds to it in a short time, `grown` so far.
+    /// `weight`: below 0 for a centre of mass on the other side, 0 for none.
     #[must_use]
-    pub fn with_cause(&self, view: View, hub: f64, sense: f64, momentum: SpaceVector) -> View {
+    pub fn with_cause(
+        &self,
+        view: View,
+        hub: f64,
+        weight: f64,
+        momentum: SpaceVector,
+        grown: f64,
+    ) -> View {
         let origin = SpaceVector::zero();
-        let view = view.arrow(origin, momentum, Ink::Momentum, "$L$", Side::AboveLeft);
-        let torque = UP.cross(&self.axis()) * (TORQUE * sense);
+        let view = view.vector(origin, momentum, Ink::Momentum, "$L$", Side::AboveLeft);
+        let sense = if weight == 0.0 { 0.0 } else { 1.0_f64.copysign(weight) };
+        let (centre, torque) = (self.axis() * hub, UP.cross(&self.axis()) * sense);
         if torque.norm() < 1e-3 {
             return view;
         }
-        let (centre, tip) = (self.axis() * hub, momentum + torque * CHANGE);
-        view.arrow(centre, centre - UP * (0.55 * sense.abs()), Ink::Force, "$mg$", Side::Right)
-            .arrow(origin, torque, Ink::Force, "torque", Side::Below)
-            .arrow(momentum, tip, Ink::Momentum, "$\\mathrm{d}L$", Side::Right)
+        let view = view.arrow(centre, centre - UP * 0.55, Ink::Force, "$mg$", Side::Right).arrow(
+            origin,
+            torque * TORQUE,
+            Ink::Force,
+            "torque",
+            Side::Below,
+        );
+        let tip = momentum + torque * (CHANGE * grown);
+        if grown < 0.1 {
+            return view;
+        }
+        view.vector(momentum, tip, Ink::Momentum, r"$\mathrm{d}L$", Side::Right)
     }
 }
 
@@ -133,15 +219,19 @@ impl Motion {
     }
 
     /// The moving picture: `body` draws the body and what holds it, with its centre of mass
-    /// at `hub` along an axis of length 1, whose end draws on a sphere; below, the tilt
-    /// against time. The stills: the start, the first turning back, and two nods later.
+    /// at `hub` along an axis of length 1, whose end leaves a trail; below, the tilt
+    /// against time. The stills: the start, the first turning back, and two nods later. `ghost`
+    /// is the silhouette of the same body that falls because it does not spin, `None` where it
+    /// meets what stops it. A t' is `unit` seconds, for a motion whose time is t'; 0 if it is none.
     ///
     /// # Errors
     /// Those of the drawing.
     pub fn moving(
         self,
         hub: f64,
+        unit: f64,
         body: impl Fn(&Pose) -> View + Send + Sync + 'static,
+        ghost: impl Fn(&Pose) -> Option<Solid> + Send + Sync + 'static,
     ) -> Result<MovingPicture> {
         let (end, period) = (self.shown(), self.exact.nutation_period());
         let stills = if 2.0 * period <= end {
@@ -149,41 +239,38 @@ impl Motion {
         } else {
             [0.0, 0.5 * end, end]
         };
-        let c = self.top.c();
+        let fall = Falling::of(&self, |pose| ghost(pose).is_some())?;
         let shared = Arc::new(self);
         let motion = Arc::clone(&shared);
+        let in_seconds = shared.in_seconds();
         let drawn = Drawn {
             end,
             stills,
-            seconds: shared.in_seconds(),
-            sense: if c == 0.0 { 0.0 } else { c.signum() },
+            clock: if in_seconds { reduced_beside } else { seconds_beside },
+            unit: if in_seconds { shared.unit } else { unit },
+            past: 3.0 * period,
+            weight: shared.exact.body().map_or(shared.top.c(), |body| body.weight() * body.lever()),
+            band: Some([shared.exact.theta_min(), shared.exact.theta_max()]),
+            ghost: Box::new(move |t| fall.as_ref()?.at(t).and_then(|pose| ghost(&pose))),
             at: Box::new(move |t| {
+                let (pose, state) = (motion.pose(t), motion.exact.state(t));
+                let rates = motion.exact.angular_velocity(t);
                 Ok(Moment {
-                    pose: motion.pose(t),
-                    axis: motion.exact.axis(t),
-                    momentum: motion.exact.angular_momentum(t),
+                    pose,
+                    axis: state.attitude.axis(),
+                    momentum: state.angular_momentum,
+                    velocity: state.attitude.to_space(rates),
                 })
             }),
         };
         drawn.moving(|tilt| shared.tilts(tilt), hub, body)
     }
 
-    /// The tilt against time, with the tilt at which the precession reverses, if it does.
+    /// The tilt against time.
     fn tilts(&self, tilt: Vec<(f64, f64)>) -> Panel {
         let [(low, high), ..] = self.extents();
         let time = if self.in_seconds() { "$t$ / s" } else { "$t'$" };
-        let panel = Panel::new("tilt", "tilt").x(Axis::linear(time));
-        let axis = Axis::linear("tilt $\\theta$ / rad");
-        let (b, end) = (self.top.b(), self.shown());
-        if b.abs() < 1.0 && (low..=high).contains(&acos(b)) {
-            let low = low.min(acos(b) - 0.22 * (high - low));
-            panel
-                .y(axis.range(low, high))
-                .level(acos(b), Ink::Frame, "")
-                .note(end, acos(b), Ink::Frame, "$\\cos\\theta=b$", Side::BelowLeft)
-                .curve(Curve::new(tilt, Ink::Ink))
-        } else {
-            panel.y(axis.range(low, high)).curve(Curve::new(tilt, Ink::Ink))
-        }
+        Panel::over_axes(time, Axis::linear(r"tilt $\theta$ / rad").range(low, high))
+            .curve(Curve::new(tilt, Ink::Ink))
     }
 }

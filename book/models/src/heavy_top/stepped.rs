@@ -1,7 +1,7 @@
 //! A top on which more acts than its weight: stepped, and told by two routes.
 
 use super::Pose;
-use super::moving::{Drawn, Moment};
+use super::moving::{Drawn, Moment, reduced_beside};
 use core::f64::consts::TAU;
 use kit::Result;
 use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Stack, View};
@@ -173,6 +173,12 @@ impl Stepped {
     fn weight(&self) -> f64 {
         let ((), gravity) = self.plain.effects();
         gravity.map_or(0.0, |gravity| gravity.moment())
+    }
+
+    /// The unit of t' at the start, sqrt(I1 I3)/L_z (s).
+    fn unit(&self) -> f64 {
+        let [i1, i3] = self.moments();
+        (i1 * i3).sqrt() / self.scene.body().angular_momentum(&self.start).z().abs()
     }
 
     /// By the second route, from the start to the end.
@@ -377,18 +383,23 @@ impl Stepped {
         hub: f64,
         body: impl Fn(&Pose) -> View + Send + Sync + 'static,
     ) -> Result<MovingPicture> {
-        let (motion, end) = (self.motion()?, self.end);
+        let (motion, end, rigid) = (self.motion()?, self.end, *self.scene.body());
         let drawn = Drawn {
             end,
             stills: [0.0, 0.5 * end, end],
-            seconds: true,
-            sense: if self.weight() == 0.0 { 0.0 } else { self.weight().signum() },
+            clock: reduced_beside,
+            unit: self.unit(),
+            past: 0.4 * end,
+            weight: self.weight(),
+            band: None,
+            ghost: Box::new(|_| None),
             at: Box::new(move |t| {
                 let now = state(&motion.at(t)?)?;
                 let angles = now.attitude.euler_angles();
                 let pose = Pose { theta: angles.theta, phi: angles.phi, zeta: angles.zeta };
+                let velocity = now.attitude.to_space(rigid.angular_velocity(&now));
                 let (axis, momentum) = (now.attitude.axis(), now.angular_momentum);
-                Ok(Moment { pose, axis, momentum })
+                Ok(Moment { pose, axis, momentum, velocity })
             }),
         };
         let panel = |tilt: Vec<(f64, f64)>| {
