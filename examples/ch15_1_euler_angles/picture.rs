@@ -5,8 +5,9 @@ use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, Stack, View};
 use kit::{Figure, MovingPicture, Trajectory, times};
 
 const ORIGIN: SpaceVector = SpaceVector::zero();
-/// Where the pictures are seen from: azimuth and elevation of the eye, rad.
-const EYE: [f64; 2] = [0.15, 0.5];
+/// Where the pictures are seen from: azimuth and elevation of the eye, rad. From here the axes X,
+/// x and x' of the page fan out.
+const EYE: [f64; 2] = [-0.5, 0.5];
 /// The middle of what they show, its height above the origin and its reach to every side.
 const MIDDLE: f64 = 0.35;
 const REACH: f64 = 1.15;
@@ -73,7 +74,11 @@ fn scene(view: View, angles: [f64; 3], names: [&str; 3]) -> View {
     let view = label(view, on_theta, middle(first[2], first[0], theta, 0.94), "$\\theta$");
     let view = way(view, second[1], second[2], zeta, 0.8);
     let view = label(view, on_zeta, middle(second[1], second[2], zeta, 0.93), "$\\zeta$");
-    let view = if on_zeta { view.dashed([ORIGIN, first[0] * 1.05], Ink::Ink) } else { view };
+    // Where x and y were, from which x' and y' are turned.
+    let view = view.only_if(on_zeta, |view| {
+        view.dashed([ORIGIN, second[0] * 0.95], Ink::Ink)
+            .dashed([ORIGIN, second[1] * 0.95], Ink::Ink)
+    });
     if names[0].is_empty() { view } else { triad(view, last, BODY, names, Ink::Body) }
 }
 
@@ -106,7 +111,7 @@ pub fn panels(p: &Parameters) -> Result<[Figure; 4]> {
         )?,
         panel(
             "frames_d",
-            "The disc has turned about its own axis z by zeta: x' and y' are off x, which is dashed, and y by that angle",
+            "The disc has turned about its own axis z by zeta: x' and y' are off x and y, which are dashed, by that angle",
             [phi, theta, zeta],
             ["$x'$", "$y'$", "$z$"],
         )?,
@@ -132,9 +137,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (centre, reach) = shown(&p);
     // At least as high as for the angles of the page, so that larger ones look larger.
     let angles = [p.angles(), Parameters::default().angles()].concat();
-    let axes = Panel::new("graph", "")
-        .x(Axis::linear("turns made").step(1.0))
-        .y(Axis::linear("angle / rad").over(angles));
+    let turns = Axis::linear("turns made").step(1.0);
+    let axes = Panel::over_axes(turns, Axis::linear("angle / rad").over(angles));
     let graph = (0..3).fold(axes, |panel, i| {
         let curve = Curve::new(angle(i), Ink::Velocity);
         panel.curve(

@@ -3,7 +3,7 @@
 
 use super::*;
 use kit::But;
-use kit::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View};
+use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Sketch, Solid, Stack, View};
 use kit::{Figure, MovingPicture, Trajectory, times};
 
 const ORIGIN: SpaceVector = SpaceVector::new(0.0, 0.0, 0.0);
@@ -158,19 +158,6 @@ fn gaps() -> Result<Figure> {
         .figure()
 }
 
-/// A ring of square section about the origin.
-fn band(axis: SpaceVector, across: SpaceVector, radius: f64) -> Solid {
-    const SIDES: u32 = 40;
-    let (v, half) = (axis.cross(&across), 0.04);
-    let at = |i: u32, k: usize| {
-        let (s, c) = sincos(2.0 * PI * f64::from(i % SIDES) / f64::from(SIDES));
-        let (out, up) = [(-half, -half), (-half, half), (half, half), (half, -half)][k % 4];
-        (across * c + v * s) * (radius + out) + axis * up
-    };
-    let face = move |i: u32, k: usize| vec![at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)];
-    Solid::new((0..SIDES).flat_map(|i| [0, 1, 2, 3].map(|k| face(i, k))))
-}
-
 /// The rotor in its gimbals on a stand: the outer ring turns about Z, the inner one about x,
 /// the rotor about z.
 fn gimbals(name: &str, alt: &str, g: &Gyroscope) -> View {
@@ -179,9 +166,9 @@ fn gimbals(name: &str, alt: &str, g: &Gyroscope) -> View {
     let mark = x * c + y * s;
     let face = z * 0.056;
     View::new(name, alt)
-        .solid(Solid::stand(UP * -1.04, 0.42, 0.4), Ink::Frame)
-        .solid(band(x.cross(&UP), UP, 1.0), Ink::Frame)
-        .solid(band(y, z, 0.8), Ink::Frame)
+        .solid(Solid::stand(UP * -1.04, 0.32, 0.4), Ink::Frame)
+        .solid(Solid::gimbal(ORIGIN, x.cross(&UP), 1.0, 0.04), Ink::Frame)
+        .solid(Solid::gimbal(ORIGIN, y, 0.8, 0.04), Ink::Frame)
         .solid(Solid::rod(x * 0.84, x * 0.96, 0.03), Ink::Frame)
         .solid(Solid::rod(x * -0.96, x * -0.84, 0.03), Ink::Frame)
         .solid(Solid::rod(z * -0.76, z * 0.76, 0.03), Ink::Frame)
@@ -226,17 +213,13 @@ fn gyroscope(p: &Parameters) -> Result<Figure> {
         .figure()
 }
 
-/// The length of an arrow of 1 rad/s with which the three rates together have this length.
-fn scale(g: &Gyroscope, together: f64) -> f64 {
-    let EulerRates { phi, theta, zeta } = g.rates;
-    together / (phi.abs() + theta.abs() + zeta.abs()).max(1e-9)
-}
-
 /// The notes' figure 3: the three rates on the triad, and what the precession has along y, z.
 fn triad(p: &Parameters) -> Result<Figure> {
     let g = posed(p);
     let [x, y, z] = g.triad();
-    let scale = scale(&g, 2.2);
+    // Together the three rates are so long.
+    let scale = 2.2
+        / [g.rates.phi, g.rates.theta, g.rates.zeta].map(f64::abs).iter().sum::<f64>().max(1e-9);
     let (turn, [_, along_y, _]) = (UP * (g.rates.phi * scale), g.nodal());
     let (on_y, on_z) = (y * (along_y * scale), z * (turn.dot(&z)));
     let alt = "The axes x, y and z, at right angles, and the vertical Z in the plane of y and z. Arrows show the rate of \
@@ -297,6 +280,10 @@ fn pole(p: &Parameters) -> Result<Figure> {
         .figure()
 }
 
+/// Azimuth of the eye: with the angles and rates of the page both rings are wide open in all three
+/// stills.
+const FACING: f64 = 1.13;
+
 /// How long the gyroscope is watched, s.
 const END: f64 = 6.0;
 
@@ -326,41 +313,44 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// The three rates, one after the other, and their sum; below, the components on x, y, z.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let g = Gyroscope::of(p, 0.1);
-    let scale = scale(&g, 1.75);
     let path: Vec<[f64; 3]> = times(0.0, END, 200).map(|t| g.after(t).nodal()).collect();
+    // The longest arrow, of the sum or of a part, reaches to the edge of the picture at most.
+    let sums = times(0.0, END, 200).map(|t| g.after(t).angular_velocity().norm());
+    let parts = [g.rates.phi.abs(), g.rates.zeta.abs(), 1e-9];
+    let scale = 1.6 / sums.chain(parts).fold(0.0, f64::max);
     let axis = Axis::linear("rad/s").over(path.iter().flatten().copied().chain([-0.1, 0.1]));
     let component = |i: usize, name: &str| {
         let curve = times(0.0, END, 200).zip(path.iter().map(|omega| omega[i]));
-        Curve::new(curve, Ink::Velocity).label(name)
+        Curve::new(curve, Ink::Velocity).label_end(name)
     };
-    let graph = Panel::new("graph", "")
-        .x(Axis::linear("$t$ / s"))
-        .y(axis)
+    let graph = Panel::over_axes("$t$ / s", axis)
         .curve(component(0, "$\\Omega_x$").dotted())
         .curve(component(1, "$\\Omega_y$").dashed())
         .curve(component(2, "$\\Omega_z$"));
-    MovingPicture::new(0.0..=END, [0.0, 1.14, 4.28], move |t| {
+    MovingPicture::new(0.0..=END, [0.0, 1.4, 4.28], move |t| {
         let now = g.after(t);
         let ([x, _, z], rates, omega) = (now.triad(), now.rates, now.angular_velocity());
-        let first = UP * (rates.phi * scale);
-        let second = first + x * (rates.theta * scale);
-        let (last, sum) = (second + z * (rates.zeta * scale), omega * scale);
+        let [first, second, spin] =
+            [UP * rates.phi, x * rates.theta, z * rates.zeta].map(|part| part * scale);
+        let (corner, sum) = (first + second, omega * scale);
         let alt = format!(
-            "The gyroscope at {t:.1} s, tilted by {:.2} rad: an arrow up the vertical for the rate of phi, from its tip \
-             one along the line of nodes for theta, from there one along the axis of the rotor for zeta; they end at \
-             the tip of the angular velocity, {:.1} rad/s. Below, its components on x, y and z against time.",
+            "The gyroscope at {t:.1} s, tilted by {:.2} rad: from its centre an arrow up the vertical for the rate of phi, \
+             on its tip one parallel to the pivots of the inner ring for theta, and along the axle of the rotor one for zeta. \
+             A dashed line carries the last to the tip of the others, where their sum ends, the angular velocity, {:.1} rad/s. \
+             Below, its components on x, y and z against time.",
             now.angles.theta,
             omega.norm()
         );
         let scene = gimbals("scene", &alt, &now)
-            .around(UP * 0.05, 1.6)
-            .size(340, 320)
-            .arrow(ORIGIN, first, Ink::Velocity, "", Side::Left)
-            .text(first * 0.8, "$\\dot\\phi$", Ink::Velocity, Side::Left)
-            .arrow(first, second, Ink::Velocity, "", Side::Above)
-            .text((first + second) * 0.5, "$\\dot\\theta$", Ink::Velocity, Side::Above)
-            .arrow(second, last, Ink::Velocity, "", Side::Right)
-            .text((second + last) * 0.5, "$\\dot\\zeta$", Ink::Velocity, Side::Above)
+            .camera(Camera::new(FACING, 0.38))
+            .around(UP * 0.06, 1.6)
+            .size(340, 350)
+            .ground(UP * -1.36, 1.0)
+            .dashed([corner, sum], Ink::Velocity)
+            .component(ORIGIN, first, Ink::Velocity, "", Side::Left)
+            .text(first * 0.6, "$\\dot\\phi$", Ink::Velocity, Side::Left)
+            .component(first, corner, Ink::Velocity, "$\\dot\\theta$", Side::Above)
+            .component(ORIGIN, spin, Ink::Velocity, "$\\dot\\zeta$", Side::Left)
             .arrow(ORIGIN, sum, Ink::Velocity, "$\\Omega$", Side::Right);
         Stack::frame(&alt, scene, &graph, t)
     })

@@ -25,7 +25,7 @@ fn circle(centre: Point, radius: f64) -> Curve {
 /// The Earth with its line OP, which points so.
 fn earth(sketch: Sketch, centre: Point, radius: f64, angle: f64) -> Sketch {
     sketch
-        .disc(centre, radius, Ink::Body, 0.15)
+        .disc(centre, radius, Ink::Body, 0.3)
         .curve(Curve::new([centre, at(centre, radius, angle)], Ink::Body))
         .dot(at(centre, radius, angle), Ink::Body, "", Side::Above)
 }
@@ -252,7 +252,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let centre = at(sun, 1.0, place);
         let angle = 0.5 * PI + turn(year) * t;
         let alt = format!(
-            "The Earth after {t:.2} days of a year of {year} days: it has gone round the Sun by {:.2} turns, and its line OP \
+            "The Earth after {t:.2} days of a year of {year} days, the half away from the Sun dark: it has gone round the Sun by {:.2} turns, and its line OP \
              has turned by {:.2} turns against a dashed arrow that points at a star. Below, turns against the stars and \
              against the Sun over the days.",
             t / year,
@@ -264,11 +264,14 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let scene = Sketch::new("scene", &alt)
             .window((-1.45, 1.45), (-1.4, 1.3))
             .curve(circle(sun, 1.0))
-            .disc(sun, 0.1, Ink::Ink, 0.3)
-            .text((0.0, 0.12), "Sun", Ink::Ink, Side::Above)
+            .disc(sun, 0.13, Ink::Energy, 0.55)
+            .text((0.0, 0.15), "Sun", Ink::Ink, Side::Above)
             .curve(Curve::new([centre, sun], Ink::Frame).thin().dashed())
             .arrow_along([centre, star], Ink::Frame);
+        // The half away from the Sun.
+        let night = times(-0.5 * PI, 0.5 * PI, 40).map(|a| at(centre, 0.24, place + a));
         let scene = earth(scene, centre, 0.24, angle)
+            .ghost(|sketch| sketch.body(night, Ink::Shadow, 1.0))
             .text(at(centre, 0.34, angle), "$P$", Ink::Body, Side::Centre)
             .dot(centre, Ink::Ink, "", Side::Below);
         Stack::frame(&alt, scene, &graph, t)

@@ -163,6 +163,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     MovingPicture::new(0.0..=end, [0.7 * end, 0.9 * end, end], move |t| {
         let PlankState { theta, y_cm, floor_force, .. } = exact.at(t)?;
         let ([foot, top], middle) = (ends(l, theta), (0.0, y_cm));
+        // It is drawn so thick, on the floor.
+        let (thick, up) = (0.035 * l, |(x, y)| (x, y + 0.0175 * l));
         // If the rod is first, it lies on the floor and waits.
         let held = rod.at(t)?[0].min(FRAC_PI_2);
         let (s, c) = sincos(held);
@@ -178,9 +180,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
                 })
                 .curve(Curve::new([(0.0, 0.5 * l), (0.0, 0.0)], Ink::Frame).dashed().thin())
                 .curve(path)
-                .curve(Curve::new([foot, top], Ink::Body).width(4.0))
-                .dot(middle, Ink::Ink, "", Side::Left)
-                .vector(middle, (0.0, -1.0), 55.0, Ink::Force, "$mg$")
+                .bar(up(foot), up(top), thick, Ink::Body)
+                .dot(up(middle), Ink::Ink, "", Side::Left)
+                .vector(up(middle), (0.0, -1.0), 55.0, Ink::Force, "$mg$")
                 .vector(foot, (0.0, floor_force), 55.0, Ink::Force, "$N$");
         let alt = format!(
             "The plank {t:.2} s after its release, {:.0} degrees from the vertical, its middle straight below where it \

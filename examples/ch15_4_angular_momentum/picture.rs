@@ -35,8 +35,9 @@ pub fn scene(p: &Parameters, shaft: &Shaft, t: f64, alt: &str) -> View {
     let path = times(0.0, TAU / shaft.rate, 90).map(momentum);
     let torque = attitude.to_space(shaft.torque()) * (0.9 * size / shaft.rate.abs());
     let [from, to] = if shaft.rate < 0.0 { [1.35, 1.0] } else { [1.0, 1.35] };
-    let view = View::new("scene", alt).around(UP * 0.17, 1.25).size(340, 320);
+    let view = View::new("scene", alt).around(UP * 0.1, 1.3).size(340, 340);
     let view = cylinder(bearings(view), p, attitude.to_space(ALONG))
+        .ground(UP * -1.0, 0.85)
         .dashed(path, Ink::Momentum)
         .arrow(UP * from, UP * to, Ink::Velocity, r"$\Omega$", Side::Right)
         .arrow(SpaceVector::zero(), tip, Ink::Momentum, "", Side::Right)

@@ -6,7 +6,7 @@ use super::*;
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, View};
 use kit::{Figure, sampled};
 use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::math::{pow, sincos};
+use rotation_dynamics::math::pow;
 
 /// All figures of the page.
 pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {
@@ -24,11 +24,14 @@ pub fn figures(p: &Parameters) -> Result<Vec<Figure>> {
 
 /// Paths of the tip of L on the sphere of the body, for many energies.
 fn polhodes(moments: [f64; 3]) -> Result<Figure> {
-    let alt = "A sphere with the body's axes 1 up, 2 towards the reader, 3 to the right. Closed \
+    let alt = "A ball in the light with the body's axes 1 up, 2 towards the reader, 3 to the right. Closed \
                curves surround the ends of axes 1 and 3. Two great circles that cross at the ends \
                of axis 2 part them; near these ends the curves are hyperbolas.";
     let mut view = sphere(
-        View::new("polhodes", alt).camera(camera()).around(SpaceVector::zero(), 1.3),
+        View::new("polhodes", alt)
+            .camera(camera())
+            .around(SpaceVector::zero(), 1.3)
+            .solid_ball(Ink::Body),
         separatrices(moments),
     );
     for about in [0, 2] {
@@ -55,39 +58,33 @@ fn rolling(tumble: Tumble) -> Result<Figure> {
                touch. A closed curve on the ellipsoid and a curve on the plane run through it.";
     let (motion, flips) = (tumble.free_body()?, tumble.between_flips()?);
     let now = 0.3 * flips;
-    let at = motion.kinematics(now);
+    let at_now = motion.kinematics(now);
     // Lengths in the height of the plane above the centre.
     let scale = 1.0 / tumble.height();
     let axes = tumble.moments.map(|i| (tumble.momentum() * scale / i).sqrt());
-    let surface = |i: u32, j: u32| {
-        let ((s, c), (sj, cj)) =
-            (sincos(PI * f64::from(i) / 14.0), sincos(TAU * f64::from(j) / 24.0));
-        let place = BodyVector::new(c * axes[0], s * cj * axes[1], s * sj * axes[2]);
-        at.attitude.to_space(place)
-    };
-    let face = |i: u32, j: u32| {
-        vec![surface(i, j), surface(i + 1, j), surface(i + 1, j + 1), surface(i, j + 1)]
-    };
-    let solid =
-        Solid::new((0..14).flat_map(|i| (0..24).map(move |j| (i, j))).map(|(i, j)| face(i, j)));
+    let profile: Vec<_> = times(0.0, PI, 24).map(|turn| (-cos(turn), sin(turn))).collect();
+    let ball = Solid::turned(SpaceVector::zero(), SpaceVector::new(1.0, 0.0, 0.0), &profile);
+    let solid = ball.carried(|at| {
+        let [x, y, z] = at.to_array();
+        at_now.attitude.to_space(BodyVector::new(axes[0] * x, axes[1] * y, axes[2] * z))
+    });
     let polhode = sampled(times(0.0, 2.0 * flips, 120), |t| {
         let rates = BodyVector::from_array(tumble.rates(t)?) * (scale * 1.01);
-        Ok(at.attitude.to_space(rates))
+        Ok(at_now.attitude.to_space(rates))
     })?;
     let contact = |t: f64| {
         let at = motion.try_kinematics(t)?;
-        Ok(at.attitude.to_space(at.angular_velocity) * scale)
+        // A hair above the ellipsoid.
+        Ok(at.attitude.to_space(at.angular_velocity) * (1.01 * scale))
     };
     let plane = sampled(times(now - 1.5 * flips, now + 1.5 * flips, 240), contact)?;
     let top = SpaceVector::new(0.0, 0.0, 1.0);
-    let rim = times(0.0, TAU, 60)
-        .map(|turn| top + SpaceVector::new(0.9 * cos(turn), 0.9 * sin(turn), 0.0));
     View::new("rolling", alt)
         .camera(camera())
         .around(top * 0.2, 1.5)
         .solid(solid, Ink::Body)
         .line(polhode, Ink::Ink)
-        .line(rim, Ink::Frame)
+        .circle(top, top, 0.9, Ink::Frame)
         .line(plane, Ink::Velocity)
         .arrow(SpaceVector::zero(), contact(now)?, Ink::Velocity, r"$\Omega$", Side::Right)
         .arrow(SpaceVector::zero(), top * 1.55, Ink::Momentum, "$L$", Side::Above)
@@ -203,7 +200,7 @@ fn naive_sphere() -> Result<Figure> {
     let moments = true_book.moments;
     let wrong = naive_run().map(|(_, tip)| on_sphere(tip));
     let view = View::new("naive_sphere", alt).camera(camera()).around(SpaceVector::zero(), 1.3);
-    sphere(view, separatrices(moments))
+    sphere(view.ball(Ink::Body), separatrices(moments))
         .trace(wrong, Ink::Wrong)
         .trace(curve, Ink::Momentum)
         .text(on_sphere([-0.62, 0.62, 0.3]), "wrong: Euler", Ink::Wrong, Side::Centre)

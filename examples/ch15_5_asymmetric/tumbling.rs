@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, Stack, View};
 use kit::{MovingPicture, Result, sampled, times};
 use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::{atan2, cos, sin, sincos};
 
 /// Azimuth and elevation of the eye: the middle axis of the sphere points to the reader.
@@ -39,33 +39,31 @@ pub fn separatrices([i1, i2, i3]: [f64; 3]) -> [Vec<SpaceVector>; 2] {
     })
 }
 
-/// The bare sphere: its outline and the three axes.
+/// The three axes on the sphere of the body, and the separatrix in ink.
 pub fn sphere(view: View, separatrices: [Vec<SpaceVector>; 2]) -> View {
-    let (right, up) = (
-        SpaceVector::new(-sin(EYE.0), cos(EYE.0), 0.0),
-        SpaceVector::new(-sin(EYE.1) * cos(EYE.0), -sin(EYE.1) * sin(EYE.0), cos(EYE.1)),
-    );
-    let outline = times(0.0, TAU, 90).map(|turn| right * cos(turn) + up * sin(turn));
     let axes = [(0, "$1$", Side::Above), (1, "$2$", Side::BelowLeft), (2, "$3$", Side::Right)];
-    let view = separatrices
-        .into_iter()
-        .fold(view.line(outline, Ink::Frame), |view, curve| view.trace(curve, Ink::Ink));
+    let view = separatrices.into_iter().fold(view, |view, curve| view.trace(curve, Ink::Ink));
     axes.into_iter().fold(view, |view, (axis, label, side)| {
         let out = on_sphere(unit(axis).to_array());
         view.arrow(out, out * 1.3, Ink::Body, label, side)
     })
 }
 
-/// The book about `centre`, as large as the sphere, with a title on its cover.
+/// The book about `centre`, as large as the sphere: pages between its covers, the spine on the
+/// side -2, and a title on the front cover.
 fn book(view: View, p: &Parameters, attitude: &Attitude, centre: SpaceVector) -> View {
     let size = 1.5 / p.length;
-    let place =
-        |x: f64, y: f64, z: f64| centre + attitude.to_space(BodyVector::new(x, y, z)) * size;
-    let edge = |i: usize, length: f64| attitude.to_space(unit(i)) * (length * size);
-    let (a, b, c) = (0.5 * p.length, 0.5 * p.width, 0.5 * p.thickness);
-    let edges = [edge(0, p.length), edge(1, p.width), edge(2, p.thickness.max(0.02 * p.length))];
-    let title = |x: f64| [place(x * a, -0.6 * b, c * 1.02), place(x * a, 0.6 * b, c * 1.02)];
+    // A thinner one could not be told from a sheet.
+    let lengths = [p.length, p.width, p.thickness.max(0.06 * p.length)];
+    let edges = [0, 1, 2].map(|i| attitude.to_space(unit(i)) * (lengths[i] * size));
+    // The title is a hair above the cover.
+    let [a, b, c] = edges.map(|edge| edge * 0.5);
+    let title = |x: f64| [-0.6, 0.6].map(|y| centre + a * x + b * y + c * 1.02);
+    let (book, pages) = ((centre, edges), [-0.7, 0.7]);
     view.solid(Solid::cuboid(centre, edges), Ink::Body)
+        .patch_on(book, (0, 1.01), [[-0.9, 1.0], pages], Ink::Frame, 95)
+        .patch_on(book, (0, -1.01), [[-0.9, 1.0], pages], Ink::Frame, 95)
+        .patch_on(book, (1, 1.01), [pages, [-1.0, 1.0]], Ink::Frame, 95)
         .line(title(0.6), Ink::Paper)
         .line(title(0.4), Ink::Paper)
 }
@@ -76,9 +74,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (motion, flips) = (tumble.free_body()?, tumble.between_flips()?);
     let end = 2.5 * flips;
     let along = sampled(times(0.0, end, 250), |t| Ok((t, tip(&tumble, t)?[1])))?;
-    let graph = Panel::new("graph", "")
-        .x(Axis::linear("$t$ / s"))
-        .y(Axis::linear("$L_2/L$").range(-1.0, 1.0).step(1.0))
+    let graph = Panel::over_axes("$t$ / s", Axis::linear("$L_2/L$").range(-1.0, 1.0).step(1.0))
         .curve(Curve::new(along, Ink::Momentum));
     let polhode = sampled(times(0.0, 2.0 * flips, 160), |t| Ok(on_sphere(tip(&tumble, t)?)))?;
     let aside = SpaceVector::new(sin(EYE.0), -cos(EYE.0), 0.0) * 2.35;
@@ -87,17 +83,19 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let axis = attitude.to_space(unit(1));
         let alt = format!(
             "{t:.2} s after the throw: a book turns about the vertical L, its middle axis 2 {:.0} \
-             degrees from it; beside it the tip of L on the sphere of the body, on a path that \
-             passes close by both ends of axis 2; below, the component of L along axis 2.",
+             degrees from it; beside it L as an arrow in the sphere of the body, its tip on a \
+             path that runs close to the separatrix and passes close by both ends of axis 2; below, \
+             the component of L along axis 2.",
             rotation_dynamics::math::acos(now[1].clamp(-1.0, 1.0)).to_degrees()
         );
         let view =
             View::new("scene", &alt).camera(camera()).around(aside * 0.5, 1.42).size(340, 200);
-        let view = sphere(view, separatrices(tumble.moments))
+        let view = sphere(view.ball(Ink::Body), separatrices(tumble.moments))
             .trace(polhode.iter().copied(), Ink::Momentum)
+            .arrow(SpaceVector::zero(), on_sphere(now), Ink::Momentum, "", Side::Right)
             .dot(on_sphere(now), Ink::Momentum, "", Side::Right);
         let view = book(view, &p, &attitude, aside)
-            .arrow(aside, aside + UP * 1.2, Ink::Momentum, "$L$", Side::Above)
+            .vector(aside, aside + UP * 1.2, Ink::Momentum, "$L$", Side::Above)
             .arrow(
                 aside,
                 aside + axis * 0.95,

@@ -2,7 +2,7 @@
 
 use super::figures::december;
 use super::*;
-use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
+use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View, smooth};
 use kit::{MovingPicture, Trajectory, sampled, times};
 
 /// Half of the lengths of the body along x, y and the long axis, over the last: 4.6 km in all.
@@ -31,25 +31,18 @@ fn surface((height, width): (f64, f64), turn: f64) -> BodyVector {
 
 /// The body in this attitude.
 fn body(attitude: &Attitude) -> Solid {
-    const SIDES: u32 = 14;
-    let at = |ring: usize, i: u32| {
-        attitude.to_space(surface(LOBES[ring], TAU * f64::from(i % SIDES) / f64::from(SIDES)))
-    };
-    let rings = 0..LOBES.len() - 1;
-    let face = |(ring, i): (usize, u32)| match ring {
-        0 => vec![at(0, 0), at(1, i + 1), at(1, i)],
-        9 => vec![at(9, i), at(9, i + 1), at(10, 0)],
-        _ => vec![at(ring, i), at(ring, i + 1), at(ring + 1, i + 1), at(ring + 1, i)],
-    };
-    Solid::new(rings.flat_map(|ring| (0..SIDES).map(move |i| (ring, i))).map(face))
+    let up = SpaceVector::new(0.0, 0.0, 1.0);
+    Solid::turned(SpaceVector::zero(), up, &smooth(&LOBES)).carried(|at| {
+        attitude.to_space(BodyVector::new(HALF_AXES[0] * at.x(), HALF_AXES[1] * at.y(), at.z()))
+    })
 }
 
 /// Its outline in the planes of x and y, as it was seen.
 fn ghost(view: View, attitude: &Attitude) -> View {
     let outline = |turn: f64| {
-        let up = LOBES.into_iter().map(move |ring| surface(ring, turn));
-        let down = LOBES.into_iter().rev().map(move |ring| surface(ring, turn + PI));
-        up.chain(down).map(|v| attitude.to_space(v) * 1.03).collect::<Vec<_>>()
+        let up = smooth(&LOBES).into_iter().map(move |ring| surface(ring, turn));
+        let down = smooth(&LOBES).into_iter().rev().map(move |ring| surface(ring, turn + PI));
+        up.chain(down).map(|v| attitude.to_space(v) * 1.04).collect::<Vec<_>>()
     };
     view.dashed(outline(0.0), Ink::Ink).dashed(outline(FRAC_PI_2), Ink::Ink)
 }

@@ -178,14 +178,16 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              greatest size and lies in the plane of the equator; below, how far the axis has gone round."
         );
         let ring = times(0.0, TAU, 90).map(|a| SpaceVector::new(cos(a), sin(a), 0.0));
-        let mut scene = View::of(UP * 0.18, 1.12)
+        let mut scene = View::of(UP * 0.26, 0.93)
+            .size(340, 250)
             .camera(Camera::new(-0.35, 0.42))
             .dashed(ring, Ink::Frame)
             .solid(Solid::turned(o, s, &profile), Ink::Body)
+            .circle(o, s, 1.02 * rim, Ink::Ink)
             .dashed([o, UP * 0.95], Ink::Frame)
             .dashed([o, n], Ink::Energy)
             .dot(n, Ink::Energy, "Sun", if n.dot(&front) > 0.0 { Side::Below } else { Side::Above })
-            .arrow(o, s, Ink::Momentum, "$L$", Side::Right);
+            .vector(o, s, Ink::Momentum, "$L$", Side::Right);
         if size > 0.02 {
             scene = scene.arrow(s, s + torque * 0.5, Ink::Force, "torque", Side::Above);
         }

@@ -300,8 +300,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         );
         let shown = (x - 1.4 * end / TURNS).max(0.0);
         let view = View::of(up * 0.05, 1.2)
-            .line(sampled(times(shown, x, 60), |x| Ok(nose(x)))?, Ink::Body)
-            .arrow(SpaceVector::zero(), up * 1.25, Ink::Momentum, "$L$", Side::Above);
+            .trail(sampled(times(shown, x, 60), |x| Ok(nose(x)))?, Ink::Body)
+            .vector(SpaceVector::zero(), up * 1.25, Ink::Momentum, "$L$", Side::Above);
         Ok((alt, satellite(view, &attitude, TAU * TURNS / end * slower * turned)))
     })
 }

@@ -6,34 +6,27 @@ use core::f64::consts::FRAC_PI_2;
 use kit::draw::{Camera, Solid};
 use rotation_dynamics::attitude::Attitude;
 
-/// From the thrower's right and a little behind: away from the hand is to the right.
+/// From behind the thrower's right shoulder: away from the hand is to the right and back, the
+/// thrower's right is to the right and in front.
 fn camera() -> Camera {
-    Camera::new(-1.95, 0.3)
+    Camera::new(-2.3, 0.5)
 }
 
-/// The phone about `centre`: its screen dark, and a lens on its back.
+/// The phone about `centre`: its screen dark, with a light strip at its lower end, and on its
+/// back a camera.
 fn phone(view: View, p: &Parameters, attitude: &Attitude, centre: SpaceVector) -> View {
-    let half = [0.5 * p.length, 0.5 * p.width, 0.5 * p.thickness];
-    let place = |[x, y, z]: [f64; 3]| {
-        let at = BodyVector::new(x * half[0], y * half[1], z * half[2]);
-        centre + attitude.to_space(at)
-    };
-    let edge = |i: usize| {
-        let mut along = [0.0; 3];
-        along[i] = 2.0 * half[i];
-        attitude.to_space(BodyVector::from_array(along))
-    };
-    // A rectangle on the side z, counterclockwise seen from outside.
-    let sheet = |x: [f64; 2], y: [f64; 2], z: f64| {
-        let mut corners = [[x[0], y[0], z], [x[1], y[0], z], [x[1], y[1], z], [x[0], y[1], z]];
-        if z < 0.0 {
-            corners.reverse();
-        }
-        Solid::new([corners.map(place).to_vec()])
-    };
-    view.solid(Solid::cuboid(centre, [edge(0), edge(1), edge(2)]), Ink::Body)
-        .solid(sheet([-0.93, 0.93], [-0.88, 0.88], -1.08), Ink::Ink)
-        .solid(sheet([0.62, 0.88], [-0.75, -0.2], 1.08), Ink::Ink)
+    // A thinner one could not be told from a sheet.
+    let lengths = [p.length, p.width, p.thickness.max(0.05 * p.length)];
+    let axis = |i: usize| BodyVector::from_array([0, 1, 2].map(|k| f64::from(u8::from(k == i))));
+    let edges = [0, 1, 2].map(|i| attitude.to_space(axis(i)) * lengths[i]);
+    // The screen is on the side -3; in percent of light it is dark in both themes.
+    let (phone, screen) = ((centre, edges), 8);
+    view.solid(Solid::cuboid(centre, edges), Ink::Body)
+        .patch_on(phone, (2, -1.04), [[-0.95, 0.95], [-0.9, 0.9]], Ink::Ink, screen)
+        .patch_on(phone, (2, -1.08), [[-0.87, -0.84], [-0.3, 0.3]], Ink::Paper, 100)
+        .patch_on(phone, (2, 1.04), [[0.5, 0.88], [-0.78, -0.1]], Ink::Ink, screen)
+        .patch_on(phone, (2, 1.08), [[0.73, 0.84], [-0.68, -0.46]], Ink::Paper, 100)
+        .patch_on(phone, (2, 1.08), [[0.54, 0.65], [-0.68, -0.46]], Ink::Paper, 100)
 }
 
 /// The rates over that of the turn, and the time in turns.
@@ -209,7 +202,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
         let attitude = free.attitude(t);
         // The height is drawn reduced, so that the phone is large.
-        let reduced = 0.15_f64.min(0.57 * p.length / p.height);
+        let reduced = 0.1_f64.min(0.38 * p.length / p.height);
         let up = reduced * (0.5 * p.gravity * t * (end - t));
         let centre = SpaceVector::new(0.0, 0.0, up);
         let axis = attitude.to_space(BodyVector::new(0.0, 1.0, 0.0)) * (0.8 * p.length);
@@ -221,11 +214,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             if looks > 0.0 { "up" } else { "down" },
             100.0 * along(t, &free)
         );
-        let view = View::of(SpaceVector::new(0.0, 0.0, 0.5 * reduced * p.height), 0.86 * p.length)
+        let view = View::of(SpaceVector::new(0.0, 0.0, 0.5 * reduced * p.height), 0.76 * p.length)
             .camera(camera())
             .size(340, 220);
         let scene = phone(view, &p, &attitude, centre)
-            .arrow(centre, centre + momentum, Ink::Momentum, "$L$", Side::Below)
+            .vector(centre, centre + momentum, Ink::Momentum, "$L$", Side::Below)
             .arrow(centre, centre + axis, Ink::Body, "2", Side::Left);
         Ok((alt, scene))
     })

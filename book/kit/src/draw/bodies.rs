@@ -31,6 +31,16 @@ impl Solid {
         Self::turned(base, axis, &[(0.0, radius), (length, 0.0)])
     }
 
+    /// The inner side of a cone from its base to its tip, without its base: a funnel whose near half
+    /// is cut away.
+    pub fn funnel(base: SpaceVector, tip: SpaceVector, radius: f64) -> Self {
+        let mut faces = Self::cone(base, tip, radius).faces;
+        // The last two are its ends.
+        faces.truncate(faces.len().saturating_sub(2));
+        faces.iter_mut().for_each(|face| face.reverse());
+        Self { faces }
+    }
+
     /// A ball.
     pub fn ball(centre: SpaceVector, radius: f64) -> Self {
         const RINGS: u32 = 9;
@@ -111,7 +121,14 @@ impl Solid {
     pub fn ring(centre: SpaceVector, axis: SpaceVector, radius: f64, half: f64) -> Self {
         const ROUND: [(f64, f64); 6] =
             [(-0.5, -0.866), (-1.0, 0.0), (-0.5, 0.866), (0.5, 0.866), (1.0, 0.0), (0.5, -0.866)];
-        Self::hoop(centre, axis, &ROUND.map(|(h, r)| (half * h, radius + half * r)))
+        Self::hoop(32, centre, axis, &ROUND.map(|(h, r)| (half * h, radius + half * r)))
+    }
+
+    /// A ring of square section about `centre`, so large that only many sides make it round: a
+    /// gimbal.
+    pub fn gimbal(centre: SpaceVector, axis: SpaceVector, radius: f64, half: f64) -> Self {
+        let section = [(-1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (1.0, -1.0)];
+        Self::hoop(60, centre, axis, &section.map(|(h, r)| (half * h, radius + half * r)))
     }
 
     /// A flywheel about `centre`: a heavy rim of this outer radius, a hub, and six spokes, one
@@ -129,7 +146,7 @@ impl Solid {
         let aside = axis.cross(&spoke);
         let half = HALF * radius;
         let section = [(-half, INSIDE), (-half, 1.0), (half, 1.0), (half, INSIDE)];
-        let rim = Self::hoop(centre, axis, &section.map(|(h, r)| (h, r * radius)));
+        let rim = Self::hoop(32, centre, axis, &section.map(|(h, r)| (h, r * radius)));
         let hub = Self::turned_with(
             14,
             centre - axis * half,
@@ -146,17 +163,23 @@ impl Solid {
 
     /// What a closed section of `(height along the axis, radius)` sweeps out about `centre`; the
     /// section goes round outwards below and inwards above.
-    fn hoop(centre: SpaceVector, axis: SpaceVector, section: &[(f64, f64)]) -> Self {
-        const SIDES: u32 = 32;
+    fn hoop(sides: u32, centre: SpaceVector, axis: SpaceVector, section: &[(f64, f64)]) -> Self {
         let (u, v) = across(axis);
         let at = |i: u32, k: usize| {
-            let (s, c) = sincos(2.0 * PI * f64::from(i % SIDES) / f64::from(SIDES));
+            let (s, c) = sincos(2.0 * PI * f64::from(i % sides) / f64::from(sides));
             let (h, r) = section[k % section.len()];
             centre + (u * c + v * s) * r + axis * h
         };
         let face = |i: u32, k: usize| vec![at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)];
-        let places = (0..SIDES).flat_map(|i| (0..section.len()).map(move |k| (i, k)));
+        let places = (0..sides).flat_map(|i| (0..section.len()).map(move |k| (i, k)));
         Self::new(places.map(|(i, k)| face(i, k)))
+    }
+
+    /// The body with each of its points carried elsewhere, to where `to` has it: stretched, turned.
+    #[must_use]
+    pub fn carried(mut self, to: impl Fn(SpaceVector) -> SpaceVector) -> Self {
+        self.faces.iter_mut().flatten().for_each(|point| *point = to(*point));
+        self
     }
 
     /// A stand on the ground: a foot plate and a pillar up to `pivot`, `height` above it.

@@ -4,6 +4,7 @@ use super::canvas::{Frame, Paint, Point};
 use super::depth::{Item, from_behind};
 use super::display::{Dash, Stroke};
 use super::ink::Ink;
+use super::material::stepped;
 use super::scene::Part;
 use super::solid::{Solid, normal};
 use super::view::View;
@@ -25,22 +26,36 @@ impl View {
         let camera = &self.camera;
         let light = camera.light() / camera.light().norm();
         for face in &solid.faces {
-            for &p in face {
-                finite("depth in a view", camera.depth(p))?;
+            if let Some(normal) = self.looks_here(face)? {
+                let lit = least + 0.5 * (most - least) * (1.0 + normal.dot(&light));
+                let paint = Paint::Face(ink, stepped(lit));
+                items.push(Item { points: face.clone(), paint, goes_on: false });
             }
-            let Some(normal) = normal(face).filter(|&n| camera.depth(n) > 1e-9) else {
-                continue;
-            };
-            // Few steps of light keep the picture small.
-            let lit = least + 0.5 * (most - least) * (1.0 + normal.dot(&light));
-            let percent = 4.0 * libm::round(0.25 * lit);
-            items.push(Item {
-                points: face.clone(),
-                paint: Paint::Face(ink, percent as u32),
-                goes_on: false,
-            });
         }
         Ok(())
+    }
+
+    /// A patch, if it looks at the eye.
+    pub(super) fn patched(
+        &self,
+        outline: &[SpaceVector],
+        ink: Ink,
+        light: u32,
+        items: &mut Vec<Item>,
+    ) -> Result<()> {
+        if self.looks_here(outline)?.is_some() {
+            let paint = Paint::Face(ink, light.min(100));
+            items.push(Item { points: outline.to_vec(), paint, goes_on: false });
+        }
+        Ok(())
+    }
+
+    /// The normal of a face that looks at the eye.
+    fn looks_here(&self, face: &[SpaceVector]) -> Result<Option<SpaceVector>> {
+        for &p in face {
+            finite("depth in a view", self.camera.depth(p))?;
+        }
+        Ok(normal(face).filter(|&n| self.camera.depth(n) > 1e-9))
     }
 
     /// A line as short pieces, its dashes as pieces of their own, its head as the last.

@@ -14,7 +14,7 @@ use rotation_dynamics::frame::SpaceVector;
 
 /// The light of bodies, and of arrows, whose colour says what they are and must be seen: in percent,
 /// from the shade to the full light.
-const BODY: [f64; 2] = [0.0, 100.0];
+pub(super) const BODY: [f64; 2] = [0.0, 100.0];
 const VECTOR: [f64; 2] = [12.0, 60.0];
 
 /// Where a part of a line lies relative to the sphere, from behind to the front.
@@ -56,7 +56,9 @@ impl View {
         }
         self.paint_bands(&frame, false)?;
         let parts = self.parts();
+        self.paint_glass(&frame)?;
         self.paint_layer(&frame, &parts, Layer::Behind, unit)?;
+        self.paint_balls(&frame, true)?;
         if self.sphere {
             let outline = super::sketch::arc((0.0, 0.0), 1.0, (0.0, 2.0 * PI));
             frame.draw(&outline, &Paint::Fill(Ink::Frame, 0.07))?;
@@ -72,6 +74,7 @@ impl View {
                 self.on_sphere(&frame, points, false, hidden)?;
             }
         }
+        self.paint_balls(&frame, false)?;
         self.paint_layer(&frame, &parts, Layer::Inside, unit)?;
         for element in &self.elements {
             if let Element::OnSphere(points, stroke) = element {
@@ -173,6 +176,11 @@ impl View {
                     if self.layer_of(solid.faces.iter().flatten().copied()) == layer =>
                 {
                     self.faces(solid, *ink, BODY, &mut items)?;
+                }
+                Element::Patch(outline, ink, light)
+                    if self.layer_of(outline.iter().copied()) == layer =>
+                {
+                    self.patched(outline, *ink, *light, &mut items)?;
                 }
                 Element::Vector([from, to], ink) if self.layer_of([*from, *to]) == layer => {
                     // The angular velocity may lie along L.

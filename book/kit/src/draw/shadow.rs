@@ -113,6 +113,12 @@ impl View {
         Ok(())
     }
 
+    /// What a closed body covers in the picture.
+    pub(super) fn silhouette(&self, solid: &Solid) -> Vec<Point> {
+        let outlines = outlines(solid, self.camera.eye);
+        joined(&outlines.iter().map(|outline| self.flat(outline)).collect::<Vec<_>>())
+    }
+
     /// A body that is not there: its silhouette.
     pub(super) fn paint_ghost(&self, frame: &Frame<'_>, solid: &Solid, ink: Ink) -> Result<()> {
         let loops: Vec<Vec<Point>> =

@@ -122,3 +122,45 @@ pub(super) fn normal(face: &[SpaceVector]) -> Option<SpaceVector> {
     let norm = sum.norm();
     (norm > 0.0).then(|| sum / norm)
 }
+
+/// A profile with a point between each two, such that it is smooth (Dyn, Levin and Gregory, 1987);
+/// it begins and ends on the axis, and goes on at the other side.
+pub fn smooth(profile: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let last = profile.len().saturating_sub(1);
+    let at = |i: usize| match i {
+        0 => (profile[1].0, -profile[1].1),
+        i if i > last + 1 => (profile[last - 1].0, -profile[last - 1].1),
+        i => profile[i - 1],
+    };
+    let middle = |[a, b, c, d]: [f64; 4]| (9.0 * (b + c) - (a + d)) / 16.0;
+    let between = |i: usize| {
+        let near = [0, 1, 2, 3].map(|k| at(i + k));
+        (middle(near.map(|p| p.0)), middle(near.map(|p| p.1)))
+    };
+    let pairs = (0..last).flat_map(|i| [profile[i], between(i)]);
+    pairs.chain(profile.last().copied()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Between the points of a half circle that is made of few, those that are added lie close to it.
+    #[test]
+    fn a_smooth_profile_is_round_and_closed_over_its_ends() {
+        let circle = |k: u32| {
+            let (s, c) = sincos(PI * f64::from(k) / 8.0);
+            (-c, s)
+        };
+        let few: Vec<_> = (0..=8).map(circle).collect();
+        let profile = smooth(&few);
+        assert_eq!(profile.len(), 17);
+        for (h, r) in profile {
+            assert!((rotation_dynamics::math::hypot(h, r) - 1.0).abs() < 1e-3, "{h} {r}");
+        }
+        // The damaged twin: the middles of straight sides lie farther off.
+        let (a, b) = (few[3], few[4]);
+        assert!(rotation_dynamics::math::hypot(a.0 + b.0, a.1 + b.1) / 2.0 < 1.0 - 1e-2);
+        assert!(smooth(&[]).is_empty());
+    }
+}

@@ -5,7 +5,7 @@ use super::display::{Dash, Stroke};
 use super::globe::graticule;
 use super::ink::Ink;
 use super::shadow::Ground;
-use super::solid::{Camera, Solid};
+use super::solid::{Camera, Solid, across};
 use super::words::Side;
 use crate::Figure;
 use crate::error::{Result, positive};
@@ -21,6 +21,12 @@ pub(super) enum Element {
     /// A line with a head of this length (px) at its end.
     Arrow(Vec<SpaceVector>, Stroke, f64),
     Solid(Solid, Ink),
+    /// A body that is seen through, and what is painted on it.
+    Glass(Vec<(Solid, Ink)>),
+    /// A flat patch on a body, with so many percent of light.
+    Patch(Vec<SpaceVector>, Ink, u32),
+    /// The unit ball in the light, and whether it is seen through.
+    Ball(Ink, bool),
     /// A place, its ink, its radius (px), and whether it is a ring.
     Dot(SpaceVector, Ink, f64, bool),
     /// A lit arrow from one place to another.
@@ -291,6 +297,13 @@ impl View {
         self
     }
 
+    /// Adds a thin circle about `centre` at right angles to the unit vector `axis`: a rim, an equator.
+    #[must_use]
+    pub fn circle(self, centre: SpaceVector, axis: SpaceVector, radius: f64, ink: Ink) -> Self {
+        let (u, v) = across(axis);
+        self.line(circle(centre, u * radius, v * radius), ink)
+    }
+
     /// With what `draw` adds, if it is `shown`.
     #[must_use]
     pub fn only_if(self, shown: bool, draw: impl FnOnce(Self) -> Self) -> Self {
@@ -319,6 +332,20 @@ impl View {
         let thin = matches!(ink, Ink::Body | Ink::Frame | Ink::Ink);
         let stroke = Stroke::new(ink, if thin { 1.4 } else { 2.2 });
         self.elements.push(Element::Arrow(vec![from, to], stroke, 9.0));
+        self.text(to, label, ink, side)
+    }
+
+    /// Adds a thinner arrow with a label at its tip: a part of another.
+    #[must_use]
+    pub fn component(
+        mut self,
+        from: SpaceVector,
+        to: SpaceVector,
+        ink: Ink,
+        label: &str,
+        side: Side,
+    ) -> Self {
+        self.elements.push(Element::Arrow(vec![from, to], Stroke::new(ink, 1.4), 8.0));
         self.text(to, label, ink, side)
     }
 
