@@ -281,7 +281,8 @@ impl View {
         if self.triad {
             obstacles.take(Self::triad_rect(rect));
         }
-        if self.sphere || self.globe {
+        let ball = self.elements.iter().any(|element| matches!(element, Element::Ball(..)));
+        if self.sphere || self.globe || ball {
             let outline = super::sketch::arc((0.0, 0.0), 1.0, (0.0, 2.0 * PI));
             let outline: Vec<Point> = outline.into_iter().map(|p| frame.px(p)).collect();
             obstacles.add_line(Obstacles::NOBODY, &outline);
