@@ -96,6 +96,26 @@ fn faults(picture: &MovingPicture, size: (u32, u32)) -> Vec<String> {
     found
 }
 
+/// The stills are not the only moments that are seen.
+#[test]
+fn labels_can_be_read_while_a_picture_moves() {
+    const MOMENTS: u32 = 12;
+    let (mut seen, mut wrong) = (0, Vec::new());
+    for (page, moves) in ALL.iter().zip(MOVING) {
+        let Some(usual) = moves.opened("").expect("its own parameters") else {
+            continue;
+        };
+        for moment in 0..=MOMENTS {
+            let found = frame(&usual, f64::from(moment) / f64::from(MOMENTS)).display.crowded();
+            let at = |fault| format!("{} after {moment}/{MOMENTS}: {fault}", page.stem());
+            wrong.extend(found.into_iter().map(at));
+            seen += 1;
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(!WHOLE || seen > 500, "{seen} frames");
+}
+
 /// Pages where that is not so yet at some end of a slider; one that is mended comes off.
 const NOT_YET: [&str; 1] = ["further_5_wheel_on_rope"];
 
