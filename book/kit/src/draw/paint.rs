@@ -53,7 +53,7 @@ impl Panel {
     fn y_ticks(&self, y: Point, height: f64) -> rotation_dynamics::Result<Vec<(f64, String)>> {
         let unit = height / (y.1 - y.0);
         let close = |ticks: &[(f64, String)]| {
-            ticks.windows(2).any(|pair| (pair[1].0 - pair[0].0).abs() * unit < LINE - 3.0)
+            ticks.windows(2).any(|pair| (pair[1].0 - pair[0].0).abs() * unit < LINE - 1.0)
         };
         let mut ticks = self.y.marks(y, (height / 28.0).clamp(3.0, 6.0) as usize)?;
         while ticks.len() > 2 && close(&ticks) {
@@ -324,7 +324,8 @@ impl Panel {
         let at_ends: Vec<(Words, Point)> = at_ends.collect();
         let mut heights: Vec<(usize, f64)> =
             at_ends.iter().map(|(_, end)| end.1).enumerate().collect();
-        spread(&mut heights, LINE, plot.top - 8.0, plot.bottom + 8.0);
+        // The tail of an index is below the line.
+        spread(&mut heights, LINE + 1.0, plot.top - 8.0, plot.bottom + 8.0);
         for (i, height) in heights {
             let (words, end) = &at_ends[i];
             let at = (end.0, height);
