@@ -73,7 +73,7 @@ const Paint = (() => {
         const faces = new Map();
         return {
             paper: colour("fig-paper"),
-            words: colour("sans"),
+            words: colour("fig-words"),
             variables: colour("fig-math"),
             line: (ink) => inks[ink].line,
             text: (ink) => inks[ink].text,

@@ -22,7 +22,7 @@ fn hidden(motion: &str) -> &'static [&'static str] {
         "fast" => &["angles", "srkn6", "kl17", "aba82", "aba1064"],
         "pole" => &["mk4", "srkn6", "kl17", "aba82", "aba104", "aba1064"],
         "lopsided" => &["aba82", "aba104", "aba1064", "mk4", "srkn6"],
-        _ => &["aba82", "aba104", "aba1064"],
+        _ => &["aba82", "aba104", "aba1064", "srkn6"],
     }
 }
 
@@ -68,6 +68,10 @@ fn work(measured: &Measured) -> Result<Figure> {
         };
         let (x0, y0) = points[points.len() / 4];
         let look = Look::named(line.name);
+        // Several splittings share an ink: a mark at some of their runs tells them apart.
+        if look.ink() == Ink::Splitting {
+            panel = panel.curve(look.curve(points.iter().copied().step_by(4)).dots());
+        }
         let curve = look.curve(points);
         panel = panel.curve(match line.key {
             // The two naive methods run side by side and share a name.

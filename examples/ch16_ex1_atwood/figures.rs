@@ -92,7 +92,7 @@ figures! { _: &Parameters, usual = machine(&Parameters::default())?;
         };
         rub.panel(Axis::linear("acceleration$/g$").range(0.0, 0.22))
             .curve(rub.exact(|mu| at(mu).closed_form().1[0]).label_at("masses", 0.012, 0.19, Side::Right))
-            .curve(rub.exact(|mu| at(mu).closed_form().1[1]).dashed().label_at("rim", 0.012, 0.045, Side::Right))
+            .curve(rub.exact(|mu| at(mu).closed_form().1[1]).dashed().label_at("rim", 0.02, 0.07, Side::BelowRight))
             .curve(rub.simulated(run(1))?)
             .curve(rub.simulated(run(3))?)
     };
@@ -145,7 +145,14 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let forces = m.forces(grip, way);
         let pull = |sketch: Sketch, k: usize| {
             let (x, low) = ([-radius, radius][k] * 1.6, -hang[k]);
-            sketch.arrow_along([(x, low), (x, low + force * forces[2 + k])], Ink::Force)
+            let tip = (x, low + force * forces[2 + k]);
+            sketch.arrow(
+                (x, low),
+                tip,
+                Ink::Force,
+                ["$T_1$", "$T_2$"][k],
+                [Side::Left, Side::Right][k],
+            )
         };
         Ok((alt, [0, 1].into_iter().fold(sketch, pull)))
     })

@@ -25,19 +25,21 @@ fn problem(sense: f64) -> Sketch {
 }
 
 /// The weight and the forces `[normal, tangential]` of floor and wall on the cylinder with its
-/// axis here, drawn to the points of contact; `unit` is the length of the weight.
-fn pushed(sketch: Sketch, (x, y): (f64, f64), [floor, wall]: [[f64; 2]; 2], unit: f64) -> Sketch {
+/// axis here, drawn to the points of contact; the weight is so short that it ends above the
+/// floor's push.
+fn pushed(sketch: Sketch, (x, y): (f64, f64), [floor, wall]: [[f64; 2]; 2]) -> Sketch {
+    const WEIGHT: f64 = 0.75;
     let (low, left) = ((x, y - 1.0), (x - 1.0, y));
     [
-        ((x, y), (x, y - unit)),
-        ((low.0, low.1 - unit * floor[0]), low),
-        (low, (low.0 + unit * floor[1], low.1)),
-        ((left.0 - unit * wall[0], left.1), left),
-        (left, (left.0, left.1 - unit * wall[1])),
+        ((x, y), (x, y - WEIGHT), "$Mg$", Side::Right),
+        ((low.0, low.1 - WEIGHT * floor[0]), low, "$N_1$", Side::Right),
+        (low, (low.0 + WEIGHT * floor[1], low.1), r"$\mu N_1$", Side::AboveLeft),
+        ((left.0 - WEIGHT * wall[0], left.1), left, "$N_2$", Side::Below),
+        (left, (left.0, left.1 - WEIGHT * wall[1]), r"$\mu N_2$", Side::AboveRight),
     ]
     .into_iter()
-    .filter(|(from, to)| hypot(to.0 - from.0, to.1 - from.1) >= 0.02)
-    .fold(sketch, |sketch, (from, to)| sketch.arrow(from, to, Ink::Force, "", Side::Above))
+    .filter(|(from, to, ..)| hypot(to.0 - from.0, to.1 - from.1) >= 0.02)
+    .fold(sketch, |sketch, (from, to, name, side)| sketch.arrow(from, to, Ink::Force, name, side))
 }
 
 /// Coefficients of friction, logarithmically.
@@ -72,15 +74,7 @@ figures! { p: &Parameters, [w, time, ..] = units(p)?, rides = senses(p)?, rate =
             .disc((0.0, 1.0), 1.0, Ink::Body, 0.15)
             .turn((0.0, 1.0), 0.45, (0.5 * PI - 1.1, 0.5 * PI + 1.1), Ink::Velocity)
             .dot((0.0, 1.0), Ink::Body, "", Side::Above);
-        let sketch = pushed(sketch, (0.0, 1.0), [[floor, -mu * floor], [wall, -mu * wall]], 0.93);
-        let label = |sketch: Sketch, (at, text, side)| sketch.text(at, text, Ink::Force, side);
-        [
-            ((0.06, 0.5), "$Mg$", Side::Right),
-            ((0.06, -0.55), "$N_1$", Side::Right),
-            ((-0.3, 0.02), r"$\mu N_1$", Side::AboveLeft),
-            ((-1.3, 1.0), "$N_2$", Side::Below),
-            ((-0.97, 1.25), r"$\mu N_2$", Side::AboveRight),
-        ].into_iter().fold(sketch, label)
+        pushed(sketch, (0.0, 1.0), [[floor, -mu * floor], [wall, -mu * wall]])
     };
 
     /// Angular velocity against time. Pressed to the wall it falls along a straight line to zero and stays
@@ -204,7 +198,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let (modes, [x, y, turned], speed) = (ride.modes(t / time)?, q, v[2].abs() / time);
         let scene = corner(far).roller((x, y), 1.0, 0.25 * PI + turned, Ink::Body);
         let forces = [floor, wall].map(|force| [force.normal, force.tangential]);
-        let scene = pushed(scene, (x, y), forces, 0.9).mirrored_if(side < 0.0);
+        let scene = pushed(scene, (x, y), forces).mirrored_if(side < 0.0);
         let does = match modes {
             [Mode::Stick, Mode::Stick] => "It is at rest in the corner",
             [Mode::Stick, _] => "It rolls away from the wall",

@@ -167,8 +167,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let [tx, ty] = [y[0] + taut.arm[0], y[1] + taut.arm[1]];
         let far = hypot(tx, ty);
         let long = 0.9 * taut.tension.min(0.9 * far);
-        let pulled = [(tx, ty), (tx * (1.0 - long / far), ty * (1.0 - long / far))];
+        let tip = (tx * (1.0 - long / far), ty * (1.0 - long / far));
         let sketch = drawn(sketch, 0.0, &(leaves, y, taut));
-        Ok((alt, sketch.arrow_along(pulled, Ink::Force)))
+        Ok((alt, sketch.arrow((tx, ty), tip, Ink::Force, "$T$", Side::Right)))
     })
 }

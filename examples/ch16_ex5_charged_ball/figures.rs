@@ -92,7 +92,7 @@ figures! { p: &Parameters;
         let turns = || times(0.0, 2.0, 200);
         Panel::over_axes(Axis::linear("turns").range(0.0, 2.0), Axis::linear("$F/qE$").range(-0.2, 0.8))
             .level(0.0, Ink::Frame, "")
-            .curve(Curve::of(turns(), needed(0.0), Ink::Ink).dashed().label_at("in the middle", 0.52, 0.286, Side::AboveRight))
+            .curve(Curve::of(turns(), needed(0.0), Ink::Ink).dashed().label_at("middle", 0.75, 0.286, Side::Above))
             .curve(Curve::of(turns(), needed(0.5), Ink::Ink).label_at("off it", 0.3, 0.62, Side::AboveRight))
             .curve(Curve::new(dots, Ink::Body).dots())
     };

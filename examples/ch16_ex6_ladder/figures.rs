@@ -127,11 +127,11 @@ figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, price = pr
         let kept = |t| Ok(naive.at(t)?.v[2]);
         let simulated = over([0.0, run.end_time()], 24, |t| Ok(run.at(t)?.v[2]), Ink::Velocity)?;
         Panel::over_axes("$t$ / s", Axis::linear("angular velocity / (rad/s)").range(0.0, 1.35 * kept(end)?))
-            .upright(t_r, Ink::Frame, "wall lets go")
             .curve(over([0.0, exact.landing_time()], 160, omega, Ink::Ink)?.label("exact"))
             .curve(simulated.dots().label_at("simulated", early, omega(early)?, Side::AboveLeft))
             .curve(over([t_r, end], 80, kept, Ink::Wrong)?.dashed()
                 .label_at("wrong: wall kept", end, kept(end)?, Side::AboveLeft))
+            .ring(t_r, omega(t_r)?, Ink::Ink, "wall lets go", Side::AboveLeft)
     };
 
     /// Force of the floor and of the wall against time, over the weight. The wall's force rises, falls to zero

@@ -69,17 +69,8 @@ figures! { p: &Parameters;
     /// the floor of rounding, far below the level lines of what the model leaves out.
     digits_gyroscope: digits("gyroscope")?;
 
-    /// The same for a toy top.
-    digits_top: digits("top")?;
-
-    /// The same for a thrown book: the runs begin below the level of the air.
-    digits_book: digits("book")?;
-
     /// The same for the axis of the Earth over a year, with the torques of Moon and Sun.
     digits_year: digits("year")?;
-
-    /// The same for a satellite over a day.
-    digits_satellite: digits("satellite")?;
 }
 
 /// The axis with its weight alone and in air, so many times.

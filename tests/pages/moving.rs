@@ -1,7 +1,6 @@
 //! The moving pictures, for what a reader sets: each is moved by a slider, or is one of a list, and
 //! at the ends of its sliders all that it shows is in its frame.
 
-use crate::snapshots::misplaced;
 use kit::draw::{Display, Ink, Shape, Sketch};
 use kit::{Figure, Moves, MovingPicture, Page};
 use pages::{ALL, MOVING, WHOLE};
@@ -85,7 +84,7 @@ fn faults(picture: &MovingPicture, size: (u32, u32)) -> Vec<String> {
     for part in [0.0, 0.3, 0.6, 1.0] {
         let figure = frame(picture, part);
         let (svg, display) = (figure.svg(), figure.display);
-        found.extend(misplaced(&svg));
+        found.extend(display.collided());
         let out = beyond(&display);
         if out > 2.0 {
             found.push(format!("{out:.0} px of it leave the frame after {part} of the span"));
@@ -95,6 +94,26 @@ fn faults(picture: &MovingPicture, size: (u32, u32)) -> Vec<String> {
         }
     }
     found
+}
+
+/// The stills are not the only moments that are seen.
+#[test]
+fn labels_can_be_read_while_a_picture_moves() {
+    const MOMENTS: u32 = 12;
+    let (mut seen, mut wrong) = (0, Vec::new());
+    for (page, moves) in ALL.iter().zip(MOVING) {
+        let Some(usual) = moves.opened("").expect("its own parameters") else {
+            continue;
+        };
+        for moment in 0..=MOMENTS {
+            let found = frame(&usual, f64::from(moment) / f64::from(MOMENTS)).display.crowded();
+            let at = |fault| format!("{} after {moment}/{MOMENTS}: {fault}", page.stem());
+            wrong.extend(found.into_iter().map(at));
+            seen += 1;
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(!WHOLE || seen > 500, "{seen} frames");
 }
 
 /// Pages where that is not so yet at some end of a slider; one that is mended comes off.

@@ -5,7 +5,7 @@
 
 use insta::Settings;
 use crate::answers::{root, with_report};
-use kit::draw::PALETTE;
+use kit::draw::{Display, PALETTE, Shape};
 use kit::{Figure, Page, parse, rounded_up};
 use pages::{ALL, WHOLE};
 use std::collections::BTreeSet;
@@ -231,112 +231,48 @@ fn figures_say_what_is_to_be_seen_in_colours_of_the_palette() {
     }
 }
 
-/// A text of a figure: what it says and the box it fills, in px. The width is a
-/// cautious estimate (0.45 of the size a character), so that what is reported is wrong.
-struct Text {
-    says: String,
-    left: f64,
-    right: f64,
-    top: f64,
-    bottom: f64,
-}
-
-fn attribute(tag: &str, name: &str) -> Option<f64> {
-    let value = tag.split_once(&format!(" {name}=\""))?.1;
-    value.split('"').next()?.parse().ok()
-}
-
-fn texts(svg: &str) -> Vec<Text> {
-    // The halos say nothing: they are the texts' own outlines below them.
-    let (before, rest) = svg.split_once("<g class=\"h\"").unwrap_or((svg, ""));
-    let after = rest.split_once("</g>").map_or("", |(_, after)| after);
-    let elements = before
-        .split("<text")
-        .skip(1)
-        .chain(after.split("<text").skip(1));
-    elements
-        .map(|element| {
-            let (tag, rest) = element.split_once('>').expect("a tag ends");
-            let content = rest.split("</text>").next().expect("a text ends");
-            let plain: Vec<&str> = content
-                .split('<')
-                .map(|s| s.rsplit('>').next().unwrap_or(s))
-                .collect();
-            let says = plain.concat();
-            let size = attribute(tag, "font-size").unwrap_or(14.0);
-            let (x, y) = (
-                attribute(tag, "x").expect("x"),
-                attribute(tag, "y").expect("y"),
-            );
-            let width = 0.45 * size * says.chars().count() as f64;
-            let left = match tag {
-                tag if tag.contains("\"middle\"") => x - width / 2.0,
-                tag if tag.contains("\"end\"") => x - width,
-                _ => x,
-            };
-            Text {
-                says,
-                left,
-                right: left + width,
-                top: y - 0.65 * size,
-                bottom: y,
-            }
-        })
-        .collect()
-}
-
-/// What is wrong with the texts of a figure of this size: cut off, or on top of each other.
-pub fn misplaced(svg: &str) -> Vec<String> {
-    let root = svg.split_once('>').expect("there is a root").0;
-    let (width, height) = (
-        attribute(root, "width").expect("width"),
-        attribute(root, "height").expect("height"),
-    );
-    let texts = texts(svg);
-    let mut found = Vec::new();
-    for (i, a) in texts.iter().enumerate() {
-        if a.left < -1.0 || a.right > width + 1.0 || a.top < -1.0 || a.bottom > height + 1.0 {
-            found.push(format!("{} leaves the figure", a.says));
-        }
-        for b in &texts[..i] {
-            if a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom {
-                found.push(format!("{} lies on {}", a.says, b.says));
-            }
-        }
+/// The drawing with its second label on the first, with its first on a line, and with primes at
+/// their letters.
+fn damaged(display: &Display) -> [Option<Display>; 3] {
+    let onto = |i: usize, at: (i32, i32)| {
+        let mut damaged = display.clone();
+        damaged.texts.get_mut(i)?.at = at;
+        Some(damaged)
+    };
+    let first = display.texts.first().map(|text| text.at);
+    let place = display.shapes.iter().find_map(|shape| match shape {
+        Shape::Line(points, _, stroke) if stroke.width > 1.5 => points.get(points.len() / 2),
+        _ => None,
+    });
+    let mut primes = display.clone();
+    let mut seen = false;
+    for run in primes.texts.iter_mut().flat_map(|text| &mut text.runs) {
+        seen |= run.text.contains("\u{200a}′");
+        run.text = run.text.replace("\u{200a}′", "′");
     }
-    found
+    [first.and_then(|at| onto(1, at)), place.and_then(|at| onto(0, *at)), seen.then_some(primes)]
 }
 
 #[test]
-fn texts_in_figures_are_whole_and_apart() {
-    let mut seen = 0;
+fn labels_in_figures_are_whole_apart_and_clear_of_lines() {
+    let (mut wrong, mut labels, mut twins) = (Vec::new(), 0, [[0; 2]; 3]);
     for example in all() {
         for figure in &example.figures {
-            let svg = figure.svg();
-            let found = misplaced(&svg);
-            assert!(
-                found.is_empty(),
-                "{}__{}: {found:?}",
-                example.stem,
-                figure.name
-            );
-            seen += texts(&svg).len();
+            let found = figure.display.crowded();
+            wrong.extend(found.iter().map(|fault| format!("{}/{}: {fault}", example.stem, figure.name)));
+            labels += figure.display.texts.len();
+            for (twin, [seen, all]) in damaged(&figure.display).iter().zip(&mut twins) {
+                let Some(damaged) = twin else { continue };
+                *all += 1;
+                *seen += usize::from(damaged.crowded().len() > found.len());
+            }
         }
     }
+    assert!(wrong.is_empty(), "{} labels cannot be read:\n{}", wrong.len(), wrong.join("\n"));
     let figures: usize = all().iter().map(|e| e.figures.len()).sum();
-    assert!(figures > 0 && seen >= 5 * figures, "only {seen} texts seen");
-    // The damaged twins.
-    let svg = |x: i32, y: i32| {
-        format!(
-            "<svg width=\"340\" height=\"250\"><text x=\"10\" y=\"20\">first</text>\
-             <text x=\"{x}\" y=\"{y}\"><tspan>second</tspan></text></svg>"
-        )
-    };
-    assert!(misplaced(&svg(100, 20)).is_empty());
-    assert_eq!(misplaced(&svg(20, 25)), ["second lies on first"]);
-    assert_eq!(misplaced(&svg(310, 100)), ["second leaves the figure"]);
-    assert_eq!(misplaced(&svg(10, 255)), ["second leaves the figure"]);
-    let halo = svg(20, 25).replace("<text x=\"10\"", "<g class=\"h\"><text x=\"10\"");
-    let halo = halo.replacen("</text>", "</text></g>", 1);
-    assert!(misplaced(&halo).is_empty(), "a halo is not read");
+    assert!(figures > 0 && labels >= 5 * figures, "only {labels} labels seen");
+    let [[onto, all_onto], [on_line, all_on_line], [primes, all_primes]] = twins;
+    assert_eq!((onto, primes), (all_onto, all_primes), "a label on another, a prime on its letter");
+    // A label on a line that a body hides is not found.
+    assert!(10 * on_line > 9 * all_on_line, "{on_line} of {all_on_line} labels on a line");
 }

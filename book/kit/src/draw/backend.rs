@@ -66,7 +66,7 @@ impl DrawingBackend for Sheet<'_> {
         // Plotters keeps a text twice the length of a tick off its axis.
         let (side, gap) = match style.anchor().h_pos {
             HPos::Right => (Side::Left, -1.0),
-            _ => (Side::Below, -2.0),
+            _ => (Side::Below, -1.0),
         };
         let words = Words::new(text, Ink::Ink, side, gap).bare();
         // The last text moves in rather than over the edge; widths are estimates.

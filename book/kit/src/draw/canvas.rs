@@ -134,7 +134,7 @@ pub(super) fn units(px: f64) -> i32 {
 
 /// The head of an arrow along the end of `points`: barb, tip, barb. A solid head
 /// shortens the line, so that its end does not blunt the tip.
-fn head_at_end(points: &mut [Place], length: f64, open: bool) -> Vec<Place> {
+pub(super) fn head_at_end(points: &mut [Place], length: f64, open: bool) -> Vec<Place> {
     let Some((&tip, before)) = points.split_last() else {
         return Vec::new();
     };

@@ -73,6 +73,18 @@ pub enum Shape {
     Dot(Place, f64, Ink, bool),
 }
 
+impl Shape {
+    /// Its ink.
+    pub(super) fn ink(&self) -> Ink {
+        match self {
+            Self::Line(_, _, Stroke { ink, .. })
+            | Self::Area(_, ink, _)
+            | Self::Face(_, ink, _)
+            | Self::Dot(_, _, ink, _) => *ink,
+        }
+    }
+}
+
 /// Where a text lies relative to its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {

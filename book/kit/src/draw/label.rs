@@ -6,6 +6,7 @@
 //! text is text.
 
 use super::display::Run;
+use super::widths::thousandths;
 
 /// Size of the text of labels, in px.
 pub(super) const SIZE: f64 = 14.0;
@@ -26,6 +27,14 @@ struct Span {
     text: String,
     slanted: bool,
     level: Level,
+}
+
+impl Span {
+    /// The size of its letters, that of the text being 1.
+    fn scale(&self) -> f64 {
+        let scale = if self.level == Level::Base { 1.0 } else { SMALL };
+        if self.slanted { SLANTED * scale } else { scale }
+    }
 }
 
 /// A parsed label.
@@ -172,9 +181,18 @@ impl Label {
                             continue;
                         }
                         "sin" | "cos" | "tan" | "ln" | "exp" | "max" | "min" => {
+                            // Between thin spaces; a parenthesis follows closely.
+                            let before = self.spans.last().and_then(|s| s.text.chars().last());
+                            let mark = |c| ('\u{300}'..='\u{36f}').contains(&c);
+                            if before.is_some_and(|c| c.is_alphanumeric() || mark(c)) {
+                                self.push("\u{2009}", false, level);
+                            }
                             self.push(&name, false, level);
-                            // A parenthesis follows closely, an argument after a thin space.
-                            if input.peek().is_some_and(|c| !"(^_{".contains(*c)) {
+                            let ahead: String = input.clone().take(2).collect();
+                            if !ahead.is_empty()
+                                && !ahead.starts_with(['(', '^', '_', '{'])
+                                && ahead != r"\,"
+                            {
                                 self.push("\u{2009}", false, level);
                             }
                             continue;
@@ -186,12 +204,14 @@ impl Label {
                     }
                 }
                 '-' => "\u{2212}".into(),
-                // A prime that follows a slanted letter closely reads as part of it.
-                '\'' if self.spans.last().is_some_and(|s| s.slanted) => "\u{200a}′".into(),
+                // A slanted letter leans on a prime that follows closely.
+                '\'' if self.spans.last().is_some_and(|s| s.slanted) => "\u{200a}\u{200a}′".into(),
                 '\'' => "′".into(),
                 ',' => ",\u{2009}".into(),
-                // A slanted letter leans on a slash that follows closely.
-                '/' if self.spans.last().is_some_and(|s| s.slanted) => "\u{200a}/".into(),
+                // The same with a slash, which leans on an index.
+                '/' if self.spans.last().is_some_and(|s| s.slanted || s.level != level) => {
+                    "\u{200a}/".into()
+                }
                 ' ' if !upright => continue,
                 '=' | '<' | '>' | '+' if level == Level::Base => format!("\u{2009}{c}\u{2009}"),
                 c => c.to_string(),
@@ -203,29 +223,20 @@ impl Label {
         }
     }
 
-    /// Width in px, from the widths of an average typeface; good to about a tenth.
+    /// Width in px.
     pub(super) fn width(&self, size: f64) -> f64 {
-        self.spans
-            .iter()
-            .map(|span| {
-                let em: f64 = span.text.chars().map(glyph_width).sum();
-                let scale = if span.level == Level::Base { 1.0 } else { SMALL };
-                let scale = if span.slanted { SLANTED * scale } else { scale };
-                em * scale * size
-            })
-            .sum()
+        self.spans.iter().map(|span| width(&span.text, span.slanted) * span.scale() * size).sum()
     }
 
     /// What is drawn, in text of this size.
     pub(super) fn runs(&self, size: f64) -> Vec<Run> {
         let run = |span: &Span| {
-            let (scale, drop) = match span.level {
-                Level::Base => (1.0, 0.0),
-                Level::Sub => (SMALL, 0.24 * size),
-                Level::Sup => (SMALL, -0.36 * size),
+            let drop = match span.level {
+                Level::Base => 0.0,
+                Level::Sub => 0.24 * size,
+                Level::Sup => -0.36 * size,
             };
-            let scale = if span.slanted { SLANTED * scale } else { scale };
-            Run { text: span.text.clone(), slanted: span.slanted, size: scale * size, drop }
+            Run { text: span.text.clone(), slanted: span.slanted, size: span.scale() * size, drop }
         };
         self.spans.iter().map(run).collect()
     }
@@ -238,19 +249,10 @@ pub(crate) fn plain(text: &str) -> String {
     spans.collect::<String>().replace('\u{2009}', " ").replace('\u{200a}', "")
 }
 
-fn glyph_width(c: char) -> f64 {
-    match c {
-        '\u{300}'..='\u{36f}' => 0.0,
-        '\u{2009}' => 0.17,
-        '\u{200a}' => 0.1,
-        'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '\'' | '|' | '!' | '′' => 0.25,
-        'f' | 't' | 'r' | '(' | ')' | '[' | ']' | '/' | ' ' | '-' | '·' => 0.31,
-        'm' | 'w' | 'M' | 'W' => 0.84,
-        '=' | '+' | '<' | '>' | '\u{2212}' | '×' | '≈' | '±' => 0.58,
-        '→' => 0.9,
-        c if c.is_uppercase() => 0.71,
-        _ => 0.56,
-    }
+/// Width of a text, parts of its size.
+pub(super) fn width(text: &str, slanted: bool) -> f64 {
+    let letters = text.chars().map(|c| u32::from(thousandths(c, slanted)));
+    f64::from(letters.sum::<u32>()) / 1000.0
 }
 
 #[cfg(test)]
@@ -270,9 +272,10 @@ mod tests {
         assert_ne!(Label::new("$U_{1x}$"), Label::new(r"$U_{\mathrm{1x}}$"));
         assert_eq!(plain(r"$\tilde E$"), "E\u{303}");
         assert_eq!(plain(r"$\dot\phi$"), "φ\u{307}");
-        assert_eq!(plain(r"$t'$"), "t\u{200a}′");
+        assert_eq!(plain(r"$t'$"), "t\u{200a}\u{200a}′");
         assert_eq!(plain("a - b"), "a - b");
         assert_eq!(plain(r"$\cos\theta=b$"), "cos\u{2009}θ\u{2009}=\u{2009}b");
+        assert_eq!(plain(r"$2h\tan\,x$"), "2h\u{2009}tan\u{2009}x");
         assert_eq!(plain(r"$\ell/2$"), "ℓ\u{200a}/2");
     }
 

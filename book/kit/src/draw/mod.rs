@@ -16,7 +16,8 @@
 //! coordinates are finer than pixels, and the same input gives the same bytes on every
 //! machine. A figure is a list ([`Display`]) of strokes, areas, faces, dots and texts;
 //! its SVG is one way to write that down. Plotters draws the list: it lays out the axes of a
-//! panel, and maps coordinates to places. Where ticks and labels go is decided here.
+//! panel, and maps coordinates to places. Where ticks and labels go is decided here, and
+//! [`Display::crowded`] names the labels that cannot be read.
 
 mod axis;
 mod backend;
@@ -24,6 +25,7 @@ mod band;
 mod bodies;
 mod canvas;
 mod clip;
+mod crowded;
 mod curve;
 mod depth;
 mod display;
@@ -52,6 +54,7 @@ mod tests;
 mod ticks;
 mod turned;
 mod view;
+mod widths;
 mod words;
 
 pub use axis::Axis;

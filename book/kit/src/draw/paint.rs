@@ -4,11 +4,11 @@ use super::backend::Scale;
 use super::canvas::{Canvas, Frame, Paint, Point, drawn, units};
 use super::clip::{clipped, clipped_polygon};
 use super::curve::{AXIS, Curve, LabelPlace};
-use super::display::Stroke;
+use super::display::{Display, Stroke, Text};
 use super::ink::Ink;
 use super::label::{Label, SIZE};
 use super::panel::{Panel, Rule};
-use super::place::{GAP, Obstacles};
+use super::place::{GAP, HALO, Obstacles};
 use super::stations::spread;
 use super::words::{Rect, Side, Words};
 use crate::error::Result;
@@ -18,6 +18,9 @@ use rotation_dynamics::math::sort_by_number;
 /// Length of ticks, and distance of the axes from the data.
 const TICK: f64 = 5.0;
 const OFFSET: f64 = 6.0;
+/// Half the width of a mark on a curve, and of a dot.
+const MARK: f64 = 2.6;
+const DOT: f64 = 3.5;
 /// Height of a line of text.
 const LINE: f64 = 17.0;
 
@@ -46,8 +49,17 @@ impl Panel {
         Ok((self.x.extent(xs)?, self.y.extent(ys)?))
     }
 
+    /// Ticks about 28 px apart; where a small range makes them closer, every second of them.
     fn y_ticks(&self, y: Point, height: f64) -> rotation_dynamics::Result<Vec<(f64, String)>> {
-        self.y.marks(y, (height / 28.0).clamp(3.0, 6.0) as usize)
+        let unit = height / (y.1 - y.0);
+        let close = |ticks: &[(f64, String)]| {
+            ticks.windows(2).any(|pair| (pair[1].0 - pair[0].0).abs() * unit < LINE - 1.0)
+        };
+        let mut ticks = self.y.marks(y, (height / 28.0).clamp(3.0, 6.0) as usize)?;
+        while ticks.len() > 2 && close(&ticks) {
+            ticks = ticks.into_iter().step_by(2).collect();
+        }
+        Ok(ticks)
     }
 
     /// The room that the labels of the vertical axis need.
@@ -64,7 +76,7 @@ impl Panel {
             Some((text, LabelPlace::End)) => Some(Label::new(text).width(SIZE)),
             _ => None,
         });
-        let ticks = OFFSET + TICK + LINE + 2.0;
+        let ticks = OFFSET + TICK + LINE + 3.0;
         Rect {
             left,
             right: end_labels.fold(12.0, |margin, width| f64::max(margin, width + 14.0)),
@@ -140,7 +152,7 @@ impl Panel {
         let sheet = canvas.sheet();
         if labelled_x {
             let text = Words::new(&self.x.label, Ink::Ink, Side::BelowLeft, 0.0);
-            let at = (plot.right, floor + TICK + LINE + 2.0);
+            let at = (plot.right, floor + TICK + LINE + 3.0);
             sheet.draw(&[at], &Paint::Text(text))?;
         }
         let text = Words::new(&self.y.label, Ink::Ink, Side::AboveRight, 0.0).bare();
@@ -151,6 +163,10 @@ impl Panel {
             top: outer.top + 2.0,
             bottom: plot.bottom + 3.0,
         });
+        if self.now.is_some() {
+            // The dot of the present runs along the curves.
+            obstacles.clear = 0.5 * HALO + DOT;
+        }
         obstacles.add_line(Obstacles::NOBODY, &[(wall, plot.top), (wall, plot.bottom)]);
         obstacles.take(text.rect(at));
         sheet.draw(&[at], &Paint::Text(text))?;
@@ -205,42 +221,71 @@ impl Panel {
             for part in parts.iter().filter(|_| kept.is_none()) {
                 let px: Vec<Point> = part.iter().map(|&p| frame.px(p)).collect();
                 obstacles.add_line(i, &px);
+                for (x, y) in px.into_iter().filter(|_| curve.dots) {
+                    obstacles.add_line(i, &[(x - MARK, y), (x + MARK, y)]);
+                    obstacles.add_line(i, &[(x, y - MARK), (x, y + MARK)]);
+                }
             }
         }
+        for note in self.notes.iter().filter(|note| note.dot.is_some()) {
+            obstacles.take(Rect::about(frame.px(self.place(note.at)?), DOT));
+        }
+        let placed;
+        let labels = match kept {
+            Some((_, labels)) => labels,
+            None => {
+                let apart = Canvas::new(canvas.display.borrow().size);
+                self.paint_labels(&apart.sheet(), frame, &curves, &lines, plot, obstacles)?;
+                placed = apart.display.into_inner();
+                if let Some(kept) = &self.labels {
+                    // Another frame may have been first.
+                    let _ = kept.set((plot, placed.clone()));
+                }
+                &placed
+            }
+        };
         if let Some(now) = now {
-            self.paint_now(frame, &curves[self.rules.len()..], (now, y))?;
+            self.paint_now(&canvas.sheet(), frame, &curves[self.rules.len()..], (now, y), labels)?;
         }
         for note in &self.notes {
-            let at = self.place(note.at)?;
             if let Some(ring) = note.dot {
-                frame.draw(&[at], &Paint::Dot(note.ink, 3.5, ring))?;
-                let (px, py) = frame.px(at);
-                obstacles.take(Rect::about((px, py), 3.5));
+                frame.draw(&[self.place(note.at)?], &Paint::Dot(note.ink, DOT, ring))?;
             }
         }
-        if let Some((_, labels)) = kept {
-            canvas.again(labels);
-            return Ok(());
-        }
-        let apart = Canvas::new(canvas.display.borrow().size);
-        self.paint_labels(&apart.sheet(), frame, &curves, &lines, plot, obstacles)?;
-        let labels = apart.display.into_inner();
-        canvas.again(&labels);
-        if let Some(kept) = &self.labels {
-            // Another frame may have been first.
-            let _ = kept.set((plot, labels));
-        }
+        canvas.again(labels);
         Ok(())
     }
 
-    /// The thin line at the present, and a dot on each curve that runs through it.
-    fn paint_now(&self, frame: &Frame<'_>, curves: &[Curve], (now, y): (f64, Point)) -> Result<()> {
-        let line = Stroke::new(Ink::Frame, AXIS);
-        frame.draw(&[(now, y.0), (now, y.1)], &Paint::Line(line))?;
+    /// The thin line at the present, parted by the labels that it passes, and a dot on each curve
+    /// that runs through it.
+    fn paint_now(
+        &self,
+        sheet: &Frame<'_>,
+        frame: &Frame<'_>,
+        curves: &[Curve],
+        (now, y): (f64, Point),
+        labels: &Display,
+    ) -> Result<()> {
+        let line = Paint::Line(Stroke::new(Ink::Frame, AXIS));
+        let ((x, foot), (_, head)) = (frame.px((now, y.0)), frame.px((now, y.1)));
+        let boxes = labels.texts.iter().flat_map(Text::boxes).map(|letters| letters.grown(HALO));
+        let mut passed: Vec<Rect> =
+            boxes.filter(|letters| (letters.left..=letters.right).contains(&x)).collect();
+        sort_by_number(&mut passed, |letters| letters.top);
+        let mut from = head;
+        for letters in passed {
+            if letters.top > from {
+                sheet.draw(&[(x, from), (x, letters.top)], &line)?;
+            }
+            from = from.max(letters.bottom);
+        }
+        if from < foot {
+            sheet.draw(&[(x, from), (x, foot)], &line)?;
+        }
         for curve in curves.iter().filter(|c| c.line && c.runs_on()) {
             let at = clipped(&curve.points, (now, now), y);
             if let Some(&at) = at.first().and_then(|part| part.first()) {
-                frame.draw(&[at], &Paint::Dot(curve.ink, 3.5, false))?;
+                frame.draw(&[at], &Paint::Dot(curve.ink, DOT, false))?;
             }
         }
         Ok(())
@@ -279,7 +324,8 @@ impl Panel {
         let at_ends: Vec<(Words, Point)> = at_ends.collect();
         let mut heights: Vec<(usize, f64)> =
             at_ends.iter().map(|(_, end)| end.1).enumerate().collect();
-        spread(&mut heights, LINE - 1.0, plot.top - 8.0, plot.bottom + 8.0);
+        // The tail of an index is below the line.
+        spread(&mut heights, LINE + 1.0, plot.top - 8.0, plot.bottom + 8.0);
         for (i, height) in heights {
             let (words, end) = &at_ends[i];
             let at = (end.0, height);

@@ -1,7 +1,8 @@
 //! Where labels go: beside their line, clear of lines, ticks and each other.
 
-use super::canvas::{Frame, Paint, Point};
-use super::display::Stroke;
+use super::canvas::{Frame, Paint, Point, head_at_end, units};
+use super::crowded::{APART, SPACE};
+use super::display::{Place, Stroke, UNITS};
 use super::stations::stations;
 use super::words::{Rect, Side, Words};
 use crate::error::Result;
@@ -26,8 +27,8 @@ pub(super) const GAP: f64 = 5.0;
 const DISTANCES: [(f64, f64); 6] =
     [(GAP, 0.0), (9.0, 2.0), (14.0, 5.0), (22.0, 14.0), (34.0, 18.0), (50.0, 24.0)];
 
-/// What a label keeps between its box and lines: its halo and a little.
-const HALO: f64 = 3.0;
+/// What is clear about a label: its halo and a little.
+pub(super) const HALO: f64 = 3.0;
 
 /// From this distance on a thin line leads from a label to what it names.
 const LEADER: f64 = 20.0;
@@ -56,6 +57,8 @@ pub(super) struct Obstacles {
     points: Vec<(usize, Point)>,
     taken: Vec<Rect>,
     room: Rect,
+    /// What a label keeps between its box and lines, in px.
+    pub(super) clear: f64,
 }
 
 impl Obstacles {
@@ -64,7 +67,7 @@ impl Obstacles {
 
     /// Nothing yet, in a room (px) that labels must not leave.
     pub(super) fn new(room: Rect) -> Self {
-        Self { points: Vec::new(), taken: Vec::new(), room }
+        Self { points: Vec::new(), taken: Vec::new(), room, clear: HALO }
     }
 
     /// Adds a line of curve number `curve`, in px.
@@ -78,6 +81,14 @@ impl Obstacles {
                 self.points.push((curve, p));
             }
         }
+    }
+
+    /// Adds the head of an arrow along this line, so long, in px.
+    pub(super) fn add_head(&mut self, line: &[Point], length: f64) {
+        let mut places: Vec<Place> = line.iter().map(|p| (units(p.0), units(p.1))).collect();
+        let head = head_at_end(&mut places, length, true).into_iter();
+        let px = |(x, y)| (f64::from(x) / UNITS, f64::from(y) / UNITS);
+        self.add_line(Self::NOBODY, &head.map(px).collect::<Vec<_>>());
     }
 
     /// Marks a box as taken.
@@ -163,18 +174,20 @@ impl Obstacles {
             let crossed = leader.is_some_and(|leader| {
                 !t.contains(leader[1]) && distance_squared(leader, t.middle()) < 36.0
             });
-            crossed || t.grown(2.0).overlaps(rect)
+            // As far apart as the check of all figures asks.
+            let t = Rect { left: t.left - SPACE, right: t.right + SPACE, ..t.grown(APART) };
+            crossed || t.overlaps(rect)
         };
         let taken = self.taken.iter().filter(taken).count();
         let mut cost = if outside { 1e4 } else { 0.0 } + 500.0 * taken as f64;
         if cost >= enough {
             return cost;
         }
-        let tight = rect.grown(HALO);
+        let tight = rect.grown(self.clear);
         let (mut own, mut other) = (f64::INFINITY, f64::INFINITY);
         for &(owner, p) in &self.points {
             let distance = rect.squared_distance(p);
-            if distance < HALO * HALO * 2.0 && tight.contains(p) {
+            if distance < self.clear * self.clear * 2.0 && tight.contains(p) {
                 cost += 10.0;
             }
             // A line that leads across others leads astray.

@@ -270,7 +270,7 @@ impl View {
             let stroke = Stroke::new(Ink::Frame, 1.0);
             frame.draw(&[(0.0, 0.0), tip], &Paint::Arrow(stroke, 5.0, false))?;
             let words = Words::new(name, Ink::Frame, Side::Centre, 0.0);
-            let beyond = 1.0 + 0.4 / rotation_dynamics::math::hypot(tip.0, tip.1).max(0.4);
+            let beyond = 1.0 + 0.45 / rotation_dynamics::math::hypot(tip.0, tip.1).max(0.4);
             frame.draw(&[(tip.0 * beyond, tip.1 * beyond)], &Paint::Text(words))?;
         }
         Ok(())
@@ -281,7 +281,8 @@ impl View {
         if self.triad {
             obstacles.take(Self::triad_rect(rect));
         }
-        if self.sphere || self.globe {
+        let ball = self.elements.iter().any(|element| matches!(element, Element::Ball(..)));
+        if self.sphere || self.globe || ball {
             let outline = super::sketch::arc((0.0, 0.0), 1.0, (0.0, 2.0 * PI));
             let outline: Vec<Point> = outline.into_iter().map(|p| frame.px(p)).collect();
             obstacles.add_line(Obstacles::NOBODY, &outline);
@@ -297,6 +298,9 @@ impl View {
                     let px: Vec<Point> =
                         self.flat(points).into_iter().map(|p| frame.px(p)).collect();
                     obstacles.add_line(Obstacles::NOBODY, &px);
+                    if let Element::Arrow(_, _, head) = element {
+                        obstacles.add_head(&px, *head);
+                    }
                 }
                 Element::Vector(ends, _) => {
                     let px: Vec<Point> = self.flat(ends).into_iter().map(|p| frame.px(p)).collect();

@@ -10,6 +10,9 @@ use crate::Figure;
 use crate::error::Result;
 use rotation_dynamics::math::{hypot, sincos};
 
+/// Length of the head of an arrow, in px.
+const HEAD: f64 = 9.0;
+
 #[derive(Debug, Clone)]
 pub(super) enum Element {
     Curve(Curve),
@@ -368,7 +371,7 @@ impl Sketch {
             }
             Element::Arrow(points, ink) => {
                 let open = *ink == Ink::Force;
-                frame.draw(points, &Paint::Arrow(line(*ink, CURVE), 9.0, open))
+                frame.draw(points, &Paint::Arrow(line(*ink, CURVE), HEAD, open))
             }
             Element::Dimension(from, to) => {
                 frame.draw(&[*from, *to], &Paint::Dimension(line(Ink::Ink, AXIS)))
@@ -426,6 +429,9 @@ impl Sketch {
             };
             let px: Vec<Point> = points.iter().map(|&p| frame.px(p)).collect();
             obstacles.add_line(i, &px);
+            if let Element::Arrow(..) = element {
+                obstacles.add_head(&px, HEAD);
+            }
             if let Element::Curve(curve) = element
                 && let Some((text, place)) = &curve.label
             {
