@@ -89,17 +89,27 @@ pub fn of_the_notes() -> Result<[Motion; 5]> {
     }))
 }
 
+/// The motion on show, of which flags change a part: released at rest, with b < 1.
+struct Cusps {
+    a: f64,
+    b: f64,
+    c: f64,
+    energy: f64,
+}
+const CUSPS: Cusps = Cusps { a: 2.0, b: 0.6, c: 0.2, energy: -0.08 };
+
 kit::parameters! {
     /// The notes' motions, unless something is set: then the motion asked for.
     pub struct Parameters {
         /// I3/I1, the shape: above 0, at most 2
-        a: optional("-", any().usually(0.3, 2.0));
+        a: optional("-", any().usually(0.3, 2.0)).shown(CUSPS.a);
         /// L_Z/L_z, vertical over axial angular momentum
-        b: optional("-", any().usually(-0.7, 0.9));
+        b: optional("-", any().usually(-0.7, 0.9)).shown(CUSPS.b);
         /// m g l I3/L_z^2, weight against spin
-        c: optional("-", any().usually(0.0, 0.5));
+        c: optional("-", any().usually(0.05, 0.5)).shown(CUSPS.c);
         /// E~, at least the minimum of U_eff
-        energy: optional("-", any().usually(-0.087, 0.55));
+        energy: optional("-", any().usually(-0.087, -0.05)).shown(CUSPS.energy)
+            .open("push at release", "forward: waves", "backward: loops");
         /// turning point at t' = 0
         start: choice("theta_min", "theta_max");
         /// moment of inertia across the axis, about the pivot
@@ -141,12 +151,13 @@ fn motions(p: &Parameters) -> Result<Vec<Motion>> {
                       --length, --theta, --spin, --precession, --nutation, --with, --without",
         }),
         (true, None) => {
-            let (a, b, c) = (p.a.unwrap_or(2.0), p.b.unwrap_or(1.2), p.c.unwrap_or(0.2));
+            let of = |given: Option<f64>, usual| given.unwrap_or(usual);
+            let (a, b, c) = (of(p.a, CUSPS.a), of(p.b, CUSPS.b), of(p.c, CUSPS.c));
             let start = match p.start {
                 "theta_max" => Start::ThetaMax,
                 _ => Start::ThetaMin,
             };
-            let (top, energy) = (ReducedTop::new(a, b, c)?, p.energy.unwrap_or(0.55));
+            let (top, energy) = (ReducedTop::new(a, b, c)?, of(p.energy, CUSPS.energy));
             Ok(vec![Motion::with_energy("", top, energy, start)?])
         }
         (false, Some(rotor)) => Ok(vec![rotor.motion()?]),

@@ -1,9 +1,9 @@
-//! The moving pictures, for what a reader sets: each is moved by a slider, or is one of a list, and
-//! at the ends of its sliders all that it shows is in its frame.
+//! The moving pictures, for what a reader sets: a control begins at what is shown, each open one
+//! changes the picture, and at the ends of its sliders all that it shows is in its frame.
 
 use crate::snapshots::misplaced;
 use kit::draw::{Display, Ink, Shape, Sketch};
-use kit::{Figure, Moves, MovingPicture, Page};
+use kit::{Figure, Moves, MovingPicture, Page, seen};
 use pages::{ALL, MOVING, WHOLE};
 use serde_json::Value;
 
@@ -22,14 +22,6 @@ fn ends(page: &dyn Page) -> Vec<String> {
     sliders.flatten().collect()
 }
 
-/// Those with one word of a list.
-fn choices(page: &dyn Page) -> Vec<String> {
-    let words = |flag: &Value| flag["words"].as_array().cloned().unwrap_or_default();
-    let set = |flag: &Value, word: &Value| Some(format!("{}={}", flag["name"].as_str()?, word.as_str()?));
-    let lists = flags(page).into_iter();
-    lists.flat_map(|flag| words(&flag).into_iter().filter_map(move |word| set(&flag, &word))).collect()
-}
-
 /// The frame after this part of the span.
 fn frame(picture: &MovingPicture, part: f64) -> Figure {
     let (from, to) = picture.span().into_inner();
@@ -37,30 +29,73 @@ fn frame(picture: &MovingPicture, part: f64) -> Figure {
     frame.unwrap_or_else(|error| panic!("after {part} of the span: {error}"))
 }
 
-/// Whether one of these settings changes the picture half of the way.
-fn moved(page: &dyn Moves, settings: &[String]) -> bool {
-    let drawn = |setting: &str| {
-        let picture = page.opened(setting).ok()??;
-        Some(frame(&picture, 0.5).display)
+/// Whether these settings are those of the picture that is shown, as far as they are set.
+fn is_shown(page: &dyn Moves, settings: &str) -> bool {
+    let drawn = |settings: &str| {
+        let picture = page.opened(settings).ok()??;
+        let frames = [0.0, 0.3, 0.6, 1.0].map(|part| frame(&picture, part).display);
+        Some((picture.span(), frames))
     };
-    let before = drawn("").expect("it moves");
-    settings.iter().filter_map(|setting| drawn(setting)).any(|display| display != before)
+    drawn(settings) == drawn("")
+}
+
+/// The settings of the values on show: each that is not set otherwise alone, and all together.
+fn on_show(page: &dyn Page) -> Vec<String> {
+    let set = |flag: &Value| Some(format!("{}={}\n", flag["name"].as_str()?, flag["shown"].as_str()?));
+    let flags = flags(page);
+    let alone = flags.iter().filter(|flag| flag["kind"] == "optional").filter_map(set);
+    alone.chain([flags.iter().filter_map(set).collect()]).collect()
 }
 
 #[test]
-fn a_control_moves_every_picture() {
-    let mut seen = 0;
+fn a_control_begins_at_what_is_shown() {
     for (page, moves) in ALL.iter().zip(MOVING) {
         if moves.opened("").expect("its own parameters").is_some() {
-            let (sliders, lists) = (ends(*page), choices(*page));
-            let controls = if sliders.is_empty() { &lists } else { &sliders };
-            assert!(moved(*moves, controls), "no control moves the picture of {}", page.stem());
-            // The damaged twin: what is declared already moves nothing.
-            assert!(!moved(*moves, &["\n".into()]), "{}", page.stem());
-            seen += 1;
+            for settings in on_show(*page) {
+                assert!(is_shown(*moves, &settings), "{}: {settings:?} is not shown", page.stem());
+            }
+            // The damaged twin: a value beside the one on show.
+            let others = ends(*page).into_iter().filter(|setting| !is_shown(*moves, setting));
+            assert!(others.count() > 0, "{} shows no slider", page.stem());
         }
     }
-    assert!(!WHOLE || seen > 40, "{seen} pictures");
+}
+
+/// Two or three controls are open, all of them seen, and both ends of their sliders are allowed.
+#[test]
+fn the_open_controls_change_the_picture() {
+    let (mut count, mut wrong) = (0, Vec::new());
+    for (page, moves) in ALL.iter().zip(MOVING) {
+        let told: Value = serde_json::from_str(&seen(*page, *moves).expect("it moves")).expect("JSON");
+        let seen = told["seen"].as_array().expect("a list");
+        if moves.opened("").expect("its own parameters").is_none() {
+            continue;
+        }
+        count += 1;
+        let open = flags(*page).into_iter().filter(|flag| flag["title"].is_string());
+        let open: Vec<Value> = open.collect();
+        let mut fault = |what: String| wrong.push(format!("{}: {what}; seen: {seen:?}", page.stem()));
+        if !(1..=3).contains(&open.len()) {
+            fault(format!("{} open controls", open.len()));
+        }
+        for flag in open {
+            let name = flag["name"].as_str().expect("a name");
+            if !seen.contains(&flag["name"]) {
+                fault(format!("{name} changes nothing"));
+            }
+            let range = ["from", "to"].map(|end| flag[end].as_f64());
+            if flag["words"].as_array().is_some_and(Vec::is_empty) && range.contains(&None) {
+                fault(format!("{name} has no slider"));
+            }
+            for end in range.into_iter().flatten() {
+                if let Err(error) = moves.opened(&format!("{name}={end}")) {
+                    fault(format!("at an end of its slider {error}"));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(!WHOLE || count > 40, "{count} pictures");
 }
 
 /// By how many px what is drawn leaves the frame.

@@ -5,22 +5,40 @@
 //! ```text
 //! answer  = sum [ unit ]
 //! sum     = product { ("+" | "-") product }
-//! product = factor { ("*" | "/" | "x") factor | ("pi" | "sqrt" | "(") … }
-//! factor  = ("-" | "+") factor | atom [ "^" integer ]
-//! atom    = number | "pi" | "sqrt" atom | "(" sum ")"
+//! product = factor { ("*" | "/" | "x") factor | ("pi" | function | "(") … }
+//! factor  = ("-" | "+") factor | atom [ "^" factor ]
+//! atom    = number | "pi" | "e" | "sqrt" atom | function "(" sum ")" | "(" sum ")"
 //! unit    = { name [ [ "^" ] integer ] | "1" } joined by " ", "*" or "/"
 //! ```
 //! A decimal comma (but for `1,000`, which may be a thousand), a true minus sign, raised digits, `×`,
 //! `·`, `π` and `√` are read too.
 
 use super::Claim;
-use core::f64::consts::PI;
+use core::f64::consts::{E, PI};
 use libm::{ceil, floor, sqrt};
-use rotation_dynamics::math::{log10, pow};
+use rotation_dynamics::math::{acos, asin, atan, cos, exp, log, log10, pow, sin, tan};
 use std::collections::BTreeMap;
 
 /// Longer texts are refused: no answer needs them.
 const LONGEST: usize = 80;
+
+/// The functions that an answer may have. A bare `log` is none: it is `ln` here and `log10` there.
+const FUNCTIONS: [(&str, fn(f64) -> f64); 10] = [
+    ("sqrt", sqrt),
+    ("sin", sin),
+    ("cos", cos),
+    ("tan", tan),
+    ("asin", asin),
+    ("acos", acos),
+    ("atan", atan),
+    ("exp", exp),
+    ("ln", log),
+    ("log10", log10),
+];
+
+/// What is said to another one.
+const UNKNOWN: &str = "that function is not known; there are sqrt, sin, cos, tan, asin, acos, atan, \
+                       exp, ln and log10, each with its argument in parentheses";
 
 /// A number as a reader gives it.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,7 +58,7 @@ impl From<f64> for Answer {
 }
 
 impl Answer {
-    /// Reads `2/3`, `1.5x10^-5`, `1,5`, `−0.3`, `pi/3`, `0.876 s`.
+    /// Reads `2/3`, `1.5x10^-5`, `1,5`, `−0.3`, `pi/3`, `acos(2/3*cos(0.25))`, `0.876 s`.
     ///
     /// # Errors
     /// What is wrong with the text, in words.
@@ -53,8 +71,12 @@ impl Answer {
         if plain.contains(',') {
             return Err("decimals come after a point, thousands are not parted");
         }
-        let mut reader = Reader { rest: &plain };
-        let value = reader.sum().ok_or(NONE)?;
+        let mut reader = Reader { rest: &plain, unknown: false };
+        let value = reader.sum();
+        if reader.unknown {
+            return Err(UNKNOWN);
+        }
+        let value = value.ok_or(NONE)?;
         // A hexadecimal number, as programmers write it: 0x10 is not zero times ten.
         if plain.trim_start_matches(['-', '+', ' ']).starts_with("0x") {
             return Err(NONE);
@@ -126,8 +148,8 @@ fn plain(text: &str) -> String {
             match c {
                 '\u{2212}' | '\u{2013}' => plain.push('-'),
                 '·' | '×' | '⋅' => plain.push('*'),
-                'π' => plain.push_str("pi"),
-                '√' => plain.push_str("sqrt"),
+                'π' => plain.push_str(" pi "),
+                '√' => plain.push_str(" sqrt "),
                 // The ordinal sign and the ring look the same, and some keyboards have those.
                 '°' | 'º' | '˚' => plain.push_str(" deg"),
                 c if c.is_whitespace() => plain.push(' '),
@@ -175,9 +197,10 @@ fn number_end(text: &str) -> Option<usize> {
     Some(end)
 }
 
-/// What is left to read.
+/// What is left to read, and whether a function was met that is not known.
 struct Reader<'t> {
     rest: &'t str,
+    unknown: bool,
 }
 
 impl Reader<'_> {
@@ -247,7 +270,10 @@ impl Reader<'_> {
     /// Whether a factor follows that needs no sign of multiplication before it.
     fn begins_word(&self) -> bool {
         let rest = self.rest.trim_start();
-        ["pi", "sqrt", "("].iter().any(|word| rest.starts_with(word))
+        let (name, after) = named(rest);
+        rest.starts_with('(')
+            || ["pi", "sqrt"].contains(&name)
+            || (!name.is_empty() && after.starts_with('('))
     }
 
     fn factor(&mut self) -> Option<f64> {
@@ -258,20 +284,11 @@ impl Reader<'_> {
             return self.factor();
         }
         let base = self.atom()?;
-        let power = self.attempt(|r| r.take("^").then(|| r.integer())?);
+        let power = self.attempt(|r| r.take("^").then(|| r.factor())?);
         Some(match power {
             None => base,
             Some(power) => raised(base, power),
         })
-    }
-
-    fn integer(&mut self) -> Option<f64> {
-        self.space();
-        let sign = usize::from(self.rest.starts_with(['-', '+']));
-        let digits = self.rest[sign..].bytes().take_while(u8::is_ascii_digit);
-        let (integer, rest) = self.rest.split_at(sign + digits.count());
-        self.rest = rest;
-        integer.parse().ok()
     }
 
     fn atom(&mut self) -> Option<f64> {
@@ -281,25 +298,41 @@ impl Reader<'_> {
             self.rest = rest;
             return number.parse().ok();
         }
-        if self.take("sqrt") {
-            return Some(sqrt(self.atom()?));
-        }
         if self.take("(") {
             let inside = self.sum()?;
             return self.take(")").then_some(inside);
         }
-        let after = self.rest.strip_prefix("pi")?;
-        if after.starts_with(|c: char| c.is_ascii_alphabetic()) {
-            return None;
-        }
+        let (name, after) = named(self.rest);
+        let function = FUNCTIONS.iter().find(|(known, _)| *known == name);
+        let value = match (name, function) {
+            ("pi", _) => PI,
+            ("e", _) => E,
+            (_, Some((name, function)))
+                if *name == "sqrt" || after.trim_start().starts_with('(') =>
+            {
+                self.rest = after;
+                return Some(function(self.atom()?));
+            }
+            _ => {
+                self.unknown |= function.is_some() || after.starts_with('(') && !name.is_empty();
+                return None;
+            }
+        };
         self.rest = after;
-        Some(PI)
+        Some(value)
     }
 }
 
-/// `base^power` for a whole `power`.
+/// The name with which `text` begins, empty if it begins with none, and what follows.
+fn named(text: &str) -> (&str, &str) {
+    let letters = text.bytes().take_while(u8::is_ascii_alphabetic).count();
+    let end = if text.starts_with("log10") { 5 } else { letters };
+    text.split_at(end)
+}
+
+/// `base^power`.
 fn raised(base: f64, power: f64) -> f64 {
-    if base == 10.0 {
+    if base == 10.0 && power == floor(power) {
         // As the decimal number is read, to the last bit.
         return format!("1e{power}").parse().unwrap_or(f64::NAN);
     }
