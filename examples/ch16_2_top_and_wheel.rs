@@ -133,11 +133,9 @@ kit::parameters! {
         /// which body; the other flags change this one (both: the top)
         body: choice("both", "top", "wheel");
         /// mass
-        mass: optional("kg", above(0.0).usually(0.02, 3.0)).shown(TOP.mass)
-            .open("mass of the top", "light", "heavy");
+        mass: optional("kg", above(0.0).usually(0.02, 3.0)).shown(TOP.mass).open("mass of the top", "light", "heavy");
         /// from the fixed point to the centre of mass
-        length: optional("m", any().usually(0.01, 0.3)).shown(TOP.length)
-            .open("from the tip to the centre of mass", "low", "high");
+        length: optional("m", any().usually(0.01, 0.3)).shown(TOP.length).open("from the tip to the centre of mass", "low", "high");
         /// moment of inertia across the axis, about the centre of mass
         i1: optional("kg m^2", any()).shown(TOP.i1);
         /// moment of inertia about the axis

@@ -179,8 +179,9 @@ class Knobs {
             this.canvas.setAttribute("aria-label", this.still.getAttribute("aria-label"));
             this.figure.classList.add("moving");
             this.panel.append(this.canvas);
+            this.fit();
             this.resized ??= new ResizeObserver(() => this.fit());
-            this.resized.observe(this.panel);
+            for (const part of [this.panel, this.figure]) this.resized.observe(part);
             this.now.textContent = "…";
             const told = setInterval(() => {
                 const words = Live.arriving(this.root.dataset.stem);

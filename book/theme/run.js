@@ -271,6 +271,7 @@
                 await this.offer(this.lines().join("\n"));
                 opener.remove();
                 this.root.prepend(...this.parts);
+                scrolls(this.parts.at(-1));
                 this.run();
                 // An effect that is switched shows in error and cost.
                 Live.listen(() => {
@@ -306,7 +307,6 @@
             this.label = make("label", {}, this.name, this.field);
             const runs = make("div", { class: "scroll" }, table(["method", "setting", "attitude off by", "energy", "momentum", "work"], []));
             this.rows = runs.querySelector("tbody");
-            scrolls(runs);
             this.go = make("button", { type: "submit" }, "Run");
             const acting = this.effects();
             const form = make("form", {}, ...(acting.length > 0 ? [make("div", { class: "acting", role: "group", "aria-label": "What acts" }, ...acting)] : []),

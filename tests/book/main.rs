@@ -481,7 +481,7 @@ fn what_moves_is_made_where_there_are_modules() {
         `cargo run --example sample -- --length 2`";
     let two = read(&sample.root.join("book/src/two.md")).replacen("# Two", opening, 1);
     write("book/src/two.md", &two);
-    let live = ["class=\"player\"", "class=\"run\"", "id=\"live\"", "data-name=\"length\""];
+    let live = ["class=\"player\"", "class=\"run\"", "id=\"live\"", "class=\"knob "];
     let built = build();
     assert!(built.ok, "{}", built.stderr);
     let html = read(&out.join("two.html"));

@@ -102,9 +102,9 @@ impl Modules {
         let turns = if declared["turns"] == true { " turns" } else { "" };
         format!(
             "<div class=\"player{turns}\" role=\"group\" aria-label=\"Moving picture\" data-stem=\"{stem}\">\
-             {BAR}<p class=\"refusal\" role=\"status\"></p>{open}{fold}<p class=\"runs\"><button type=\"button\" \
-             class=\"run\" data-stem=\"{stem}\" data-arguments=\"\" data-state>Run the example with these \
-             parameters</button></p></div>"
+             {BAR}<p class=\"refusal\" role=\"status\"></p>{open}{fold}</div><p class=\"runs\"><button \
+             type=\"button\" class=\"run\" data-stem=\"{stem}\" data-arguments=\"\" data-state>Run the example \
+             with these parameters</button></p>"
         )
     }
 
