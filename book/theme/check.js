@@ -173,12 +173,15 @@
     const boxes = document.querySelectorAll(".scroll, .panels, .table-wrapper, .formula, pre > code");
     const watch = (box) => {
         resized.observe(box);
-        for (const part of box.children) resized.observe(part);
         box.addEventListener("scroll", () => measure(box), { passive: true });
     };
     boxes.forEach(watch);
-    // Of one that comes later its maker tells.
-    document.addEventListener("scrolls", ({ target }) => watch(target));
+    // Of one that comes later, and of what comes into it, its maker tells.
+    document.addEventListener("scrolls", ({ target }) => {
+        if (!target.classList.contains("watched")) watch(target);
+        target.classList.add("watched");
+        measure(target);
+    });
     // The book's letters, once they are there, fill a box that keeps its size.
     document.fonts.ready.then(() => boxes.forEach(measure));
 

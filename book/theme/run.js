@@ -104,15 +104,14 @@
             this.compared = make("div", { class: "scroll", hidden: true });
             this.output = make("code", { class: "stdout" });
             this.error = make("code", { class: "stderr" });
-            const printed = make("pre", {}, this.output, this.error);
-            this.told = make("details", { class: "told", open: true, hidden: true }, make("summary", {}, "What it prints"), printed);
+            this.told = make("details", { class: "told", open: true, hidden: true }, make("summary", {}, "What it prints"),
+                make("pre", {}, this.output, this.error));
             this.drawn = make("p", { class: "drawn", hidden: true });
             this.more = make("p", { class: "more", hidden: true });
             const form = make("form", {}, this.asks,
                 make("label", { for: id("line") }, make("code", {}, `cargo run --example ${stem} `, make("span", { class: "flag" }, "--"))),
                 make("span", { class: "line" }, this.line, this.go, this.stop), this.elapsed);
             this.root = make("div", { class: "terminal", role: "group", "data-stem": stem, "aria-label": `cargo run --example ${stem}, here` }, form, this.compared, this.told, this.drawn, this.more);
-            for (const box of [this.compared, printed]) scrolls(box);
             form.addEventListener("submit", (event) => { event.preventDefault(); this.submit(); });
             this.stop.addEventListener("click", () => this.machine.end());
             this.guess.addEventListener("input", () => this.label());
@@ -162,6 +161,7 @@
             [this.output.textContent, this.error.textContent] = [told.stdout, told.stderr];
             this.compare(told.stdout);
             this.told.hidden = false;
+            for (const box of [this.compared, this.told.querySelector("pre")]) scrolls(box);
             this.offer(words, told);
         }
 
@@ -271,7 +271,6 @@
                 await this.offer(this.lines().join("\n"));
                 opener.remove();
                 this.root.prepend(...this.parts);
-                scrolls(this.parts.at(-1));
                 this.run();
                 // An effect that is switched shows in error and cost.
                 Live.listen(() => {
@@ -360,6 +359,7 @@
                 const name = this.kind() === "solve" ? `solve: ${told.method}` : told.method;
                 const cells = [name, whole, `${number(told.attitude)} rad`, number(told.energy), number(told.momentum), told.work];
                 this.rows.prepend(tr(cells, "td"));
+                scrolls(this.parts.at(-1));
                 this.status.textContent = `${name}, ${whole}: off by ${number(told.attitude)} rad for ${told.work}`;
             } catch (error) {
                 this.status.textContent = `${error.message}.`;

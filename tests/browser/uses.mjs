@@ -248,14 +248,14 @@ const turns = (browser, address, how) => opened(browser, address, { ...how, redu
     return faults;
 });
 
-/** Of the stills one is to be seen, with the play button in the first 900 px of a phone. */
+/** Of the stills one is to be seen, as wide as the column, and on a phone it fits the window with its play button. */
 const fits = (browser, address, how) => opened(browser, address, { ...how, width: PHONE, reducedMotion: "reduce" }, async (page) => {
-    const [count, bottom, wide] = await page.evaluate(() => {
+    const [count, high, wide] = await page.evaluate(() => {
         const figure = document.querySelector("figure:has(> .player)");
         const seen = [...figure.querySelectorAll(".panel svg")].filter((svg) => svg.checkVisibility());
-        return [seen.length, figure.querySelector(".play").getBoundingClientRect().bottom + scrollY, seen[0].getBoundingClientRect().width / figure.clientWidth];
+        return [seen.length, figure.querySelector(".play").getBoundingClientRect().bottom - seen[0].getBoundingClientRect().top, seen[0].getBoundingClientRect().width / figure.clientWidth];
     });
-    return [...count === 1 ? [] : [`${count} stills`], ...bottom < 900 ? [] : [`the play button ends at ${bottom}`], ...wide > 0.99 ? [] : [`the picture has ${wide} of the column`]];
+    return [...count === 1 ? [] : [`${count} stills`], ...high < 640 ? [] : [`picture and play button are ${high} px high`], ...wide > 0.99 ? [] : [`the picture has ${wide} of the column`]];
 });
 
 /** A picture plays when it is seen, but not where motion is not wanted or data is paid for; paused it stays so. */

@@ -119,7 +119,7 @@ const unscripted = (browser, address, how) => opened(browser, address, { ...how,
 /** Where a module does not arrive the locked figure stays, and the page says so. */
 const missing = (browser, address, how) => opened(browser, address, how, async (page, { console }) => {
     await stills(page);
-    const { stills: all } = await seen(page);
+    const all = await page.locator("figure:not(:has(> .player)) .panel svg, .panel:last-child svg").count();
     const player = page.locator(".player").first();
     await player.locator(".play").click();
     const said = page.locator(".player .refusal:not(:empty)").first().waitFor();

@@ -190,15 +190,15 @@ impl Modules {
         let arguments = arguments.trim_start();
         let arguments = escape(arguments.strip_prefix("--").unwrap_or(arguments).trim());
         let predict = if predict { " data-predict" } else { "" };
-        let label = escape(command.trim());
-        let what = match &*arguments {
-            _ if !several => String::new(),
-            "" => " as it is".into(),
-            arguments => format!(" <code>{arguments}</code>"),
+        let command = escape(command.trim());
+        let (what, label) = match &*arguments {
+            _ if !several => (String::new(), "Run here".into()),
+            "" => (" as it is".into(), "Run as it is".into()),
+            words => (format!(" <code>{words}</code>"), format!("Run {words}")),
         };
         Some(format!(
             "<button type=\"button\" class=\"run\" data-stem=\"{stem}\" data-arguments=\"{arguments}\"{predict} \
-             aria-label=\"Run here: {label}\">Run{what}</button>"
+             aria-label=\"{label}: {command}\">Run{what}</button>"
         ))
     }
 
@@ -499,8 +499,11 @@ mod tests {
                 format!(
                     "<pre><code class=\"language-console\">{rod} -- --b 2\n{rod}\n</code></pre><div class=\"runs\">{}{}</div>x",
                     button("rod", "--b 2", "", &format!("{rod} -- --b 2"))
-                        .replace("Run<", "Run <code>--b 2</code><"),
-                    button("rod", "", "", rod).replace("Run<", "Run as it is<")
+                        .replace("Run<", "Run <code>--b 2</code><")
+                        .replace("Run here", "Run --b 2"),
+                    button("rod", "", "", rod)
+                        .replace("Run<", "Run as it is<")
+                        .replace("Run here", "Run as it is")
                 ),
             ),
         ];
