@@ -43,7 +43,7 @@ parameters! {
         /// what slow yielding of the mantle adds to it
         slow: number(0.0077, "-", at_least(0.0).because("what yields follows the pole").usually(0.0, 0.05));
         /// imaginary part of the Love number: what lags
-        loss: number(0.0036, "-", from_to(1e-3, 0.02).because("with less the wobble lasts longer than the record, with more it is gone in a year").usually(1e-3, 0.02)).open("loss in the Earth", "the wobble lasts", "it fades soon");
+        loss: number(0.0036, "-", from_to(1e-3, 0.02).because("with less the wobble lasts longer than the record, with more it is gone in a year").usually(1e-3, 0.02)).open("loss in the Earth", "it lasts", "it fades");
         /// Love number of a fluid Earth with this bulge
         fluid: number(0.938_319, "-", above_to(0.0, 20.0).because("the wobble fades in proportion to it, and is followed for a thousand such times").usually(0.8, 1.2));
         /// moment of inertia of the fluid core, as a part of that of the Earth

@@ -23,7 +23,7 @@ class Knobs {
                 if (knob.box) knob.box.checked = true;
                 moved();
             });
-            knob.box?.addEventListener("change", moved);
+            knob.box?.addEventListener("change", () => { this.slide(knob); moved(); });
             knob.back.addEventListener("click", () => {
                 this.set(element.dataset.name, knob.preset);
                 knob.value.focus();
@@ -40,12 +40,13 @@ class Knobs {
         return String(Number((from * (to / from) ** (slider.value / slider.max)).toPrecision(3)));
     }
 
-    /** Brings the slider to what is typed. */
-    slide({ slider, value }) {
+    /** Brings the slider to what is typed; to its low end while an effect is left out. */
+    slide({ slider, value, box }) {
         const number = Number(value.value);
         if (!slider || value.value === "" || !Number.isFinite(number)) return;
-        const { from, to } = slider.dataset;
-        slider.value = from === undefined ? number : slider.max * Math.log(Math.max(number, from) / from) / Math.log(to / from);
+        const { min, max, dataset: { from, to } } = slider;
+        slider.value = box?.checked === false ? min
+            : from === undefined ? number : max * Math.log(Math.max(number, from) / from) / Math.log(to / from);
     }
 
     /** The typed value of a knob; "" is an effect left out. */

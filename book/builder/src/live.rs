@@ -347,7 +347,8 @@ fn slider(flag: &Value, typed: &str, spoken: &str) -> String {
         "<span class=\"ends\" aria-hidden=\"true\"><span>{low}</span><span>{high}</span></span>"
     );
     let head = format!("<span class=\"slide\"><input type=\"range\" aria-label=\"{spoken}\"");
-    let value: f64 = typed.parse().unwrap_or(0.5 * (from + to));
+    // An effect that is left out stands at the low end.
+    let value: f64 = flag["shown"].as_str().and_then(|_| typed.parse().ok()).unwrap_or(from);
     if from > 0.0 && to > 200.0 * from {
         const STEPS: f64 = 300.0;
         let at = STEPS * ((value / from).ln() / (to / from).ln()).clamp(0.0, 1.0);
