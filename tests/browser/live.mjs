@@ -148,8 +148,8 @@ export async function slides(page, n) {
         }
         if (!await differ(page, n, before)) faults.push(`${name} changes nothing`);
         await knob.locator(".back").click();
-        await settled(page, n);
-        if (await page.evaluate(pixels, n) !== before) faults.push(`${name} is not put back`);
+        const back = ({ n, then, pixels }) => eval(pixels)(n) === then;
+        if (!await comes(page, back, { n, then: before, pixels: `(${pixels})` }, 15_000)) faults.push(`${name} is not put back`);
     }
     return faults;
 }
