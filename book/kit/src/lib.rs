@@ -55,6 +55,7 @@ pub mod draw;
 mod entries;
 pub mod error;
 mod example;
+mod expression;
 mod files;
 pub mod interval;
 mod json;
