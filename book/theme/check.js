@@ -43,8 +43,7 @@
     const forSheet = (form, ours) => {
         const shown = [...form.querySelectorAll(".assumed [data-name]")];
         const own = shown.map((item) => [item.dataset.name, item.dataset.value]);
-        const unset = (form.dataset.unset ?? "").split(" ").filter((name) => name !== "");
-        const asked = Answer.addressed(location.search, form.dataset.stem, own, ours, unset);
+        const asked = Answer.addressed(location.search, form.dataset.stem, own, ours, Live.flags(form.dataset.stem));
         if (asked === null) return ours;
         if (asked.error && asked.values && Live.has(form.dataset.stem)) {
             Live.change(asked.values, null);

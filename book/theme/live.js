@@ -165,6 +165,8 @@ const Live = (() => {
     // left out. The address holds them, and the time of the picture as `t`.
     const state = new Map();
     const heard = [];
+    /** The names of a page's parameters. */
+    const flags = (stem) => pages[stem]?.flags ?? [];
     /** Sets the parameters of the page and tells everyone but `from`. */
     function change(values, from) {
         state.clear();
@@ -226,7 +228,7 @@ const Live = (() => {
     };
     if (able) for (const type of ["pointerdown", "keydown"]) document.addEventListener(type, begin, { capture: true, passive: true });
 
-    return { able, inks, packed, has: (stem) => able && stem in pages, machine, metered, ahead, arriving, state, change, listen, remember, commanded };
+    return { able, inks, packed, has: (stem) => able && stem in pages, machine, metered, ahead, arriving, flags, state, change, listen, remember, commanded };
 })();
 
 if (typeof module !== "undefined") module.exports = Live;

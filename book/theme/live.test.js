@@ -4,7 +4,7 @@
 const assert = require("node:assert");
 
 // ---- A page, a server of modules in two pieces, a worker that answers as it is told.
-const pages = { rod: { module: "a.gz", page: 3, size: 5, effects: ["friction", "gravity"] }, disc: { module: "d.gz", page: 0, size: 5 } };
+const pages = { rod: { module: "a.gz", page: 3, size: 5, flags: ["length", "friction", "gravity"], effects: ["friction", "gravity"] }, disc: { module: "d.gz", page: 0, size: 5 } };
 const asked = [];
 const workers = [];
 let missing = "";
@@ -45,6 +45,7 @@ globalThis.Live = Live;
 
 (async () => {
     assert.ok(Live.able && Live.has("rod") && !Live.has("table"));
+    assert.deepStrictEqual([Live.flags("rod"), Live.flags("table")], [["length", "friction", "gravity"], []]);
     assert.deepStrictEqual(asked, [], "nothing is brought before it is asked for");
     const machine = Live.machine("rod", "motion");
     assert.strictEqual(Live.machine("rod", "motion"), machine);

@@ -123,7 +123,7 @@ class Knobs {
             // `t` is where it is, `shown` what is painted, `sound` the settings of the last good picture.
             Object.assign(this, { machine: null, picture: null, drawing: null, t: null, camera: [0, 0], shown: "",
                 sound: "", playing: false, visible: false, busy: false, opening: false, stale: false, last: 0, held: 0 });
-            const given = [...asked.given ?? []].filter(([name]) => this.knobs.all.has(name));
+            const given = [...asked.given ?? []].filter(([name]) => Live.flags(root.dataset.stem).includes(name));
             this.begun = asked.t !== undefined;
             if (this.begun) this.t = Number(asked.t);
             this.wished = given.length > 0 || this.begun;
@@ -145,11 +145,12 @@ class Knobs {
             time.addEventListener("input", () => this.seek(time.value / time.max));
             speed.addEventListener("change", () => this.touch());
             root.querySelector(".whole").addEventListener("click", () => {
-                this.knobs.adopt(new Map());
                 this.camera = [0, 0];
                 this.pause();
                 this.t = this.picture?.span[0] ?? null;
-                this.changed();
+                Live.change([], null);
+                this.touch();
+                this.remember();
             });
             // While the fold is open the picture stays in view above it, and is smaller.
             this.fold?.addEventListener("toggle", () => this.inPlace(() => this.figure.classList.toggle("pinned", this.fold.open)));
@@ -247,7 +248,7 @@ class Knobs {
             this.opening = true;
             do {
                 this.stale = false;
-                const lines = [...this.knobs.changed()].map(([name, value]) => `${name}=${value}`).join("\n");
+                const lines = [...Live.state].map(([name, value]) => `${name}=${value}`).join("\n");
                 try {
                     this.opened(await this.machine.ask("open", lines));
                     this.sound = lines;
@@ -282,9 +283,11 @@ class Knobs {
         }
 
         changed() {
+            // An address may set what has no control here.
+            const others = [...Live.state].filter(([name]) => !this.knobs.all.has(name));
+            Live.change([...others, ...this.knobs.changed()], this.heard);
             this.touch();
             this.open();
-            Live.change(this.knobs.changed(), this.heard);
             this.remember();
         }
 

@@ -108,13 +108,6 @@ impl Modules {
         )
     }
 
-    /// What the answer box of `stem` must know of its parameters, as an attribute.
-    pub fn answered(&self, stem: &str) -> String {
-        let unset = self.flags(stem).iter().filter(|flag| flag["default"].is_null());
-        let unset: Vec<String> = unset.map(|flag| text(flag, "name")).collect();
-        format!(" data-unset=\"{}\"", unset.join(" "))
-    }
-
     /// The bench beside the table of what accuracy costs: any method at any step, where the
     /// table tells of a problem that has been stepped.
     pub fn bench(&self, stem: &str, accuracy: &Table) -> String {
@@ -219,10 +212,13 @@ impl Modules {
                 let page = self.page(stem)?;
                 let [module, number] = [page.get("module")?, page.get("page")?];
                 let size = self.files.get(module.as_str()?)?.len();
-                let effects = self.flags(stem).iter().filter(|flag| flag["kind"] == "effect");
-                let effects: Vec<&Value> = effects.map(|flag| &flag["name"]).collect();
-                let page =
-                    json!({"module": module, "page": number, "size": size, "effects": effects});
+                let names = |wanted: fn(&&Value) -> bool| -> Vec<&Value> {
+                    let flags = self.flags(stem).iter().filter(wanted);
+                    flags.map(|flag| &flag["name"]).collect()
+                };
+                let effects = names(|flag| flag["kind"] == "effect");
+                let page = json!({"module": module, "page": number, "size": size,
+                    "flags": names(|_| true), "effects": effects});
                 Some((stem.to_owned(), page))
             })
             .collect();
@@ -531,7 +527,8 @@ mod tests {
         let data =
             head.split("id=\"live\">").nth(1).and_then(|rest| rest.strip_suffix("</script>"));
         let data: Value = serde_json::from_str(data.expect("data")).expect("JSON");
-        let page = json!({"module": "a.gz", "page": 3, "size": 5, "effects": ["friction"]});
+        let page = json!({"module": "a.gz", "page": 3, "size": 5,
+            "flags": ["angle", "mass", "start", "friction", "charge", "tolerance"], "effects": ["friction"]});
         assert_eq!(data, json!({"pages": {"rod": page}, "inks": ["fig-ink", "fig-axis"]}));
         // The damaged twins: no module, or nothing that uses it.
         assert_eq!(modules().head("<div class=\"player\" data-stem=\"other\">"), None);

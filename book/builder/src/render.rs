@@ -244,10 +244,6 @@ fn finish(
             (Some(modules), Splice::Table { stem, section }) if section == times::SECTION => {
                 plain + &modules.bench(stem, &project.table(stem, section)?)
             }
-            (Some(modules), Splice::Check { stem }) => {
-                let form = "<form class=\"answer\"";
-                plain.replacen(form, &format!("{form}{}", modules.answered(stem)), 1)
-            }
             _ => plain,
         })
     })?;
