@@ -160,7 +160,7 @@ class Knobs {
                 const { isIntersecting, intersectionRatio } = entries.at(-1);
                 this.visible = isIntersecting;
                 if (isIntersecting) Live.ahead(this.root.dataset.stem);
-                if (isIntersecting && this.wished) this.touch();
+                if (isIntersecting && this.wished && !this.eager) this.touch();
                 if (this.eager && intersectionRatio >= SEEN) {
                     this.eager = false;
                     if (!this.playing) this.toggle();
