@@ -24,11 +24,11 @@ kit::parameters! {
     /// A displacement of a rigid body: the instance of all pages of Section 15.1.
     pub struct Parameters {
         /// first turn, about Z
-        phi: number(0.3, "rad", between(-PI, PI).because("less than half a turn each way: further angles give the same attitude").usually(-3.1, 3.1));
+        phi: number(0.3, "rad", between(-PI, PI).because("less than half a turn each way: further angles give the same attitude").usually(-3.1, 3.1)).open("first turn, about Z: phi", "clockwise", "counterclockwise");
         /// second turn, about the new x
-        theta: number(0.7, "rad", from_to(0.0, PI).because("a negative tilt is that tilt with phi and zeta half a turn further").usually(0.0, 3.1));
+        theta: number(0.7, "rad", from_to(0.0, PI).because("a negative tilt is that tilt with phi and zeta half a turn further").usually(0.0, 3.1)).open("second turn, about the new x: theta", "upright", "upside down");
         /// third turn, about the newest z
-        zeta: number(-0.4, "rad", between(-PI, PI).because("less than half a turn each way: further angles give the same attitude").usually(-3.1, 3.1));
+        zeta: number(-0.4, "rad", between(-PI, PI).because("less than half a turn each way: further angles give the same attitude").usually(-3.1, 3.1)).open("third turn, about the newest z: zeta", "clockwise", "counterclockwise");
         /// displacement of the reference point along X
         shift_x: number(1.0, "m", from_to(-1e4, 1e4).usually(-3.0, 3.0));
         /// along Y

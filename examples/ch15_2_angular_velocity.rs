@@ -54,11 +54,11 @@ kit::parameters! {
         /// angle of a mark on the rotor from the line of nodes
         zeta: number(-0.4, "rad", from_to(-100.0, 100.0).because("whole turns may be left out of an angle").usually(-3.1, 3.1));
         /// rate of phi
-        precession: number(2.0, "rad/s", from_to(-1e5, 1e5).usually(-3.0, 3.0));
+        precession: number(2.0, "rad/s", from_to(-1e5, 1e5).usually(-3.0, 3.0)).open("rate of the outer ring", "clockwise", "counterclockwise");
         /// rate of theta
-        nutation: number(0.5, "rad/s", from_to(-1e5, 1e5).usually(-3.0, 3.0));
+        nutation: number(0.5, "rad/s", from_to(-1e5, 1e5).usually(-3.0, 3.0)).open("rate of the inner ring", "axle rises", "axle sinks");
         /// rate of zeta; the pictures show a tenth of it
-        spin: number(30.0, "rad/s", from_to(-1e5, 1e5).usually(-40.0, 40.0));
+        spin: number(30.0, "rad/s", from_to(-1e5, 1e5).usually(-40.0, 40.0)).open("rate of the rotor", "clockwise", "counterclockwise");
         /// error of a step of the runs
         tolerance: number(1e-12, "-", from_to(1e-15, 1e-3));
     }

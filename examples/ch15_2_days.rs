@@ -33,7 +33,7 @@ kit::parameters! {
         /// mean longitude of the Sun at noon of 1 January 2000
         mean_longitude: number(4.895_063_113_086_038, "rad", from_to(0.0, TAU).because("a full turn"));
         /// days in the year of the moving picture
-        picture_year: number(6.0, "d", from_to(2.0, 20.0).because("more days cannot be seen in a picture").usually(2.0, 12.0));
+        picture_year: number(6.0, "d", from_to(2.0, 20.0).because("more days cannot be seen in a picture").usually(2.0, 12.0)).open("length of the year", "a day is no turn", "a day is nearly a turn");
         /// error of a step of the runs
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
     }

@@ -37,7 +37,7 @@ parameters! {
         /// rolling resistance of a hoop as a part of its weight, for the claims about it
         resistance: effect(0.005, "-", above_to(0.0, 1.0).because("what is braked more does not roll"));
         /// slip of the coin over its way along the other's rim, for the picture and the claims about it
-        slip: effect(1.0, "-", above_to(0.0, 2.0).because("at 2 it slides and does not turn").usually(0.1, 2.0));
+        slip: effect(1.0, "-", above_to(0.0, 2.0).because("at 2 it slides and does not turn").usually(0.1, 2.0)).open("slip of the rolling coin", "it rolls", "it slides");
         /// error of a step of the simulations
         tolerance: number(1e-13, "-", from_to(1e-15, 1e-6));
     }

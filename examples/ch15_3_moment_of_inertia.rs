@@ -27,9 +27,9 @@ kit::parameters! {
         /// mass of the plate
         mass: number(1.5, "kg", from_to(1e-9, 1e9).usually(0.5, 5.0));
         /// edge of the plate along x
-        width: number(0.4, "m", from_to(1e-9, 1e9).usually(0.1, 1.0));
+        width: number(0.4, "m", from_to(1e-9, 1e9).usually(0.1, 1.0)).open("edge of the plate along x", "tall", "wide");
         /// edge of the plate along y; of a square the same
-        height: number(0.4, "m", from_to(1e-9, 1e9).usually(0.1, 1.0));
+        height: number(0.4, "m", from_to(1e-9, 1e9).usually(0.1, 1.0)).open("edge of the plate along y", "wide", "tall");
         /// angle by which the axes in the plate are turned
         turn: number(0.3, "rad", from_to(-1e3, 1e3).usually(0.0, PI));
         /// angular velocity of the four masses, its component along x

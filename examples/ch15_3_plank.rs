@@ -31,7 +31,7 @@ kit::parameters! {
         length: number(1.0, "m", from_to(1e-9, 1e9).usually(0.2, 4.0));
         gravity: gravity(from_to(1e-9, 1e9).usually(1.0, 25.0));
         /// angle from the vertical at which it is released at rest
-        angle: number(0.01, "rad", from_to(1e-30, 1.5).because("counted to the side to which it falls; upright it stays for ever").usually(1e-6, 1.0));
+        angle: number(0.01, "rad", from_to(1e-30, 1.5).because("counted to the side to which it falls; upright it stays for ever").usually(1e-6, 1.0)).open("angle at the release", "nearly upright", "far over");
         /// angle at which the rate is asked for, on the way from upright
         look: number(0.5, "rad", from_to(1e-3, 1.57).because("counted to the side to which it falls, until it lies").usually(0.1, 1.5));
         /// angle from which the time to the floor is asked for, on the same way

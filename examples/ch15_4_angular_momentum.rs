@@ -38,9 +38,9 @@ kit::parameters! {
         /// radius of the cylinder
         radius: number(0.05, "m", above(0.0).usually(0.02, 0.3));
         /// height of the cylinder
-        height: number(0.3, "m", above(0.0).usually(0.02, 0.5));
+        height: number(0.3, "m", above(0.0).usually(0.02, 0.5)).open("height of the cylinder", "a disc", "a rod");
         /// angle between the cylinder and the shaft
-        tilt: number(0.5, "rad", from_to(0.0, FRAC_PI_2).because("the smaller angle between two lines").usually(0.0, FRAC_PI_2));
+        tilt: number(0.5, "rad", from_to(0.0, FRAC_PI_2).because("the smaller angle between two lines").usually(0.0, FRAC_PI_2)).open("angle between cylinder and shaft", "along the shaft", "across it");
         /// angular velocity of the shaft
         rate: number(10.0, "rad/s", any().but_zero("at rest L has no direction").usually(2.0, 20.0));
         /// mass of the rolling wheel

@@ -42,9 +42,9 @@ kit::parameters! {
         /// angular momentum over the middle moment
         rate: number(12.0, "rad/s", above(0.0).because("the axis is counted to the side to which the body turns").usually(2.0, 30.0));
         /// angle between angular momentum and middle axis at the start
-        aside: number(0.1, "rad", between(1e-6, 1.55).because("on an axis nothing tumbles; beyond, it is nearer to another one").usually(0.001, 1.5));
+        aside: number(0.1, "rad", between(1e-6, 1.55).because("on an axis nothing tumbles; beyond, it is nearer to another one").usually(0.001, 1.5)).open("angle off the middle axis", "on it", "near another axis");
         /// to which axis it is off
-        toward: choice("least", "largest");
+        toward: choice("least", "largest").open("off towards the axis of the moment that is");
         /// air of a room, for the table of the flips in it: drag coefficient of the cover
         air: effect(1.2, "-", above_to(0.0, 10.0).because("no body has a larger drag coefficient"));
         /// error asked of the attitude at the end: above 0, at most pi

@@ -27,9 +27,9 @@ kit::parameters! {
         /// moment of inertia about an axis in the equator, over M R^2
         a: number(0.329_591, "-", between(0.01, 0.5).because("a planet with a dense core has little, a hollow one 2/3").usually(0.32, 0.3304));
         /// moment of inertia about the figure axis, over M R^2
-        c: number(0.330_675, "-", between(0.01, 0.5).because("a planet with a dense core has little, a hollow one 2/3").usually(0.33, 0.34));
+        c: number(0.330_675, "-", between(0.01, 0.5).because("a planet with a dense core has little, a hollow one 2/3").usually(0.33, 0.34)).open("moment about the figure axis, over M R^2", "nearly a ball", "flatter");
         /// distance of the pole of rotation from the figure axis, on the ground
-        wander: number(10.0, "m", above_to(0.0, 1e6).usually(1.0, 20.0));
+        wander: number(10.0, "m", above_to(0.0, 1e6).usually(1.0, 20.0)).open("distance of the pole from the figure axis", "near", "far");
         /// radius of the Earth
         radius: number(6.371e6, "m", between(1e6, 1e8).because("smaller or larger it is no planet like the Earth").usually(6e6, 7e6));
         /// one turn relative to the equinox, a sidereal day

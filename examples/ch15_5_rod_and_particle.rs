@@ -18,11 +18,11 @@ kit::parameters! {
         /// mass of the rod
         mass: number(0.8, "kg", from_to(1e-6, 1e6).usually(0.1, 3.0));
         /// mass of the particle
-        particle: number(0.8, "kg", from_to(1e-6, 1e6).usually(0.1, 3.0));
+        particle: number(0.8, "kg", from_to(1e-6, 1e6).usually(0.1, 3.0)).open("mass of the particle", "light", "heavy");
         /// length of the rod
         length: number(1.2, "m", from_to(1e-3, 1e3).because("beyond, the simulation loses digits").usually(0.5, 2.0));
         /// speed of the particle
-        speed: number(5.0, "m/s", from_to(-1e6, 1e6).but_zero("at rest nothing is hit").usually(1.0, 10.0));
+        speed: number(5.0, "m/s", from_to(-1e6, 1e6).but_zero("at rest nothing is hit").usually(1.0, 10.0)).open("speed of the particle", "slow", "fast");
         /// coefficient of friction of the table, for the claims about what comes later
         table: effect(0.1, "-", above_to(0.0, 1e6));
         /// error of the simulation: from 2e-12 to 1e-3

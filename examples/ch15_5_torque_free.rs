@@ -31,13 +31,13 @@ kit::parameters! {
         /// radius
         radius: number(0.05, "m", from_to(1e-6, 1e6).usually(0.01, 0.2));
         /// height along the axis; 0 is a thin disc
-        height: number(0.15, "m", from_to(0.0, 1e6).usually(0.0, 0.4));
+        height: number(0.15, "m", from_to(0.0, 1e6).usually(0.0, 0.4)).open("height of the can", "flat: cone in cone", "tall: cone on cone");
         /// angular velocity along the axis
         omega_z: number(20.0, "rad/s", from_to(1e-9, 1e9).because("the axis is counted to the side to which the body spins").usually(1.0, 100.0));
         /// angular velocity across the axis
         omega_y: number(1.0, "rad/s", from_to(1e-9, 1e9).because("y is counted to the side of L; without this part nothing wobbles").usually(0.1, 40.0));
         /// tilt of the axis in the drawings of the cones
-        drawn_tilt: number(0.5, "rad", between(0.05, 1.5).because("wider or narrower cones cannot be told apart in the drawing").usually(0.1, 0.65));
+        drawn_tilt: number(0.5, "rad", between(0.05, 1.5).because("wider or narrower cones cannot be told apart in the drawing").usually(0.1, 0.65)).open("tilt of the axis", "narrow cones", "wide cones");
         /// error asked of the attitude at the end: above 0, at most pi
         tolerance: number(1e-9, "rad", above_to(0.0, PI));
     }

@@ -45,9 +45,9 @@ kit::parameters! {
     /// The asteroid: its moments of inertia, and the flyby that is put in.
     pub struct Parameters {
         /// moment of inertia about x over that about the long axis
-        moment_x: number(3.0836, "-", from_to(1.5, 8.0).because("in units of the least moment; a longer body would break").usually(2.5, 3.2));
+        moment_x: number(3.0836, "-", from_to(1.5, 8.0).because("in units of the least moment; a longer body would break").usually(2.5, 3.2)).open("moment about x, over the least", "less of a spindle", "a spindle");
         /// the same about y
-        moment_y: number(3.235, "-", from_to(1.5, 8.0).because("in units of the least moment; a longer body would break").usually(3.2, 4.0));
+        moment_y: number(3.235, "-", from_to(1.5, 8.0).because("in units of the least moment; a longer body would break").usually(3.2, 4.0)).open("moment about y, over the least", "a spindle", "less of a spindle");
         /// least distance from the Earth in the flyby
         closest: number(1.5558e9, "m", from_to(1e8, 1e11).because("nearer, the tide outdoes the spin; farther, the Earth is not felt").usually(5e8, 1e10));
         /// speed far from the Earth

@@ -19,11 +19,11 @@ parameters! {
         /// moment of inertia of the lower disc
         lower: number(0.05, "kg m^2", from_to(1e-9, 1e9).usually(0.01, 0.1)).drawn(0.02, 0.10, 0.01);
         /// angular velocity of the upper disc before
-        upper_rate: number(40.0, "rad/s", from_to(-1e6, 1e6).usually(-50.0, 50.0)).drawn(20.0, 60.0, 2.0);
+        upper_rate: number(40.0, "rad/s", from_to(-1e6, 1e6).usually(-50.0, 50.0)).drawn(20.0, 60.0, 2.0).open("rate of the upper disc", "clockwise", "counterclockwise");
         /// angular velocity of the lower disc before
-        lower_rate: number(-10.0, "rad/s", from_to(-1e6, 1e6).usually(-50.0, 50.0)).drawn(-30.0, -6.0, 2.0);
+        lower_rate: number(-10.0, "rad/s", from_to(-1e6, 1e6).usually(-50.0, 50.0)).drawn(-30.0, -6.0, 2.0).open("rate of the lower disc", "clockwise", "counterclockwise");
         /// torque of the friction while one slips on the other
-        friction: number(0.5, "N m", from_to(1e-9, 1e9).usually(0.1, 2.0)).drawn(0.2, 1.0, 0.1);
+        friction: number(0.5, "N m", from_to(1e-9, 1e9).usually(0.1, 2.0)).drawn(0.2, 1.0, 0.1).open("friction while they slip", "slips long", "holds soon");
         /// height of the fall
         drop: number(0.2, "m", at_least(0.0).usually(0.0, 1.0));
         gravity: gravity(from_to(1e-6, 1e6).usually(1.0, 25.0));

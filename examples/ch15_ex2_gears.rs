@@ -22,11 +22,11 @@ parameters! {
         /// radius of gear A
         radius_a: number(0.2, "m", from_to(1e-6, 1e6).usually(0.05, 0.5)).drawn(0.15, 0.30, 0.01);
         /// radius of gear B
-        radius_b: number(0.1, "m", from_to(1e-6, 1e6).usually(0.05, 0.5)).drawn(0.05, 0.12, 0.01);
+        radius_b: number(0.1, "m", from_to(1e-6, 1e6).usually(0.05, 0.5)).drawn(0.05, 0.12, 0.01).open("radius of gear B", "turns fast", "turns slowly");
         /// rate of gear A
         rate: number(30.0, "rad/s", from_to(-1e6, 1e6).but_zero("if A is at rest the rims do not rub").usually(1.0, 100.0)).drawn(10.0, 60.0, 5.0);
         /// friction of the rims while they slip
-        friction: number(10.0, "N", from_to(1e-9, 1e9).usually(1.0, 100.0)).drawn(5.0, 20.0, 1.0);
+        friction: number(10.0, "N", from_to(1e-9, 1e9).usually(1.0, 100.0)).drawn(5.0, 20.0, 1.0).open("friction of the rims", "slips long", "holds soon");
         /// mass of gear B, for the reading in which its axis moves
         mass_b: number(1.0, "kg", from_to(1e-9, 1e9).usually(0.1, 5.0));
         /// rate of the arm that carries it in that reading

@@ -18,11 +18,11 @@ parameters! {
         /// radius of the fixed coin
         inner: number(0.02, "m", from_to(1e-9, 1e9).usually(0.005, 0.05)).drawn(0.018, 0.030, 0.002);
         /// radius of the rolling coin
-        outer: number(0.012, "m", from_to(1e-9, 1e9).usually(0.005, 0.05)).drawn(0.006, 0.014, 0.002);
+        outer: number(0.012, "m", from_to(1e-9, 1e9).usually(0.005, 0.05)).drawn(0.006, 0.014, 0.002).open("radius of the rolling coin", "many turns", "few turns");
         /// rate at which the line of centres turns
         rate: number(2.0, "rad/s", from_to(-1e6, 1e6).but_zero("at rest nothing rolls").usually(0.5, 10.0)).drawn(1.0, 5.0, 0.5);
         /// where it rolls: around the fixed coin, or inside a fixed ring of that radius
-        side: choice("outside", "inside");
+        side: choice("outside", "inside").open("side of the fixed rim");
         /// coefficient of friction of coin and table, for the claims about it
         table: effect(0.2, "-", above_to(0.0, 1e6));
         /// error of a step of the simulations

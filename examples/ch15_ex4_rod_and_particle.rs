@@ -21,11 +21,11 @@ parameters! {
         /// mass of the rod
         mass: number(0.8, "kg", from_to(1e-3, 1e3).because("beyond, the simulation loses digits").usually(0.1, 3.0));
         /// mass of the particle
-        particle: number(0.8, "kg", from_to(1e-3, 1e3).because("beyond, the simulation loses digits").usually(0.1, 3.0));
+        particle: number(0.8, "kg", from_to(1e-3, 1e3).because("beyond, the simulation loses digits").usually(0.1, 3.0)).open("mass of the particle", "light", "heavy");
         /// length of the rod
         length: number(1.2, "m", from_to(1e-3, 1e3).because("beyond, the simulation loses digits").usually(0.5, 2.0)).drawn(0.6, 2.0, 0.1);
         /// speed of the particle
-        speed: number(5.0, "m/s", from_to(-1e3, 1e3).but_zero("at rest nothing is hit; faster, the simulation loses digits").usually(1.0, 10.0)).drawn(2.0, 9.0, 0.5);
+        speed: number(5.0, "m/s", from_to(-1e3, 1e3).but_zero("at rest nothing is hit; faster, the simulation loses digits").usually(1.0, 10.0)).drawn(2.0, 9.0, 0.5).open("speed of the particle", "slow", "fast");
         /// error of the simulation: from 1e-12 to 1e-3
         tolerance: number(1e-11, "-", from_to(1e-12, 1e-3));
     }

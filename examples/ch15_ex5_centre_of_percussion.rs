@@ -23,9 +23,9 @@ parameters! {
         /// mass of the bat
         mass: number(1.2, "kg", from_to(1e-6, 1e6).usually(0.5, 2.0)).drawn(0.9, 1.5, 0.1);
         /// distance of the hands from the end of the handle
-        hands: number(0.0, "m", at_least(0.0).usually(0.0, 0.3));
+        hands: number(0.0, "m", at_least(0.0).usually(0.0, 0.3)).open("place of the hands, from that end", "at the end", "up the bat");
         /// distance of the blow from the end of the handle
-        hit: number(0.7, "m", at_least(0.0).usually(0.1, 0.85)).drawn(0.60, 0.75, 0.01);
+        hit: number(0.7, "m", at_least(0.0).usually(0.1, 0.85)).drawn(0.60, 0.75, 0.01).open("place of the blow, from the end of the handle", "near the hands", "at the tip");
         /// mass of the ball
         ball: number(0.16, "kg", from_to(1e-6, 1e6).usually(0.05, 0.5)).drawn(0.10, 0.25, 0.01);
         /// speed of the ball

@@ -23,7 +23,7 @@ parameters! {
         /// its height
         height: number(0.3, "m", from_to(1e-6, 1e6).usually(0.05, 1.0)).drawn(0.15, 0.50, 0.05);
         /// half of the angle at its vertex
-        half_angle: number(0.4, "rad", from_to(1e-3, 1.5698).because("a thinner or flatter cone needs more digits than doubles have").usually(0.1, 1.2)).drawn(0.25, 0.70, 0.05);
+        half_angle: number(0.4, "rad", from_to(1e-3, 1.5698).because("a thinner or flatter cone needs more digits than doubles have").usually(0.1, 1.2)).drawn(0.25, 0.70, 0.05).open("half of the angle at the vertex", "slender", "flat");
         /// rate at which its axis turns about the vertical
         rate: number(1.5, "rad/s", from_to(-1e6, 1e6).but_zero("at rest nothing rolls").usually(0.5, 12.0)).drawn(1.0, 4.0, 0.5);
         gravity: gravity(from_to(1e-6, 1e6).usually(1.0, 25.0));

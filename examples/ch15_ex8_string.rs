@@ -21,9 +21,9 @@ parameters! {
         /// radius of the circle
         radius: number(0.8, "m", above(0.0).usually(0.3, 1.2)).drawn(0.6, 1.2, 0.1);
         /// speed on the circle
-        speed: number(1.5, "m/s", any().but_zero("at rest on the circle it is pulled straight in").usually(0.5, 4.0)).drawn(1.0, 3.0, 0.1);
+        speed: number(1.5, "m/s", any().but_zero("at rest on the circle it is pulled straight in").usually(0.5, 4.0)).drawn(1.0, 3.0, 0.1).open("speed on the circle", "slow", "fast");
         /// rate at which the string is pulled in
-        pull: number(0.1, "m/s", above(0.0).because("the string is pulled in: let out, it does not pull").usually(0.05, 1.0)).drawn(0.05, 0.15, 0.01);
+        pull: number(0.1, "m/s", above(0.0).because("the string is pulled in: let out, it does not pull").usually(0.03, 0.2)).drawn(0.05, 0.15, 0.01).open("rate of the pull", "winds in slowly", "winds in quickly");
         /// time for which it is pulled
         time: number(3.0, "s", above(0.0).usually(0.5, 6.0)).drawn(1.0, 4.0, 0.5);
         /// radius of the hole

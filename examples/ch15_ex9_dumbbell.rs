@@ -17,9 +17,9 @@ parameters! {
         /// length of the stick
         length: number(0.6, "m", from_to(1e-6, 1e6).usually(0.2, 1.5)).drawn(0.3, 1.0, 0.1);
         /// speed of the ball
-        speed: number(3.0, "m/s", from_to(-1e6, 1e6).but_zero("at rest nothing is hit").usually(0.5, 6.0)).drawn(1.0, 6.0, 0.5);
+        speed: number(3.0, "m/s", from_to(-1e6, 1e6).but_zero("at rest nothing is hit").usually(0.5, 6.0)).drawn(1.0, 6.0, 0.5).open("speed of the ball", "slow", "fast");
         /// coefficient of restitution; 1 is elastic
-        restitution: number(1.0, "-", from_to(0.1, 1.0).because("a ball that hardly jumps back hits again and again"));
+        restitution: number(1.0, "-", from_to(0.1, 1.0).because("a ball that hardly jumps back hits again and again").usually(0.7, 1.0)).open("coefficient of restitution", "lossy", "elastic");
         /// angle of its path from the right angle to the stick
         slant: number(0.0, "rad", from_to(0.0, FRAC_PI_2).because("counted away from the other mass, which else is met first"));
         /// radius of the ball

@@ -25,15 +25,15 @@ parameters! {
     /// The cylinder of the example; the notes leave all numbers open.
     pub struct Parameters {
         /// inclination of the slope
-        angle: number(FRAC_PI_6, "rad", between(0.0, FRAC_PI_2).because("level nothing brings it back, upright nothing presses it").usually(0.05, 1.2));
+        angle: number(FRAC_PI_6, "rad", between(0.0, FRAC_PI_2).because("level nothing brings it back, upright nothing presses it").usually(0.05, 1.2)).open("inclination of the slope", "gentle", "steep");
         /// mass of the body
         mass: number(2.0, "kg", above(0.0).usually(0.1, 10.0));
         /// radius of the body
         radius: number(0.1, "m", above(0.0).usually(0.02, 0.5));
         /// k = I/(m R^2): 1/2 for a cylinder, 2/5 for a ball, 1 for a hoop
-        shape: number(0.5, "-", above_to(0.0, 1.0).because("no mass is outside the body").usually(0.1, 1.0));
+        shape: number(0.5, "-", above_to(0.0, 1.0).because("no mass is outside the body").usually(0.1, 1.0)).open("shape: I/(m R^2)", "mass at the middle", "a hoop");
         /// coefficient of friction between the body and the slope
-        friction: number(0.5, "-", at_least(0.0).usually(0.0, 1.0));
+        friction: number(0.5, "-", at_least(0.0).usually(0.0, 1.0)).open("coefficient of friction", "slides", "rolls");
         /// speed at the start, up the slope, rolling
         speed: number(2.0, "m/s", above(0.0).because("started downward it never turns").usually(0.5, 5.0));
         gravity: gravity(above(0.0).usually(1.0, 25.0));

@@ -89,17 +89,20 @@ pub fn of_the_notes() -> Result<[Motion; 5]> {
     }))
 }
 
+/// The motion on show, of which flags change a part: a, b, c and the energy. Released at rest, b < 1.
+const CUSPS: [f64; 4] = [2.0, 0.6, 0.2, -0.08];
+
 kit::parameters! {
     /// The notes' motions, unless something is set: then the motion asked for.
     pub struct Parameters {
         /// I3/I1, the shape: above 0, at most 2
-        a: optional("-", any().usually(0.3, 2.0));
+        a: optional("-", any().usually(0.3, 2.0)).shown(CUSPS[0]);
         /// L_Z/L_z, vertical over axial angular momentum
-        b: optional("-", any().usually(-0.7, 0.9));
+        b: optional("-", any().usually(-0.7, 0.9)).shown(CUSPS[1]);
         /// m g l I3/L_z^2, weight against spin
-        c: optional("-", any().usually(0.0, 0.5));
+        c: optional("-", any().usually(0.05, 0.5)).shown(CUSPS[2]);
         /// E~, at least the minimum of U_eff
-        energy: optional("-", any().usually(-0.087, 0.55));
+        energy: optional("-", any().usually(-0.087, -0.05)).shown(CUSPS[3]).open("push at release", "forward: waves", "backward: loops");
         /// turning point at t' = 0
         start: choice("theta_min", "theta_max");
         /// moment of inertia across the axis, about the pivot
@@ -141,12 +144,13 @@ fn motions(p: &Parameters) -> Result<Vec<Motion>> {
                       --length, --theta, --spin, --precession, --nutation, --with, --without",
         }),
         (true, None) => {
-            let (a, b, c) = (p.a.unwrap_or(2.0), p.b.unwrap_or(1.2), p.c.unwrap_or(0.2));
+            let given = [p.a, p.b, p.c, p.energy];
+            let [a, b, c, energy] = core::array::from_fn(|i| given[i].unwrap_or(CUSPS[i]));
             let start = match p.start {
                 "theta_max" => Start::ThetaMax,
                 _ => Start::ThetaMin,
             };
-            let (top, energy) = (ReducedTop::new(a, b, c)?, p.energy.unwrap_or(0.55));
+            let top = ReducedTop::new(a, b, c)?;
             Ok(vec![Motion::with_energy("", top, energy, start)?])
         }
         (false, Some(rotor)) => Ok(vec![rotor.motion()?]),

@@ -27,11 +27,11 @@ parameters! {
         /// longitude of the start, negative in the west
         longitude: number(-0.45, "deg", from_to(-180.0, 180.0).because("a half turn east or west"));
         /// latitude of the destination
-        to_latitude: number(49.19, "deg", from_to(-89.0, 89.0).because("near a pole no direction is north"));
+        to_latitude: number(49.19, "deg", from_to(-89.0, 89.0).because("near a pole no direction is north").usually(-50.0, 75.0)).open("latitude of the destination", "south", "north");
         /// longitude of the destination
         to_longitude: number(-123.18, "deg", from_to(-180.0, 180.0).because("a half turn east or west"));
         /// speed over the ground
-        speed: number(250.0, "m/s", from_to(1.0, 7900.0).because("slower it flies for months, faster it leaves the Earth").usually(100.0, 600.0));
+        speed: number(250.0, "m/s", from_to(1.0, 7900.0).because("slower it flies for months, faster it leaves the Earth").usually(100.0, 600.0)).open("speed over the ground", "slow", "fast");
         /// mass of the rotor
         mass: number(0.5, "kg", above(0.0).usually(0.1, 2.0));
         /// its moment of inertia about the axle

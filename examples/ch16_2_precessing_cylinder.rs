@@ -25,9 +25,9 @@ parameters! {
         /// radius
         radius: number(0.05, "m", above(0.0).usually(0.01, 0.2));
         /// height along the axis
-        height: number(0.3, "m", at_least(0.0).usually(0.0, 0.5));
+        height: number(0.3, "m", at_least(0.0).usually(0.0, 0.5)).open("height of the cylinder", "a disc", "a rod");
         /// tilt of the axis from the vertical
-        tilt: number(0.5, "rad", between(0.0, FRAC_PI_2).because("upright and level it needs no torque").usually(0.05, 1.5));
+        tilt: number(0.5, "rad", between(0.0, FRAC_PI_2).because("upright and level it needs no torque").usually(0.05, 1.5)).open("tilt of the clamped axis", "nearly upright", "nearly level");
         /// angular velocity about the vertical
         rate: number(10.0, "rad/s", any().usually(1.0, 100.0));
         tolerance: step(1e-13, 1e-3);

@@ -133,21 +133,21 @@ kit::parameters! {
         /// which body; the other flags change this one (both: the top)
         body: choice("both", "top", "wheel");
         /// mass
-        mass: optional("kg", above(0.0).usually(0.02, 3.0));
+        mass: optional("kg", above(0.0).usually(0.02, 3.0)).shown(TOP.mass).open("mass of the top", "light", "heavy");
         /// from the fixed point to the centre of mass
-        length: optional("m", any().usually(0.01, 0.3));
+        length: optional("m", any().usually(0.01, 0.3)).shown(TOP.length).open("from the tip to the centre of mass", "low", "high");
         /// moment of inertia across the axis, about the centre of mass
-        i1: optional("kg m^2", any());
+        i1: optional("kg m^2", any()).shown(TOP.i1);
         /// moment of inertia about the axis
-        i3: optional("kg m^2", any());
+        i3: optional("kg m^2", any()).shown(TOP.i3);
         /// tilt of the axis at the start
-        theta: optional("rad", any().usually(0.01, 3.0));
+        theta: optional("rad", any().usually(0.01, 3.0)).shown(TOP.theta);
         /// angular velocity along the axis
-        spin: optional("rad/s", any().usually(10.0, 400.0));
+        spin: optional("rad/s", any().usually(10.0, 400.0)).shown(TOP.spin);
         /// rate of phi at the start
-        precession: optional("rad/s", any().usually(-10.0, 10.0));
+        precession: optional("rad/s", any().usually(-10.0, 10.0)).shown(TOP.precession);
         /// rate of theta at the start
-        nutation: optional("rad/s", any().usually(-10.0, 10.0));
+        nutation: optional("rad/s", any().usually(-10.0, 10.0)).shown(TOP.nutation);
         /// acceleration of gravity
         gravity: effect(9.80665, "m/s^2", above(0.0).usually(1.0, 25.0)).present();
         /// bearing about which the axis nods, torque over dtheta/dt

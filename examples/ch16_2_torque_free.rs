@@ -26,15 +26,15 @@ parameters! {
         /// radius
         radius: number(0.05, "m", above(0.0).usually(0.01, 0.2));
         /// height along the axis
-        height: number(0.15, "m", at_least(0.0).usually(0.0, 0.4));
+        height: number(0.15, "m", at_least(0.0).usually(0.0, 0.4)).open("height of the cylinder", "a disc", "a rod");
         /// angular velocity along the axis
         omega_z: number(20.0, "rad/s", any().usually(1.0, 100.0));
         /// angular velocity across the axis, for the small wobble
         omega_y: number(1.0, "rad/s", any().usually(0.1, 10.0));
         /// angle between L and the axis, for the wide wobble
-        cone: number(0.35, "rad", from_to(1e-3, 1.57).because("nearer to 0 it hardly wobbles, to pi/2 it hardly spins").usually(0.05, 1.0));
+        cone: number(0.35, "rad", from_to(1e-3, 1.57).because("nearer to 0 it hardly wobbles, to pi/2 it hardly spins").usually(0.05, 1.0)).open("angle between L and the axis", "narrow", "wide");
         /// angle between L and Z
-        lean: number(0.6, "rad", from_to(1e-3, 3.1).because("nearer to 0 or pi, along L, it hardly nods").usually(0.01, 1.2));
+        lean: number(0.6, "rad", from_to(1e-3, 3.1).because("nearer to 0 or pi, along L, it hardly nods").usually(0.01, 1.2)).open("angle between L and the vertical", "hardly nods", "nods widely");
         tolerance: step(1e-13, 1e-3);
     }
 }

@@ -16,7 +16,7 @@ parameters! {
     /// The machine of the exercise; the notes leave all numbers open, and the radius of the pulley.
     pub struct Parameters {
         /// the mass on the left
-        m1: number(3.0, "kg", above(0.0).usually(2.1, 5.0)).drawn(2.5, 4.0, 0.1);
+        m1: number(3.0, "kg", above(0.0).usually(2.1, 5.0)).drawn(2.5, 4.0, 0.1).open("mass on the left", "nearly balanced", "heavy");
         /// the mass on the right
         m2: number(2.0, "kg", above(0.0).usually(0.5, 2.9)).drawn(1.0, 2.4, 0.1);
         /// moment of inertia of the pulley
@@ -27,11 +27,11 @@ parameters! {
         /// how far both masses hang below the axle
         height: number(1.0, "m", above(0.0).usually(0.3, 3.0)).drawn(0.5, 2.0, 0.1);
         /// coefficient of friction between rope and pulley
-        friction: number(0.2, "-", from_to(0.0, 10.0).because("rougher than any rope").usually(0.0, 0.5)).drawn(0.10, 0.30, 0.05);
+        friction: number(0.2, "-", from_to(0.0, 10.0).because("rougher than any rope").usually(0.0, 0.5)).drawn(0.10, 0.30, 0.05).open("friction of rope and pulley", "slips long", "holds soon");
         /// mass of a metre of the heavy rope
         rope: number(0.1, "kg/m", above(0.0).usually(0.01, 0.5));
         /// angular velocity of a pulley that spins already
-        spin: number(40.0, "rad/s", at_least(0.0).because("for the other sense exchange the masses").usually(5.0, 80.0));
+        spin: number(40.0, "rad/s", at_least(0.0).because("for the other sense exchange the masses").usually(5.0, 80.0)).open("spin of the pulley at the start", "slow", "fast");
         /// C S of both masses in air, for the claims about it
         air: effect(0.02, "m^2", above_to(0.0, 10.0).because("more is a parachute"));
         tolerance: step(1e-13, 1e-3);

@@ -21,10 +21,10 @@ parameters! {
         /// length of the string
         length: number(0.8, "m", above(0.0).usually(0.2, 2.0)).drawn(0.5, 1.5, 0.1);
         /// angular velocity about the vertical
-        rate: number(5.0, "rad/s", any().usually(1.0, 12.0)).drawn(5.0, 9.0, 0.5);
+        rate: number(5.0, "rad/s", any().usually(1.0, 12.0)).drawn(5.0, 9.0, 0.5).open("rate of the turning plane", "hangs straight", "flies out");
         gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// angle of the wide swing, from rest in the turning plane; of a rod if a string goes slack
-        release: number(0.5, "rad", between(-PI, PI).because("pi is upright").usually(0.1, 1.5));
+        release: number(0.5, "rad", between(-PI, PI).because("pi is upright").usually(0.1, 1.5)).open("angle of the release", "nearly hanging", "nearly level");
         tolerance: step(1e-13, 1e-3);
     }
 }

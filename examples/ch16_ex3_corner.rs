@@ -17,14 +17,14 @@ parameters! {
         /// its mass
         mass: number(3.0, "kg", above(0.0).usually(0.1, 10.0)).drawn(1.0, 5.0, 0.5);
         /// coefficient of friction, on the floor and on the wall
-        friction: number(0.25, "-", from_to(1e-9, 1e6).because("less is none, and then it spins for ever; more jams it").usually(0.05, 3.0)).drawn(0.15, 0.40, 0.05);
+        friction: number(0.25, "-", from_to(1e-9, 1e6).because("less is none, and then it spins for ever; more jams it").usually(0.05, 3.0)).drawn(0.15, 0.40, 0.05).open("coefficient of friction", "spins long", "stops at once");
         /// angular velocity at the start
         spin: number(60.0, "rad/s", any().usually(5.0, 100.0)).drawn(30.0, 80.0, 5.0);
         gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// what changes: how friction falls with the slip speed s, as 1/(1 + fading s)
         fading: number(0.05, "s/m", at_least(0.0).usually(0.01, 0.5));
         /// the moving picture: the sense that presses it to the wall, or the other one
-        sense: choice("pressed", "away");
+        sense: choice("pressed", "away").open("sense of the spin");
         /// angle by which the wall leans back, for the claims about it
         lean: effect(0.0175, "rad", above_to(0.0, 1.5).because("backward, and not down to the floor"));
         tolerance: step(1e-13, 1e-3);

@@ -24,9 +24,9 @@ parameters! {
         /// its radius, on which the string is wound
         radius: number(0.2, "m", above(0.0).usually(0.05, 0.25)).drawn(0.10, 0.25, 0.01);
         /// its moment of inertia over M R^2: 1/2 for a disc, 1 for a hoop
-        shape: number(0.5, "-", above(0.0).usually(0.3, 2.0));
+        shape: number(0.5, "-", above(0.0).usually(0.3, 2.0)).open("shape: I/(M R^2)", "mass at the middle", "mass at the rim");
         /// length of the string that is wound up
-        wound: number(1.0, "m", above(0.0).usually(0.9, 3.0)).drawn(0.8, 2.0, 0.1);
+        wound: number(1.0, "m", above(0.0).usually(0.9, 3.0)).drawn(0.8, 2.0, 0.1).open("length of the wound string", "short", "long");
         /// length between the roof and the disc at the start
         free: number(0.3, "m", above(0.0).usually(0.25, 2.0));
         /// when the velocities are asked for

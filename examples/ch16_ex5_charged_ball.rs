@@ -27,11 +27,11 @@ parameters! {
         /// k = I/(m R^2): 2/5 for a solid ball, 2/3 for a thin shell
         shape: number(0.4, "-", above_to(0.0, 1.0).because("no mass is outside the ball").usually(0.3, 0.7));
         /// coefficient of friction between ball and slab
-        friction: number(0.3, "-", at_least(0.0).usually(0.02, 0.6)).drawn(0.20, 0.50, 0.05);
+        friction: number(0.3, "-", at_least(0.0).usually(0.02, 0.6)).drawn(0.20, 0.50, 0.05).open("coefficient of friction", "slides", "rolls");
         /// length of the slab, from the place where the ball starts from rest
         length: number(0.2, "m", above(0.0).usually(0.05, 0.5)).drawn(0.10, 0.40, 0.05);
         /// velocity of a ball that is put down sliding, without spin
-        shot: number(-0.3, "m/s", any().usually(-1.0, 1.0));
+        shot: number(-0.3, "m/s", any().usually(-1.0, 1.0)).open("velocity at the start", "against the field", "with the field");
         /// how far off its middle a charged spot is, over R
         spot: number(0.5, "-", from_to(0.0, 1.0).because("inside the ball").usually(0.0, 1.0));
         gravity: gravity(above(0.0).usually(1.0, 25.0));

@@ -27,7 +27,7 @@ parameters! {
         length: number(3.0, "m", above(0.0).usually(1.0, 6.0)).drawn(2.0, 6.0, 0.1);
         gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// angle from the wall at the start
-        angle: number(0.25, "rad", from_to(1e-9, 1.570_796_325).because("upright it stands for ever, flat it lies: of less, rounding leaves too few digits").usually(0.01, 1.5)).drawn(0.15, 0.60, 0.05);
+        angle: number(0.25, "rad", from_to(1e-9, 1.570_796_325).because("upright it stands for ever, flat it lies: of less, rounding leaves too few digits").usually(0.01, 1.5)).drawn(0.15, 0.60, 0.05).open("angle from the wall at the start", "nearly upright", "nearly flat");
         /// relative error asked for, at every event: from 3.2e-14 to 0.1
         tolerance: number(1e-12, "-", from_to(3.2e-14, 0.1));
     }

@@ -25,10 +25,10 @@ parameters! {
         /// mass of the disc
         disc: number(1.1, "kg", above(0.0).usually(0.1, 3.0)).drawn(0.5, 2.0, 0.1);
         /// radius of the disc
-        radius: number(0.2, "m", above(0.0).usually(0.05, 0.9)).drawn(0.10, 0.30, 0.02);
+        radius: number(0.2, "m", above(0.0).usually(0.05, 0.9)).drawn(0.10, 0.30, 0.02).open("radius of the disc", "small", "wide");
         gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// angle of the wide swing, released at rest
-        release: number(1.0, "rad", between(-PI, PI).because("pi is upright").usually(0.1, 3.0)).drawn(0.6, 1.4, 0.1);
+        release: number(1.0, "rad", between(-PI, PI).because("pi is upright").usually(0.1, 3.0)).drawn(0.6, 1.4, 0.1).open("angle at the release", "a small swing", "nearly upright");
         /// torque in a greased axle over how fast the disc turns in it
         friction: number(0.07, "N m s", at_least(0.0).usually(0.005, 1.0));
         tolerance: step(1e-13, 1e-3);

@@ -21,7 +21,7 @@ parameters! {
         /// distance of the rollers
         distance: number(1.0, "m", above(0.0).usually(0.5, 2.0)).drawn(0.8, 1.6, 0.1);
         /// coefficient of friction of surfaces that slip
-        kinetic: number(0.3, "-", at_least(1e-4).because("smoother rollers hardly move it").usually(0.1, 0.5)).drawn(0.20, 0.40, 0.05);
+        kinetic: number(0.3, "-", at_least(1e-4).because("smoother rollers hardly move it").usually(0.1, 0.5)).drawn(0.20, 0.40, 0.05).open("friction of surfaces that slip", "swings slowly", "swings quickly");
         /// coefficient of friction of surfaces that do not slip
         holding: number(0.5, "-", above(0.0).usually(0.3, 0.8)).drawn(0.45, 0.70, 0.05);
         /// speed of the surfaces of the rollers
@@ -32,7 +32,7 @@ parameters! {
         thickness: number(0.0, "m", at_least(0.0).usually(0.0, 0.1));
         gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// the moving picture: the tops of the rollers move towards each other (in) or apart
-        sense: choice("in", "out");
+        sense: choice("in", "out").open("tops of the rollers move");
         /// part of the friction that is lost per m/s of slip, for the claims about it
         falling: effect(0.1, "s/m", above_to(0.0, 10.0).because("with more, a tenth of a metre a second takes all friction away"));
         tolerance: step(1e-13, 1e-6);

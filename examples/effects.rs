@@ -33,7 +33,7 @@ parameters! {
     /// A half-kilogram gyroscope on a desk.
     pub struct Parameters {
         /// spin at the start
-        spin: number(314.16, "rad/s", any().usually(250.0, 600.0));
+        spin: number(314.16, "rad/s", any().usually(250.0, 600.0)).open("spin of the rotor", "walks quickly", "walks slowly");
         /// friction torque of the vertical pivot
         pivot: number(1e-4, "N m", from_to(0.0, 3e-4).because("with more friction the axis sinks too far for a linear response"));
         /// time for which the axis is followed

@@ -21,7 +21,7 @@ parameters! {
     /// The half-kilogram gyroscope of the notes' section, in light gimbals with plain bearings.
     pub struct Parameters {
         /// turns of the rotor in a minute
-        rpm: number(3000.0, "1/min", from_to(2000.0, 1e4).because("a slower rotor nods too widely, a faster one takes too long; one that turns the other way is its mirror image").usually(2000.0, 6000.0));
+        rpm: number(3000.0, "1/min", from_to(2000.0, 1e4).because("a slower rotor nods too widely, a faster one takes too long; one that turns the other way is its mirror image").usually(2000.0, 6000.0)).open("turns of the rotor", "nods deeply", "hardly nods");
         /// tilt of the axis at the release
         theta: number(PI / 3.0, "rad", from_to(0.3, 1.65).because("a more upright axis hardly nods, a lower one is at its stop").usually(0.7, 1.2));
         /// moment of the ring about the line of nodes, and across the axle
@@ -33,7 +33,7 @@ parameters! {
         /// dry friction of the tilt bearing
         tilt_dry: number(3e-3, "N m", at_least(0.0).usually(1e-3, 2e-2));
         /// viscous friction of the tilt bearing
-        tilt_viscous: number(1e-3, "N m s", from_to(1e-5, 0.02).because("with less the nods do not end, with more there are none").usually(1e-4, 1e-2));
+        tilt_viscous: number(1e-3, "N m s", from_to(1e-5, 0.02).because("with less the nods do not end, with more there are none").usually(1e-4, 1e-2)).open("viscous friction of the tilt bearing", "nods long", "nods die soon");
         /// dry friction of the vertical pivot
         pivot_dry: number(1e-4, "N m", from_to(5e-5, 2e-3).because("with less the axis hardly sinks, with more it falls").usually(5e-5, 5e-4));
         /// viscous friction of the vertical pivot

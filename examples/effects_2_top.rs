@@ -21,9 +21,9 @@ parameters! {
         /// tilt of the axis at the throw
         tilt: number(0.3, "rad", from_to(0.2, 0.35).because("the law of the rise is that of a top that leans a little").usually(0.2, 0.35));
         /// spin at the throw
-        spin: number(150.0, "rad/s", from_to(130.0, 170.0).because("a slower top does not sleep, a faster one does not fall in the time that is simulated; the other way round it is its mirror image").usually(130.0, 170.0));
+        spin: number(150.0, "rad/s", from_to(130.0, 170.0).because("a slower top does not sleep, a faster one does not fall in the time that is simulated; the other way round it is its mirror image").usually(130.0, 170.0)).open("spin at the throw", "slow", "fast");
         /// coefficient of dry friction of tip and floor
-        friction: number(0.05, "-", from_to(0.03, 0.08).because("with less it does not rise before it is slow, with more it rolls").usually(0.03, 0.08));
+        friction: number(0.05, "-", from_to(0.03, 0.08).because("with less it does not rise before it is slow, with more it rolls").usually(0.03, 0.08)).open("friction of tip and floor", "rises slowly", "rises quickly");
         /// effective modulus of both: 1/E* is the sum of (1 - nu^2)/E
         modulus: number(4e9, "Pa", from_to(2e9, 8e9).because("the contact is that of hard plastic or wood").usually(2e9, 8e9));
         /// slope of the floor

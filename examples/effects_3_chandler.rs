@@ -43,7 +43,7 @@ parameters! {
         /// what slow yielding of the mantle adds to it
         slow: number(0.0077, "-", at_least(0.0).because("what yields follows the pole").usually(0.0, 0.05));
         /// imaginary part of the Love number: what lags
-        loss: number(0.0036, "-", from_to(1e-3, 0.02).because("with less the wobble lasts longer than the record, with more it is gone in a year").usually(1e-3, 0.02));
+        loss: number(0.0036, "-", from_to(1e-3, 0.02).because("with less the wobble lasts longer than the record, with more it is gone in a year").usually(1e-3, 0.02)).open("loss in the Earth", "it lasts", "it fades");
         /// Love number of a fluid Earth with this bulge
         fluid: number(0.938_319, "-", above_to(0.0, 20.0).because("the wobble fades in proportion to it, and is followed for a thousand such times").usually(0.8, 1.2));
         /// moment of inertia of the fluid core, as a part of that of the Earth
@@ -51,9 +51,9 @@ parameters! {
         /// flattening of the core
         cavity: number(2.548e-3, "-", from_to(1e-3, 0.01).because("in a rounder core the fluid is not carried along, in a flatter one it is as if frozen").usually(1e-3, 0.01));
         /// size of the free wobble
-        wobble: number(0.15, "arcsec", from_to(0.01, 1.0).because("the laws are those of a small wobble that is seen").usually(0.05, 0.3));
+        wobble: number(0.15, "arcsec", from_to(0.01, 1.0).because("the laws are those of a small wobble that is seen").usually(0.05, 0.3)).open("size of the free wobble", "small", "large");
         /// size of the yearly wobble
-        annual: number(0.09, "arcsec", from_to(0.0, 1.0).because("the laws are those of a small wobble").usually(0.0, 0.2));
+        annual: number(0.09, "arcsec", from_to(0.0, 1.0).because("the laws are those of a small wobble").usually(0.0, 0.2)).open("size of the yearly wobble", "none", "large");
         /// picks the random pushes
         seed: number(1891.0, "-", from_to(0.0, 1e6).because("it is a number of a list"));
         /// period that is observed

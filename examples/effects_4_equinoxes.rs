@@ -27,11 +27,11 @@ parameters! {
     /// Earth, Sun and Moon at the epoch J2000.
     pub struct Parameters {
         /// (C - A)/C of the Earth
-        ellipticity: number(3.273_794_92e-3, "-", from_to(1e-4, 0.01).because("a rounder Earth does not precess in the time simulated, a flatter one is not a fast top").usually(0.002, 0.005));
+        ellipticity: number(3.273_794_92e-3, "-", from_to(1e-4, 0.01).because("a rounder Earth does not precess in the time simulated, a flatter one is not a fast top").usually(0.002, 0.005)).open("(C - A)/C of the Earth", "nearly round", "flat");
         /// one turn against the stars
         day: number(86_164.098_9, "s", from_to(5e4, 1.5e5).because("the laws are those of a fast top that is nearly a sphere").usually(7e4, 1e5));
         /// tilt of the equator to the ecliptic
-        obliquity: number(0.409_092_600_6, "rad", from_to(0.1, 0.7).because("towards 0 the axis has no direction to go round in, towards pi/2 squares of the nutation count").usually(0.38, 0.43));
+        obliquity: number(0.409_092_600_6, "rad", from_to(0.1, 0.7).because("towards 0 the axis has no direction to go round in, towards pi/2 squares of the nutation count").usually(0.38, 0.43)).open("tilt of the equator", "small", "large");
         /// eccentricity of the Sun's orbit, seen from the Earth
         sun_eccentricity: number(0.016_708_6, "-", from_to(0.0, 0.1).because("the nutation is that of nearly circular orbits").usually(0.0, 0.06));
         /// mean distance of the Moon

@@ -27,13 +27,13 @@ parameters! {
         /// mass of the satellite
         mass: number(13.97, "kg", above(0.0).usually(5.0, 50.0));
         /// its length
-        length: number(2.03, "m", above(0.0).usually(0.1, 5.0));
+        length: number(2.03, "m", above(0.0).usually(0.1, 5.0)).open("length of the satellite", "a disc", "a rod");
         /// its diameter
         diameter: number(0.159, "m", above(0.0).usually(0.1, 2.0));
         /// its spin at the start
         spin: number(78.5, "rad/s", any().usually(1.0, 100.0));
         /// nutation angle, from L to the axis, at the start
-        nutation: number(0.02, "rad", between(0.0, FRAC_PI_2).because("along the axis it stays; at a right angle there is no axis left").usually(0.005, 1.0));
+        nutation: number(0.02, "rad", between(0.0, FRAC_PI_2).because("along the axis it stays; at a right angle there is no axis left").usually(0.005, 1.0)).open("angle from L to the axis at the start", "along L", "far off");
         /// time in which the tangent of that angle grows (or falls) by the factor e
         growth: number(1500.0, "s", from_to(1.0, 1e10).because("the law is that of a weak loss; without one nothing grows").usually(500.0, 5000.0));
         /// least moment of the other body over its middle one

@@ -23,7 +23,7 @@ parameters! {
         /// width
         width: number(0.071, "m", above(0.0).usually(0.03, 0.095)).drawn(0.066, 0.078, 0.002);
         /// thickness
-        thickness: number(0.0078, "m", above(0.0).usually(0.002, 0.025)).drawn(0.0070, 0.0090, 0.0002);
+        thickness: number(0.0078, "m", above(0.0).usually(0.002, 0.025)).drawn(0.0070, 0.0090, 0.0002).open("thickness", "thin", "thick");
         /// mass
         mass: number(0.17, "kg", above(0.0).usually(0.1, 0.3)).drawn(0.15, 0.20, 0.01);
         /// turns a second
@@ -31,7 +31,7 @@ parameters! {
         /// how high it rises above the hand
         height: number(0.55, "m", above(0.0).usually(0.1, 2.0));
         /// angle of the axis of rotation from the short edge
-        tilt: number(0.05, "rad", from_to(-1.2, 1.2).because("farther off it is no turn about the short edge").usually(0.001, 0.15));
+        tilt: number(0.05, "rad", from_to(-1.2, 1.2).because("farther off it is no turn about the short edge").usually(0.001, 0.15)).open("angle of the axis from the short edge", "flips late", "flips at once");
         /// to which side: 0 towards the long edge, pi/2 towards the normal of the back
         toward: number(0.0, "rad", any().usually(-1.5, 1.5));
         /// spread of this angle from throw to throw, in each of the two directions

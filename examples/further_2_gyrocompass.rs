@@ -24,15 +24,15 @@ parameters! {
         /// spin
         spin: number(1500.0, "rad/s", any().usually(300.0, 2500.0)).drawn(1000.0, 2000.0, 100.0);
         /// latitude, negative south of the equator
-        latitude: number(0.9, "rad", from_to(-1.5, 1.5).because("at a pole the Earth turns about the vertical, and no direction is north; near it the compass is too slow")).drawn(0.3, 1.1, 0.1);
+        latitude: number(0.9, "rad", from_to(-1.5, 1.5).because("at a pole the Earth turns about the vertical, and no direction is north; near it the compass is too slow").usually(0.0, 1.2)).drawn(0.3, 1.1, 0.1).open("latitude", "at the equator", "far north");
         /// pendulosity over the one of question 3
         tuning: number(1.0, "-", above(0.0).usually(0.3, 3.0));
         /// damping torque about the vertical over the torque of the bob
-        offset: number(0.03, "rad", at_least(0.0).because("below 0 it feeds the swing").usually(0.01, 0.06)).drawn(0.02, 0.05, 0.01);
+        offset: number(0.03, "rad", at_least(0.0).because("below 0 it feeds the swing").usually(0.01, 0.06)).drawn(0.02, 0.05, 0.01).open("damping torque over that of the bob", "swings long", "comes to rest soon");
         /// speed of the ship towards the north
         speed: number(10.0, "m/s", any().usually(-50.0, 50.0)).drawn(4.0, 14.0, 1.0);
         /// azimuth of the axle when it is let go
-        release: number(0.5, "rad", between(-PI, PI).because("towards the south it is at rest, too, and stays").usually(0.05, 1.5));
+        release: number(0.5, "rad", between(-PI, PI).because("towards the south it is at rest, too, and stays").usually(0.05, 1.5)).open("azimuth at the release", "nearly north", "nearly east");
         gravity: gravity(above(0.0).usually(9.7, 9.9));
         /// error of a step of the simulations: from 1e-14 to 1e-6
         tolerance: number(1e-13, "-", from_to(1e-14, 1e-6));

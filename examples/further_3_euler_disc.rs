@@ -22,7 +22,7 @@ parameters! {
         /// its mass
         mass: number(0.4, "kg", above(0.0).usually(0.003, 1.0)).drawn(0.30, 0.50, 0.05);
         /// inclination of the steady motion
-        inclination: number(0.4, "rad", between(0.0, FRAC_PI_2).because("flat it is at rest, upright it spins like a top").usually(0.05, 1.0)).drawn(0.20, 0.60, 0.05);
+        inclination: number(0.4, "rad", between(0.0, FRAC_PI_2).because("flat it is at rest, upright it spins like a top").usually(0.05, 1.0)).drawn(0.20, 0.60, 0.05).open("inclination of the disc", "flat: races", "steep: rolls slowly");
         /// radius of the circle of its centre over R; positive on the side away from the contact
         circle: number(0.0, "-", at_least(-1e3).because("on a larger circle it is a wheel on a straight line").usually(-2.0, 0.1));
         /// inclination from which it settles

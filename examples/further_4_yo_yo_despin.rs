@@ -19,11 +19,11 @@ parameters! {
         /// radius on which the strings are wound
         radius: number(0.5, "m", above(0.0).usually(0.2, 1.0)).drawn(0.40, 0.80, 0.05);
         /// mass of each of the two weights
-        weight: number(0.5, "kg", above(0.0).usually(0.2, 2.0)).drawn(0.3, 1.0, 0.1);
+        weight: number(0.5, "kg", above(0.0).usually(0.2, 2.0)).drawn(0.3, 1.0, 0.1).open("mass of each weight", "light", "heavy");
         /// spin before
         spin: number(10.0, "rad/s", any().usually(1.0, 20.0)).drawn(5.0, 15.0, 0.5);
         /// length of each string
-        string: number(3.0, "m", above(0.0).usually(1.0, 5.0)).drawn(2.0, 4.0, 0.1);
+        string: number(3.0, "m", above(0.0).usually(1.0, 5.0)).drawn(2.0, 4.0, 0.1).open("length of each string", "spins on", "reversed");
         /// spin that is wanted
         aim: number(1.0, "rad/s", any().usually(0.0, 5.0)).drawn(0.5, 2.0, 0.5);
         /// mass of a satellite that has one string only

@@ -23,11 +23,11 @@ parameters! {
         /// length of the rope
         rope: number(2.0, "m", above(0.0).usually(0.2, 5.0)).drawn(1.0, 2.0, 0.1);
         /// angular velocity along the axle, about an axis outward from the rope
-        spin: number(12.0, "rad/s", any().usually(5.0, 60.0)).drawn(14.0, 24.0, 1.0);
+        spin: number(12.0, "rad/s", any().usually(5.0, 60.0)).drawn(14.0, 24.0, 1.0).open("spin of the wheel", "walks quickly", "walks slowly");
         /// by how much the axle rises outward, in question 2
         rise: number(0.5, "rad", between(-FRAC_PI_2, FRAC_PI_2).because("an upright axle has no azimuth that could turn").usually(-1.2, 1.2));
         /// azimuthal rate with which the level axle is let go
-        push: number(0.0, "rad/s", any().usually(-2.0, 3.0));
+        push: number(0.0, "rad/s", any().usually(-2.0, 3.0)).open("push at the release", "backward", "forward");
         gravity: gravity(above(0.0).usually(1.0, 25.0));
         /// density of the air that brakes the wheel, for the claims about it
         air: effect(1.204, "kg/m^3", above_to(0.0, 1e3).because("what is denser is a liquid, and carries the wheel"));

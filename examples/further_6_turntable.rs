@@ -14,7 +14,7 @@ parameters! {
     /// A ball on a table of the laboratory, and a golf ball in its hole.
     pub struct Parameters {
         /// angular velocity of the table
-        rate: number(10.0, "rad/s", any().usually(3.0, 15.0)).drawn(6.0, 14.0, 1.0);
+        rate: number(10.0, "rad/s", any().usually(3.0, 15.0)).drawn(6.0, 14.0, 1.0).open("rate of the table", "slow", "fast");
         /// radius of the table
         table: number(0.3, "m", above(0.0).usually(0.16, 0.5));
         /// radius of the ball
@@ -26,7 +26,7 @@ parameters! {
         /// where the ball starts: its distance from the axis, along x
         place: number(0.15, "m", any().usually(0.02, 0.25)).drawn(0.08, 0.20, 0.01);
         /// its velocity there, along y
-        velocity: number(0.2, "m/s", any().usually(0.05, 0.4)).drawn(0.10, 0.30, 0.05);
+        velocity: number(0.2, "m/s", any().usually(0.05, 0.4)).drawn(0.10, 0.30, 0.05).open("velocity at the start", "a small circle", "a large circle");
         /// tilt of the table
         tilt: number(0.01, "rad", between(-0.5 * PI, 0.5 * PI).because("a table on edge carries no ball").usually(0.002, 0.03)).drawn(0.005, 0.020, 0.005);
         /// rolling resistance: its moment over m a^2 and the angular velocity

@@ -222,7 +222,7 @@ kit::parameters! {
         /// family of cases
         family: choice("all", "poles", "threshold", "separatrix", "flips", "shapes", "tops", "turns", "scales", "long", "torques", "findings", "events", "impacts", "stability");
         /// step of RK4 in the moving picture
-        step: number(0.1, "s", from_to(0.02, 0.5).usually(0.02, 0.5));
+        step: number(0.1, "s", from_to(0.02, 0.5).usually(0.02, 0.5)).open("step of RK4", "short", "long");
         /// error asked for in the accuracy strip; three of them if none is given
         tolerance: optional("rad", from_to(1e-14, 1.0));
     }

@@ -26,9 +26,9 @@ parameters! {
     /// A satellite, and a top with a motor.
     pub struct Parameters {
         /// angle of the satellite's long axis from the vertical at the start
-        askew: number(0.1, "rad", between(-0.5 * PI, 0.5 * PI).because("at a right angle it lies across, and does not swing back").usually(0.01, 1.4));
+        askew: number(0.1, "rad", between(-0.5 * PI, 0.5 * PI).because("at a right angle it lies across, and does not swing back").usually(0.01, 1.4)).open("angle from the vertical at the start", "swings little", "swings widely");
         /// mean motion of its orbit
-        mean_motion: number(1.1e-3, "rad/s", from_to(2e-4, 2e-3).because("slower is farther than a day's orbit, faster is below the ground; the other way round it is the mirror image").usually(2e-4, 2e-3));
+        mean_motion: number(1.1e-3, "rad/s", from_to(2e-4, 2e-3).because("slower is farther than a day's orbit, faster is below the ground; the other way round it is the mirror image").usually(2e-4, 2e-3)).open("mean motion of the orbit", "far out", "low");
         /// torque of the top's motor
         torque: number(0.18, "N m", from_to(-0.5, 0.5).because("a stronger motor turns a top faster than its bearing stands").usually(0.0, 0.5));
         /// error asked of the attitude, all the way: from 1e-11 to 1e-3

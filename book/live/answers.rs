@@ -1,7 +1,7 @@
 //! What the module tells, as JSON.
 
 use kit::cli::{Leaf, Outcome};
-use kit::draw::{PALETTE, Turn};
+use kit::draw::PALETTE;
 use kit::{Answer, Error, Figure, Lab, MovingPicture, Result, Verdict, claim, quoted};
 use rotation_dynamics::integrators::Method;
 
@@ -18,11 +18,11 @@ fn list(items: impl IntoIterator<Item = String>) -> String {
 /// What there is to know of a picture before it moves.
 pub fn opened(picture: &MovingPicture) -> Result<String> {
     let span = picture.span();
-    let (first, turns) = picture.seen(*span.start(), Turn::default())?;
-    let (width, height) = first.display.size;
+    // A picture that cannot be drawn is refused before it begins.
+    picture.frame(*span.start())?;
     let stills = list(picture.still_times().iter().map(|t| format!("{t:?}")));
     Ok(format!(
-        "{{\"span\": [{:?}, {:?}], \"time\": {}, \"stills\": {stills}, \"size\": [{width}, {height}], \"turns\": {turns}}}",
+        "{{\"span\": [{:?}, {:?}], \"time\": {}, \"stills\": {stills}}}",
         span.start(),
         span.end(),
         quoted(&picture.time()),

@@ -75,7 +75,7 @@ pub extern "C" fn output() -> *const u8 {
 }
 
 /// Prepares the moving picture of a page for the settings that were written, lines of
-/// `NAME=VALUE`. Leaves `{"span", "time", "stills", "size", "turns"}` or `{"error"}`.
+/// `NAME=VALUE`. Leaves `{"span", "time", "stills"}` or `{"error"}`.
 #[unsafe(no_mangle)]
 pub extern "C" fn open(n: usize) -> usize {
     let settings = taken();
@@ -144,6 +144,13 @@ pub extern "C" fn stem(n: usize) -> usize {
 #[unsafe(no_mangle)]
 pub extern "C" fn declared(n: usize) -> usize {
     leave(page(n).declared())
+}
+
+/// Leaves which parameters of a page its moving picture shows, and whether it can be turned:
+/// `{"turns", "seen": [names]}` or `{"error"}`.
+#[unsafe(no_mangle)]
+pub extern "C" fn seen(n: usize) -> usize {
+    leave(kit::seen(page(n), MOVING[n]).unwrap_or_else(|error| answers::error(&error)))
 }
 
 /// Leaves the inks, `[{"name", "line", "text", "lit", "shade"}]`, in the order of their numbers.

@@ -60,7 +60,7 @@ function made(part, small) {
   return readFileSync(`${file}.gz`);
 }
 
-/** What a module says of its pages: `{STEM: {module, page, declared}}`, and the inks. */
+/** What a module says of its pages: `{STEM: {module, page, declared}}`, with what their pictures show, and the inks. */
 async function told(gz, module) {
   const ask = runInThisContext(`${readFileSync('book/theme/module.js')};caller`)();
   const { error } = await ask({ gz });
@@ -68,7 +68,7 @@ async function told(gz, module) {
   const text = async (call, page) => (await ask({ call, page })).text;
   const pages = {};
   for (let page = 0, stem; (stem = await text('stem', page)) !== undefined; page += 1) {
-    pages[stem] = { module, page, declared: JSON.parse(await text('declared', page)) };
+    pages[stem] = { module, page, declared: { ...JSON.parse(await text('declared', page)), ...JSON.parse(await text('seen', page)) } };
   }
   return { pages, palette: JSON.parse(await text('palette')) };
 }

@@ -49,16 +49,16 @@ const Answer = (() => {
      * `{ error }`, or `{ values, checks }`, the parameters that it sets and the checks for them.
      * Parameters without a sheet bring no checks: `{ values, error }`.
      * `own` holds the names and values of the page's parameters, `checks` the page's own checks,
-     * `unset` the names of parameters that are not set unless they are given.
+     * `flags` the names of all that it has.
      */
-    function addressed(query, stem, own, checks, unset = []) {
+    function addressed(query, stem, own, checks, flags = []) {
         const { error, given, sheet } = parts(query);
         if (error !== undefined) return { error };
         if (given.size === 0 && sheet === undefined) return null;
-        const known = [...own.map(([name]) => name), ...unset];
+        const known = new Set([...own.map(([name]) => name), ...flags]);
         for (const [name, value] of given) {
-            if (!known.includes(name)) {
-                return { error: `This page has no parameter ${name}; it has ${known.join(", ")}` };
+            if (!known.has(name)) {
+                return { error: `This page has no parameter ${name}; it has ${[...known].join(", ")}` };
             }
             if (sheet !== undefined && !DECIMAL.test(value)) return { error: `The ${name} in this address is not a number` };
         }

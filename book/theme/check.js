@@ -43,8 +43,7 @@
     const forSheet = (form, ours) => {
         const shown = [...form.querySelectorAll(".assumed [data-name]")];
         const own = shown.map((item) => [item.dataset.name, item.dataset.value]);
-        const unset = (form.dataset.unset ?? "").split(" ").filter((name) => name !== "");
-        const asked = Answer.addressed(location.search, form.dataset.stem, own, ours, unset);
+        const asked = Answer.addressed(location.search, form.dataset.stem, own, ours, Live.flags(form.dataset.stem));
         if (asked === null) return ours;
         if (asked.error && asked.values && Live.has(form.dataset.stem)) {
             Live.change(asked.values, null);
@@ -64,8 +63,7 @@
     };
     /** The verdict on an answer for other parameters than the page's: that of the program itself. */
     const computed = async (form, key, answer) => {
-        const effects = new Set((form.dataset.effects ?? "").split(" "));
-        const words = [...Live.commanded(Live.state, effects), "--check", `${key}=${answer}`];
+        const words = [...Live.commanded(form.dataset.stem), "--check", `${key}=${answer}`];
         const { stdout, stderr, code } = await Live.machine(form.dataset.stem, "told").ask("run", words.join("\0"));
         const kind = code === 0 ? "right" : stdout.startsWith("nearly") ? "nearly" : "wrong";
         return [kind, sentence((stdout || stderr.replace(/^error: /, "")).trim())];
@@ -163,7 +161,7 @@
         box.classList.toggle("more", wide && box.scrollLeft + box.clientWidth < box.scrollWidth - 1);
         box.classList.toggle("moved", box.scrollLeft > 0);
         if (scrolls === box.hasAttribute("tabindex")) return;
-        const label = box.matches("code") ? "program text" : box.matches(".formula") ? "formula" : box.matches(".panels") ? "pictures" : "table";
+        const label = box.matches("pre") ? "output" : box.matches("code") ? "program text" : box.matches(".formula") ? "formula" : box.matches(".panels") ? "pictures" : "table";
         const told = { tabindex: "0", role: "group", "aria-label": `${label}, scrolls` };
         for (const [name, value] of Object.entries(told)) {
             if (scrolls) box.setAttribute(name, value);
@@ -172,10 +170,17 @@
     };
     const resized = new ResizeObserver((entries) => entries.forEach((entry) => measure(entry.target)));
     const boxes = document.querySelectorAll(".scroll, .panels, .table-wrapper, .formula, pre > code");
-    for (const box of boxes) {
+    const watch = (box) => {
         resized.observe(box);
         box.addEventListener("scroll", () => measure(box), { passive: true });
-    }
+    };
+    boxes.forEach(watch);
+    // Of one that comes later, and of what comes into it, its maker tells.
+    document.addEventListener("scrolls", ({ target }) => {
+        if (!target.classList.contains("watched")) watch(target);
+        target.classList.add("watched");
+        measure(target);
+    });
     // The book's letters, once they are there, fill a box that keeps its size.
     document.fonts.ready.then(() => boxes.forEach(measure));
 

@@ -45,10 +45,14 @@ const Live = (() => {
 
     /** The module of a page. */
     const brought = (stem) => once(pages[stem].module, (name) => fetched(name, pages[stem].size));
-    /** Brings it before it is asked for, unless the reader saves data or pays for it. */
-    function ahead(stem) {
+    /** Whether the reader saves data or pays for it. */
+    function metered() {
         const { saveData, type } = navigator.connection ?? {};
-        if (location.protocol === "file:" || saveData || type === "cellular") return;
+        return saveData === true || type === "cellular";
+    }
+    /** Brings it before it is asked for. */
+    function ahead(stem) {
+        if (location.protocol === "file:" || metered()) return;
         brought(stem).catch(() => {}); // What fails is told when it is asked for.
     }
     /** How much of the module has come, in words, while it is on its way; then nothing. */
@@ -161,6 +165,8 @@ const Live = (() => {
     // left out. The address holds them, and the time of the picture as `t`.
     const state = new Map();
     const heard = [];
+    /** The names of a page's parameters. */
+    const flags = (stem) => pages[stem]?.flags ?? [];
     /** Sets the parameters of the page and tells everyone but `from`. */
     function change(values, from) {
         state.clear();
@@ -181,10 +187,10 @@ const Live = (() => {
         }
     }
 
-    /** The arguments of the command line that set `values`; `effects` are the names of effects. */
-    function commanded(values, effects) {
-        return [...values].flatMap(([name, value]) => {
-            if (!effects.has(name)) return [`--${name}`, value];
+    /** The arguments of a page's command line that set what is set. */
+    function commanded(stem) {
+        return [...state].flatMap(([name, value]) => {
+            if (!pages[stem].effects.includes(name)) return [`--${name}`, value];
             return value === "" ? ["--without", name] : ["--with", `${name}=${value}`];
         });
     }
@@ -222,7 +228,7 @@ const Live = (() => {
     };
     if (able) for (const type of ["pointerdown", "keydown"]) document.addEventListener(type, begin, { capture: true, passive: true });
 
-    return { able, inks, packed, has: (stem) => able && stem in pages, machine, ahead, arriving, state, change, listen, remember, commanded };
+    return { able, inks, packed, has: (stem) => able && stem in pages, machine, metered, ahead, arriving, flags, state, change, listen, remember, commanded };
 })();
 
 if (typeof module !== "undefined") module.exports = Live;

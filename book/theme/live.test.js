@@ -4,7 +4,7 @@
 const assert = require("node:assert");
 
 // ---- A page, a server of modules in two pieces, a worker that answers as it is told.
-const pages = { rod: { module: "a.gz", page: 3, size: 5 }, disc: { module: "d.gz", page: 0, size: 5 } };
+const pages = { rod: { module: "a.gz", page: 3, size: 5, flags: ["length", "friction", "gravity"], effects: ["friction", "gravity"] }, disc: { module: "d.gz", page: 0, size: 5 } };
 const asked = [];
 const workers = [];
 let missing = "";
@@ -45,6 +45,7 @@ globalThis.Live = Live;
 
 (async () => {
     assert.ok(Live.able && Live.has("rod") && !Live.has("table"));
+    assert.deepStrictEqual([Live.flags("rod"), Live.flags("table")], [["length", "friction", "gravity"], []]);
     assert.deepStrictEqual(asked, [], "nothing is brought before it is asked for");
     const machine = Live.machine("rod", "motion");
     assert.strictEqual(Live.machine("rod", "motion"), machine);
@@ -107,12 +108,11 @@ globalThis.Live = Live;
 
     // Parameters as arguments, and in the address: what the search marked stays there.
     const values = new Map([["length", "-1e-3"], ["friction", "0.1"], ["gravity", ""]]);
-    assert.deepStrictEqual(Live.commanded(values, new Set(["friction", "gravity"])),
-        ["--length", "-1e-3", "--with", "friction=0.1", "--without", "gravity"]);
     const heard = [];
     Live.listen((state) => heard.push([...state]));
     Live.change(values, null);
     assert.deepStrictEqual(heard, [[...values]]);
+    assert.deepStrictEqual(Live.commanded("rod"), ["--length", "-1e-3", "--with", "friction=0.1", "--without", "gravity"]);
     Live.remember("0.50");
     assert.strictEqual(location.address, "?length=-1e-3&friction=0.1&gravity=&t=0.50&highlight=wall#x");
     location.search = "";

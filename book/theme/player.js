@@ -11,7 +11,6 @@ class Knobs {
                 element, preset: element.dataset.default, value: part(".value"), usual: part(".value").value,
                 slider: part(".slide input"), box: part("[type=checkbox]"), back: part(".back"), told: part(".told"),
             };
-            knob.words = knob.told.innerHTML;
             this.all.set(element.dataset.name, knob);
             const moved = () => { this.mark(knob); this.touched = element.dataset.name; changed(); };
             knob.value.addEventListener("input", () => {
@@ -24,7 +23,7 @@ class Knobs {
                 if (knob.box) knob.box.checked = true;
                 moved();
             });
-            knob.box?.addEventListener("change", moved);
+            knob.box?.addEventListener("change", () => { this.slide(knob); moved(); });
             knob.back.addEventListener("click", () => {
                 this.set(element.dataset.name, knob.preset);
                 knob.value.focus();
@@ -41,15 +40,16 @@ class Knobs {
         return String(Number((from * (to / from) ** (slider.value / slider.max)).toPrecision(3)));
     }
 
-    /** Brings the slider to what is typed. */
-    slide({ slider, value }) {
+    /** Brings the slider to what is typed; to its low end while an effect is left out. */
+    slide({ slider, value, box }) {
         const number = Number(value.value);
         if (!slider || value.value === "" || !Number.isFinite(number)) return;
-        const { from, to } = slider.dataset;
-        slider.value = from === undefined ? number : slider.max * Math.log(Math.max(number, from) / from) / Math.log(to / from);
+        const { min, max, dataset: { from, to } } = slider;
+        slider.value = box?.checked === false ? min
+            : from === undefined ? number : max * Math.log(Math.max(number, from) / from) / Math.log(to / from);
     }
 
-    /** The typed value of a knob; "" is an effect left out, or what is not set. */
+    /** The typed value of a knob; "" is an effect left out. */
     typed(knob) {
         return knob.box && !knob.box.checked ? "" : knob.value.value.trim();
     }
@@ -80,11 +80,6 @@ class Knobs {
         return new Map(typed.filter(([, value, preset]) => value !== preset).map(([name, value]) => [name, value]));
     }
 
-    /** Names of the effects. */
-    effects() {
-        return new Set([...this.all].filter(([, knob]) => knob.box).map(([name]) => name));
-    }
-
     /**
      * Says what is wrong beside the control that the message names, or else the one last touched;
      * "" says that nothing is. True if there is one.
@@ -96,8 +91,7 @@ class Knobs {
         for (const [name, knob] of this.all) {
             const mine = message !== "" && name === meant;
             named ||= mine;
-            if (mine) knob.told.textContent = `${message}.`;
-            else if (knob.element.classList.contains("refused")) knob.told.innerHTML = knob.words;
+            knob.told.textContent = mine ? `${message}.` : "";
             knob.element.classList.toggle("refused", mine);
             if (mine) knob.value.setAttribute("aria-invalid", "true");
             else knob.value.removeAttribute("aria-invalid");
@@ -110,30 +104,36 @@ class Knobs {
     const STEPS = 100; // single steps in the whole span
     const SECONDS = [4, 15]; // a span plays in its own time, but within these
     const HOLD = 1; // s, at the end, before it begins anew
-    const LARGEST = [1.9, 0.72]; // of the stills' size, and of the window's height
-    const BESIDE = 0.45; // of the window's height, while the controls below it are open
+    const SEEN = 0.5; // of a picture, before it plays by itself
+    const DRAGGED = 6; // px, before a finger that comes down is taken for one that turns it
     const BLEED = 10; // px around the drawing: letters may be wider than those that were measured
     const quiet = matchMedia("(prefers-reduced-motion: reduce)");
 
     class Player {
-        constructor(root) {
+        constructor(root, asked) {
             this.root = root;
             this.figure = root.closest("figure");
-            this.panel = this.figure.querySelector(".panel");
+            // Of the stills the last one stands on the page: it opens there.
+            this.panel = this.figure.querySelector(".panel:last-child");
             this.still = this.panel.querySelector("svg");
             const part = (selector) => root.querySelector(selector);
             [this.play, this.time, this.now, this.speed] = [".play", ".time", ".now", ".speed select"].map(part);
             [this.refusal, this.fold] = [part(".refusal"), part(".fold")];
-            // With settings of its own it plays by itself, and is not the page's.
-            this.own = root.dataset.plays !== undefined;
-            this.fixed = (root.dataset.plays ?? "").split(" ").filter((line) => line !== "");
             this.knobs = new Knobs(root, () => this.changed());
             // `t` is where it is, `shown` what is painted, `sound` the settings of the last good picture.
             Object.assign(this, { machine: null, picture: null, drawing: null, t: null, camera: [0, 0], shown: "",
                 sound: "", playing: false, visible: false, busy: false, opening: false, stale: false, last: 0, held: 0 });
+            const given = [...asked.given ?? []].filter(([name]) => Live.flags(root.dataset.stem).includes(name));
+            this.begun = asked.t !== undefined;
+            if (this.begun) this.t = Number(asked.t);
+            this.wished = given.length > 0 || this.begun;
+            // One that is not the solution of an exercise plays when it is seen, unless motion is not wanted.
+            this.eager = !this.begun && !root.closest("details") && !quiet.matches && !Live.metered();
             this.listen();
+            if (root.classList.contains("turns")) this.turnable();
             this.heard = (state) => { this.knobs.adopt(state); if (this.machine) this.open(); };
-            if (!this.own) Live.listen(this.heard);
+            Live.listen(this.heard);
+            if (given.length > 0) Live.change(given, null);
         }
 
         listen() {
@@ -145,38 +145,45 @@ class Knobs {
             time.addEventListener("input", () => this.seek(time.value / time.max));
             speed.addEventListener("change", () => this.touch());
             root.querySelector(".whole").addEventListener("click", () => {
-                this.knobs.adopt(new Map());
                 this.camera = [0, 0];
                 this.pause();
                 this.t = this.picture?.span[0] ?? null;
-                this.changed();
+                Live.change([], null);
+                this.touch();
+                this.remember();
             });
-            // While the controls are open the picture stays in view above them.
-            this.fold?.addEventListener("toggle", () => {
-                if (this.machine) this.inPlace(() => this.fit());
-            });
+            // While the fold is open the picture stays in view above it, and is smaller.
+            this.fold?.addEventListener("toggle", () => this.inPlace(() => this.figure.classList.toggle("pinned", this.fold.open)));
             // The arrow keys turn pages, but not from here.
             root.addEventListener("keydown", (event) => event.stopPropagation());
-            new IntersectionObserver(([{ isIntersecting }]) => {
+            new IntersectionObserver((entries) => {
+                const { isIntersecting, intersectionRatio } = entries.at(-1);
                 this.visible = isIntersecting;
                 if (isIntersecting) Live.ahead(this.root.dataset.stem);
-                if (isIntersecting && this.wished) this.touch();
+                if (isIntersecting && this.wished && !this.eager) this.touch();
+                if (this.eager && intersectionRatio >= SEEN) {
+                    this.eager = false;
+                    if (!this.playing) this.toggle();
+                }
                 this.wake();
-            }).observe(this.panel);
+            }, { threshold: [0, SEEN] }).observe(this.panel);
             document.addEventListener("visibilitychange", () => this.wake());
             new MutationObserver(() => { this.theme = undefined; this.repaint(); }).observe(document.documentElement, { attributeFilter: ["class"] });
         }
 
-        /** The first touch: the strip becomes one picture, its module is brought. */
+        /** The first touch: what paints lies over the still, its module is brought. */
         touch() {
+            this.eager = false;
             if (this.machine) return;
             this.machine = Live.machine(this.root.dataset.stem, "motion");
             this.canvas ??= document.createElement("canvas");
             this.canvas.setAttribute("role", "img");
             this.canvas.setAttribute("aria-label", this.still.getAttribute("aria-label"));
-            this.show(true);
+            this.figure.classList.add("moving");
+            this.panel.append(this.canvas);
+            this.fit();
             this.resized ??= new ResizeObserver(() => this.fit());
-            this.resized.observe(this.figure);
+            for (const part of [this.panel, this.figure]) this.resized.observe(part);
             this.now.textContent = "…";
             const told = setInterval(() => {
                 const words = Live.arriving(this.root.dataset.stem);
@@ -189,54 +196,41 @@ class Knobs {
             this.theme = Paint.theme(this.canvas, Live.inks);
         }
 
-        /** One picture that moves, or the strip as it is locked. */
-        show(moving) {
-            this.inPlace(() => {
-                this.figure.classList.toggle("moving", moving);
-                if (moving) {
-                    this.panel.append(this.canvas);
-                    this.fit();
-                } else this.canvas.remove();
-            });
-        }
-
         /** What is touched stays where it is while `change` changes the picture's size. */
         inPlace(change) {
             const before = this.root.getBoundingClientRect().top;
             change();
+            this.pin();
             scrollBy({ top: this.root.getBoundingClientRect().top - before, behavior: "instant" });
+        }
+
+        /** While it is pinned: where the bar stays, and before which end of the figure it leaves. */
+        pin() {
+            const part = (selector) => this.figure.querySelector(selector);
+            const after = this.figure.getBoundingClientRect().bottom - this.root.getBoundingClientRect().bottom;
+            this.figure.style.setProperty("--pinned", `${part(".panels").offsetHeight}px`);
+            this.figure.style.setProperty("--below", `${after + part(".bar").offsetHeight}px`);
         }
 
         /** Nothing came of the first touch. */
         leave() {
             this.resized.disconnect();
-            this.show(false);
+            this.figure.classList.remove("moving");
+            this.canvas.remove();
             [this.machine, this.playing, this.now.textContent] = [null, false, ""];
             this.label();
         }
 
-        /** The size of the picture on the page, and of its pixels. */
+        /** The canvas covers the still with a margin, in which the painter centres the picture as the browser does the still. */
         fit() {
+            const { canvas, panel } = this;
             const [, , width, height] = this.still.getAttribute("viewBox").split(" ").map(Number);
-            if (!this.own) {
-                const room = this.figure.clientWidth / width;
-                const open = this.fold?.open === true;
-                const most = (open ? BESIDE : LARGEST[1]) * innerHeight / height;
-                const large = open ? most : Math.max(1, Math.min(LARGEST[0], most));
-                this.figure.style.setProperty("--width", `${(width * Math.min(room, large)).toFixed(1)}px`);
-            }
-            // While it is pinned: where the bar of controls stays, and before which end of the figure it leaves.
-            const part = (selector) => this.figure.querySelector(selector);
-            const after = this.figure.getBoundingClientRect().bottom - this.root.getBoundingClientRect().bottom;
-            this.figure.style.setProperty("--pinned", `${part(".panels").offsetHeight}px`);
-            this.figure.style.setProperty("--below", `${after + part(".bar").offsetHeight}px`);
-            const { canvas } = this;
-            const scale = this.panel.clientWidth / width;
-            const bleed = [-BLEED * scale, -BLEED * scale];
-            [canvas.style.left, canvas.style.top] = bleed.map((px) => `${px}px`);
-            const size = [width, height].map((px) => scale * (px + 2 * BLEED));
+            const bleed = BLEED * Math.min(panel.clientWidth / width, panel.clientHeight / height);
+            [canvas.style.left, canvas.style.top] = [`${-bleed}px`, `${-bleed}px`];
+            const size = [panel.clientWidth, panel.clientHeight].map((px) => px + 2 * bleed);
             [canvas.style.width, canvas.style.height] = size.map((px) => `${px}px`);
             const pixels = size.map((px) => Math.round(px * devicePixelRatio));
+            this.pin();
             if (canvas.width === pixels[0] && canvas.height === pixels[1]) return;
             [canvas.width, canvas.height] = pixels;
             this.repaint();
@@ -254,8 +248,7 @@ class Knobs {
             this.opening = true;
             do {
                 this.stale = false;
-                const set = [...this.knobs.changed()].map(([name, value]) => `${name}=${value}`);
-                const lines = [...this.fixed, ...set].join("\n");
+                const lines = [...Live.state].map(([name, value]) => `${name}=${value}`).join("\n");
                 try {
                     this.opened(await this.machine.ask("open", lines));
                     this.sound = lines;
@@ -282,26 +275,23 @@ class Knobs {
             this.picture = picture;
             this.t = Math.min(Math.max(this.t, from), to);
             this.decimals = Math.min(Math.max(Math.ceil(-Math.log10((to - from) / 400)), 0), 12);
-            this.root.classList.toggle("turns", picture.turns);
-            if (picture.turns && !this.panel.hasAttribute("tabindex")) this.turnable();
         }
 
         say(message) {
             const named = this.knobs.refuse(message);
             this.refusal.textContent = message === "" || named ? "" : `${message}.`;
-            this.refusal.classList.remove("note");
         }
 
         changed() {
+            // An address may set what has no control here.
+            const others = [...Live.state].filter(([name]) => !this.knobs.all.has(name));
+            Live.change([...others, ...this.knobs.changed()], this.heard);
             this.touch();
             this.open();
-            if (this.own) return;
-            Live.change(this.knobs.changed(), this.heard);
             this.remember();
         }
 
         remember() {
-            if (this.own) return;
             clearTimeout(this.later);
             const still = !this.playing && this.picture && this.t !== this.picture.span[0];
             const t = still ? this.t.toFixed(this.decimals) : null;
@@ -397,7 +387,6 @@ class Knobs {
             this.busy = true;
             try {
                 const { bytes, alt } = await this.machine.call("frame", { numbers: wish, told });
-                this.note(bytes, wish);
                 this.drawing = Paint.decoded(bytes);
                 this.repaint();
                 this.figure.classList.add("painted");
@@ -410,25 +399,6 @@ class Knobs {
             this.shown = key;
             this.busy = false;
             this.wake();
-        }
-
-        /** A parameter need not enter the picture: then the reader is told. */
-        note(bytes, wish) {
-            const words = new Int32Array(bytes.buffer ?? bytes);
-            // A frame that was asked for before the change says nothing of it.
-            const asked = this.opening ? undefined : this.knobs.touched;
-            // A span that is computed anew may differ in its last digits.
-            const [from, to] = this.picture.span;
-            const close = (x, n) => Math.abs(x - this.before.wish[n]) <= 1e-9 * (to - from);
-            if (asked !== undefined && this.before !== undefined && wish.every(close)) {
-                const same = words.length === this.before.words.length && words.every((word, n) => word === this.before.words[n]);
-                if (same) {
-                    this.refusal.textContent = `The picture stays the same with another ${asked}; a run of the example tells what changes.`;
-                    this.refusal.classList.add("note");
-                }
-                this.knobs.touched = undefined;
-            }
-            this.before = { words, wish };
         }
 
         tell(t) {
@@ -448,6 +418,7 @@ class Knobs {
             panel.setAttribute("role", "group");
             panel.setAttribute("aria-label", "The picture; the arrow keys turn it, Home turns it back");
             const turn = (about, up) => {
+                this.touch();
                 this.camera = [this.camera[0] + about, Math.min(Math.max(this.camera[1] + up, -1.5), 1.5)];
                 this.wake();
             };
@@ -469,6 +440,7 @@ class Knobs {
             panel.addEventListener("pointermove", (event) => {
                 if (!panel.hasPointerCapture(event.pointerId)) return;
                 const to = [event.clientX, event.clientY];
+                if (!this.machine && Math.abs(to[0] - from[0]) < DRAGGED) return;
                 turn((from[0] - to[0]) / 120, (to[1] - from[1]) / 120);
                 from = to;
             });
@@ -479,17 +451,6 @@ class Knobs {
     if (!Live.able) return;
     const asked = Answer.parts(location.search);
     for (const root of document.querySelectorAll(".player")) {
-        if (!Live.has(root.dataset.stem)) continue;
-        const player = new Player(root);
-        if (player.own) {
-            // It moves when the page is there, unless motion is not wanted.
-            addEventListener("load", () => { if (!quiet.matches) player.toggle(); });
-            continue;
-        }
-        const own = [...asked.given ?? []].filter(([name]) => player.knobs.all.has(name));
-        if (own.length > 0) Live.change(own, null);
-        if (asked.t !== undefined) player.t = Number(asked.t);
-        player.begun = asked.t !== undefined;
-        player.wished = own.length > 0 || asked.t !== undefined;
+        if (Live.has(root.dataset.stem)) new Player(root, asked);
     }
 })();

@@ -13,6 +13,10 @@
         element.append(...children);
         return element;
     };
+    const tr = (cells, kind) => make("tr", {}, ...cells.map((text) => make(kind, kind === "th" ? { scope: "col" } : {}, text)));
+    const table = (head, rows) => make("table", {}, make("thead", {}, tr(head, "th")), make("tbody", {}, ...rows));
+    /** Lets check.js show where the box has more than is to be seen. */
+    const scrolls = (box) => requestAnimationFrame(() => box.dispatchEvent(new Event("scrolls", { bubbles: true })));
     const button = (text, attributes = {}) => make("button", { type: "button", ...attributes }, text);
     /** Words as a shell parts them, without its other powers. */
     const parted = (line) => [...line.matchAll(/(?:[^\s"']+|"[^"]*"|'[^']*')+/g)]
@@ -97,16 +101,17 @@
             this.asks = make("div", { class: "guess", hidden: predict === undefined },
                 make("label", { for: id("guess") }, "What do you expect, and why?"), this.guess,
                 make("p", {}, "Write it down; then run. Your words stay here, beside what comes out."));
+            this.compared = make("div", { class: "scroll", hidden: true });
             this.output = make("code", { class: "stdout" });
             this.error = make("code", { class: "stderr" });
             this.told = make("details", { class: "told", open: true, hidden: true }, make("summary", {}, "What it prints"),
-                make("pre", { tabindex: "0", role: "group", "aria-label": "output, scrolls" }, this.output, this.error));
+                make("pre", {}, this.output, this.error));
             this.drawn = make("p", { class: "drawn", hidden: true });
             this.more = make("p", { class: "more", hidden: true });
             const form = make("form", {}, this.asks,
                 make("label", { for: id("line") }, make("code", {}, `cargo run --example ${stem} `, make("span", { class: "flag" }, "--"))),
                 make("span", { class: "line" }, this.line, this.go, this.stop), this.elapsed);
-            this.root = make("div", { class: "terminal", role: "group", "data-stem": stem, "aria-label": `cargo run --example ${stem}, here` }, form, this.told, this.drawn, this.more);
+            this.root = make("div", { class: "terminal", role: "group", "data-stem": stem, "aria-label": `cargo run --example ${stem}, here` }, form, this.compared, this.told, this.drawn, this.more);
             form.addEventListener("submit", (event) => { event.preventDefault(); this.submit(); });
             this.stop.addEventListener("click", () => this.machine.end());
             this.guess.addEventListener("input", () => this.label());
@@ -125,9 +130,7 @@
 
         /** Takes the page's parameters as arguments. */
         adopt() {
-            const effects = document.querySelectorAll(`.player[data-stem="${this.stem}"] .knob.effect`);
-            const names = new Set([...effects].map((knob) => knob.dataset.name));
-            this.line.value = Live.commanded(Live.state, names).join(" ");
+            this.line.value = Live.commanded(this.stem).join(" ");
             this.seen = false;
         }
 
@@ -156,9 +159,22 @@
             this.guess.readOnly = this.guess.value.trim() !== "";
             this.label();
             [this.output.textContent, this.error.textContent] = [told.stdout, told.stderr];
-            this.told.classList.toggle("failed", told.code !== 0);
+            this.compare(told.stdout);
             this.told.hidden = false;
+            for (const box of [this.compared, this.told.querySelector("pre")]) scrolls(box);
             this.offer(words, told);
+        }
+
+        /** What the page asks for and is another number now, before and after. */
+        compare(stdout) {
+            const form = document.querySelector(`form.answer[data-stem="${this.stem}"]`);
+            const checks = form ? JSON.parse(form.querySelector("script").textContent).checks : [];
+            const [, claims = ""] = stdout.match(/\nclaims\n([^]*?)\n(\n|$)/) ?? [];
+            const now = new Map(claims.split("\n").map((line) => line.split(/ +/)));
+            const rows = checks.filter(({ key, printed }) => now.has(key) && now.get(key) !== printed).map(({ key, printed }) =>
+                [form.querySelector(`option[value="${key}"]`).textContent, ...[printed, now.get(key)].map((number) => number.replaceAll("-", "\u2212"))]);
+            this.compared.hidden = rows.length === 0;
+            this.compared.replaceChildren(table(["asked for", "on the page", "now"], rows.map((row) => tr(row, "td"))));
         }
 
         /** Draws the page's figures for what was run. */
@@ -207,7 +223,7 @@
     for (const opener of document.querySelectorAll("button.run")) {
         if (!Live.has(opener.dataset.stem)) continue;
         opener.setAttribute("aria-expanded", "false");
-        const [named, words] = [opener.getAttribute("aria-label"), opener.textContent];
+        const [named, words] = [opener.getAttribute("aria-label"), opener.innerHTML];
         let terminal = null;
         opener.addEventListener("click", () => {
             if (terminal === null) {
@@ -218,8 +234,8 @@
             } else terminal.root.hidden = !terminal.root.hidden;
             const open = !terminal.root.hidden;
             opener.setAttribute("aria-expanded", String(open));
-            opener.textContent = open ? "Close" : words;
-            opener.setAttribute("aria-label", open ? `Close: ${named}` : named);
+            opener.innerHTML = open ? "Close" : words;
+            if (named !== null) opener.setAttribute("aria-label", open ? `Close: ${named}` : named);
             if (!open) return;
             if (opener.dataset.state !== undefined) terminal.adopt();
             (terminal.asks.hidden ? terminal.line : terminal.guess).focus({ preventScroll: true });
@@ -288,15 +304,14 @@
             this.field = make("input", { inputmode: "decimal", size: "9", autocomplete: "off" });
             this.name = make("span");
             this.label = make("label", {}, this.name, this.field);
-            this.rows = make("tbody");
-            const head = ["method", "setting", "attitude off by", "energy", "momentum", "work"];
-            const table = make("table", {}, make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col" }, text)))), this.rows);
+            const runs = make("div", { class: "scroll" }, table(["method", "setting", "attitude off by", "energy", "momentum", "work"], []));
+            this.rows = runs.querySelector("tbody");
             this.go = make("button", { type: "submit" }, "Run");
             const acting = this.effects();
             const form = make("form", {}, ...(acting.length > 0 ? [make("div", { class: "acting", role: "group", "aria-label": "What acts" }, ...acting)] : []),
                 make("label", {}, "Method ", this.method), this.label,
                 make("label", { class: "wide" }, make("span", { class: "quiet" }, "coarse to fine"), this.slider), this.go);
-            this.parts = [this.head, form, make("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "runs, scrolls" }, table)];
+            this.parts = [this.head, form, runs];
             const range = () => this.kind() === "steps" ? [10, 1e5] : [1e-2, 1e-13];
             const typed = () => {
                 const [from, to] = range();
@@ -343,7 +358,8 @@
                 const whole = [what, ...lines.map((line) => line.endsWith("=") ? `no ${line.slice(0, -1)}` : line), ...against].join("; ");
                 const name = this.kind() === "solve" ? `solve: ${told.method}` : told.method;
                 const cells = [name, whole, `${number(told.attitude)} rad`, number(told.energy), number(told.momentum), told.work];
-                this.rows.prepend(make("tr", {}, ...cells.map((text) => make("td", {}, text))));
+                this.rows.prepend(tr(cells, "td"));
+                scrolls(this.parts.at(-1));
                 this.status.textContent = `${name}, ${whole}: off by ${number(told.attitude)} rad for ${told.work}`;
             } catch (error) {
                 this.status.textContent = `${error.message}.`;

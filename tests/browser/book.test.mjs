@@ -67,8 +67,8 @@ describe("a page that is damaged is seen", together, () => {
 
 const skip = existsSync(join(BOOK, "modules")) ? false : "the book has no modules";
 const commands = new Set();
-/** Everything that lives in a page, but for the commands that ran on another. */
-const lives = (browser, address, how) => opened(browser, address, how, async (page, faults) => {
+/** Everything that lives in a page, but for the commands that ran on another. Nothing plays by itself. */
+const lives = (browser, address, how) => opened(browser, address, { ...how, reducedMotion: "reduce" }, async (page, faults) => {
     await live.tap(page);
     const found = [];
     for (let n = 0; n < await page.locator(".player").count(); n += 1) {

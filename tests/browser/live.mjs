@@ -53,7 +53,6 @@ export async function settled(page, n) {
 export async function opens(page, n) {
     const player = page.locator(".player").nth(n);
     await player.locator(".bar").evaluate((bar) => bar.scrollIntoView({ block: "center", behavior: "instant" }));
-    const plays = await player.getAttribute("data-plays") !== null;
     // A driver may scroll to what it is to click: that is done before anything is measured.
     await player.locator(".step").first().hover();
     const before = await player.boundingBox();
@@ -65,7 +64,6 @@ export async function opens(page, n) {
     const faults = Math.abs(after.y - before.y) < 2 ? [] : [`the controls jump by ${after.y - before.y} px`];
     const moved = await page.evaluate(() => window.moved);
     if (moved > BOUNDS.shift) faults.push(`the page shifts by ${moved} while picture ${n} opens`);
-    if (plays) return faults;
     const [shown, locked] = await page.evaluate((n) => {
         const figure = document.querySelectorAll(".player")[n].closest("figure");
         const still = [...figure.querySelectorAll(".panel svg")].at(-1);
@@ -83,7 +81,6 @@ export async function opens(page, n) {
 /** What is to be seen where it opens is said as of the locked still; a step on it is said anew. */
 export async function tells(page, n) {
     const player = page.locator(".player").nth(n);
-    if (await player.getAttribute("data-plays") !== null) return [];
     const said = () => page.evaluate((n) => {
         const figure = document.querySelectorAll(".player")[n].closest("figure");
         return [figure.querySelector("canvas"), [...figure.querySelectorAll(".panel svg")].at(-1)].map((seen) => seen.getAttribute("aria-label"));
@@ -116,40 +113,50 @@ export async function moves(page, n) {
 }
 
 /**
- * The sliders, by their arrow keys, until the picture changes; one that it does not show says so,
- * and each is put back.
+ * The open controls: each begins at what the picture has, changes it, by the arrow keys of its slider or
+ * as another word of its list, and is put back.
  */
 export async function slides(page, n) {
     const player = page.locator(".player").nth(n);
-    const knobs = player.locator(".knob", { has: page.locator(".slide") });
-    const count = await knobs.count();
-    // A picture that plays by itself may have none, and one may be chosen from a list.
-    if (count === 0 && await player.locator(".knobs select").count() > 0) return [];
-    if (count === 0 && await player.getAttribute("data-plays") !== null) return [];
     // Half of the way the motion shows what set it off.
     await player.locator(".time").evaluate((time) => {
         time.value = time.max / 2;
         time.dispatchEvent(new Event("input", { bubbles: true }));
     });
     const before = await settled(page, n);
-    let changed = false;
-    for (let k = 0; k < count && !changed; k += 1) {
-        const [knob, slider] = [knobs.nth(k), knobs.nth(k).locator(".slide input")];
-        const typed = await knob.locator(".value").inputValue();
-        await slider.focus();
-        for (const key of ["ArrowLeft", "ArrowRight"]) {
-            if (await knob.locator(".value").inputValue() !== typed) break;
-            for (let press = 0; press < 4; press += 1) await page.keyboard.press(key);
+    const [knobs, faults] = [player.locator("> .knobs .knob"), []];
+    const count = await knobs.count();
+    if (count === 0 || count > 3) faults.push(`${count} controls are open`);
+    for (let k = 0; k < count; k += 1) {
+        const knob = knobs.nth(k);
+        const [name, value, slider, box] = [await knob.getAttribute("data-name"), knob.locator(".value"), knob.locator(".slide input"), knob.locator("[type=checkbox]")];
+        const typed = await value.inputValue();
+        let moves = [() => box.click()];
+        if (await box.count() === 0 && await slider.count() === 0) {
+            moves = [async () => value.selectOption({ index: await value.evaluate((list) => list.selectedIndex === 0 ? 1 : 0) })];
+        } else if (await box.count() === 0) {
+            // What is typed again is what is shown.
+            await value.fill(typed);
+            if (await settled(page, n) !== before) faults.push(`${name} = ${typed} is not on show`);
+            const steps = await slider.evaluate(({ min, max, step, value, dataset: { from, to } }, typed) =>
+                ((from === undefined ? typed : max * Math.log(typed / from) / Math.log(to / from)) - value) / (step || 1), Number(typed));
+            if (Math.abs(steps) > 0.51) faults.push(`the slider of ${name} is ${steps} steps from ${typed}`);
+            await slider.focus();
+            moves = ["Home", "End"].map((key) => () => page.keyboard.press(key));
         }
-        const name = await knob.getAttribute("data-name");
-        const answered = await comes(page, ({ n, then, pixels, name }) => eval(pixels)(n) !== then ||
-            document.querySelectorAll(".player")[n].querySelector(".refusal").textContent.includes(` ${name};`),
-        { n, name, then: before, pixels: `(${pixels})` }, 15_000);
-        if (!answered) return [`a slider does nothing: ${name}`];
-        changed = await page.evaluate(pixels, n) !== before;
-        if (await knob.locator(".back").isEnabled()) await knob.locator(".back").click();
+        let changed = false;
+        for (const move of moves) {
+            await move();
+            if (await value.inputValue() === typed && moves.length > 1) continue;
+            changed = await differ(page, n, before, 10_000);
+            if (changed) break;
+        }
+        if (!changed) faults.push(`${name} changes nothing`);
+        await knob.locator(".back").click();
+        const back = ({ n, then, pixels }) => eval(pixels)(n) === then;
+        if (!await comes(page, back, { n, then: before, pixels: `(${pixels})` }, 15_000)) faults.push(`${name} is not put back`);
     }
-    return changed ? [] : [`no slider changes the picture of ${await player.getAttribute("data-stem")}`];
+    return faults;
 }
 
 /** FNV-1a, of the bytes of a text: what tests/pages/commands.rs locks. */

@@ -2,8 +2,8 @@
 // brings what moves, other numbers redraw the figures and are judged, an address is shared, files
 // are taken along, a method is tried, the picture is turned.
 import { readFileSync, readdirSync } from "node:fs";
-import { LOCKED, differ, paints, pixels, settled, tap, text } from "./live.mjs";
-import { opened } from "./opened.mjs";
+import { LOCKED, comes, differ, paints, pixels, settled, tap, text } from "./live.mjs";
+import { PHONE, opened } from "./opened.mjs";
 import { changed, instead } from "./served.mjs";
 import { BOUNDS } from "./still.mjs";
 import { tabTo } from "./ways.mjs";
@@ -39,7 +39,7 @@ const touch = async (browser, address, how) => [
     ...await opened(browser, address, how, async (page) => {
         const brought = bringing(page);
         await unfolded(page);
-        await page.locator("figure:has(.player) .panel").first().scrollIntoViewIfNeeded();
+        await page.locator("figure:has(.player) .panel:last-child").first().scrollIntoViewIfNeeded();
         for (let n = 0; n < 100 && brought.length < 1; n += 1) await page.waitForTimeout(100);
         return brought.length === 1 && brought[0].endsWith(".gz") ? [] : [`a look brings ${brought}`];
     }),
@@ -69,6 +69,8 @@ const touched = (browser, address, how) => opened(browser, address, how, async (
 const redraws = (browser, address, how) => opened(browser, address, how, async (page) => {
     const faults = [];
     const terminal = await run(page, "--rate 4");
+    const asked = await terminal.locator(".scroll table tbody tr").first().innerText().then((row) => row.split("\t"), () => []);
+    if (!(asked.length === 3 && asked[1].startsWith("1.0583") && asked[2].startsWith("0.69"))) faults.push(`what is asked for: ${asked}`);
     await page.evaluate(() => { window.moved = 0; });
     const drawing = terminal.locator(".drawn", { hasText: "drawn for this." }).waitFor({ timeout: 20_000 });
     if (!await drawing.then(() => true, () => false)) return ["no figure is drawn"];
@@ -105,6 +107,7 @@ const answers = (browser, address, how) => opened(browser, address, how, async (
     };
     await unfolded(page);
     await holds(angle(5), "right", "for the page");
+    await holds("acos(9.80665/(0.8*5^2))", "right", "for the page");
     await page.locator(".knob[data-name=rate] .value").fill("4");
     await holds(angle(4), "right", "for the reader");
     await holds(angle(5), "wrong", "for the reader");
@@ -217,29 +220,87 @@ const acts = (browser, address, how) => opened(browser, address, how, async (pag
     return faults;
 });
 
-/** A hand on the picture turns it, and so do the arrow keys; Home turns it back. */
-const turns = (browser, address, how) => opened(browser, address, how, async (page) => {
+/** A hand on the still opens it and turns it, and so do the arrow keys; Home turns it back. */
+const turns = (browser, address, how) => opened(browser, address, { ...how, reducedMotion: "reduce" }, async (page) => {
     const faults = [];
     await tap(page);
-    await page.locator(".player .bar").first().evaluate((bar) => bar.scrollIntoView({ block: "end", behavior: "instant" }));
-    await page.locator(".player .step").first().click();
-    await paints(page, 0);
-    const before = await settled(page, 0);
-    const box = await page.locator("figure.moving .panel").first().boundingBox();
+    const panel = page.locator("figure:has(> .player) .panel:last-child").first();
+    await panel.scrollIntoViewIfNeeded();
+    const box = await panel.boundingBox();
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
     await page.mouse.down();
     await page.mouse.move(box.x + box.width / 2 + 80, box.y + box.height / 2 - 30, { steps: 4 });
     await page.mouse.up();
-    if (!await differ(page, 0, before)) faults.push("a hand does not turn it");
+    if (!await comes(page, (n) => drawn.has(document.querySelectorAll(".player")[n].closest("figure").querySelector("canvas")), 0, 20_000)) return ["a hand on the still opens nothing"];
     const turned = await settled(page, 0);
     // The keys come to it by Tab, from the control before.
     await page.evaluate(() => document.querySelector("main a[href]").focus());
     if (!await tabTo(page, "figure.moving .panel", faults)) return faults;
     await page.keyboard.press("Home");
-    await differ(page, 0, turned);
-    if (await settled(page, 0) !== before) faults.push("Home does not turn it back");
+    if (!await differ(page, 0, turned)) faults.push("a hand does not turn it");
+    const back = await settled(page, 0);
     await page.keyboard.press("ArrowLeft");
-    if (!await differ(page, 0, before)) faults.push("the arrows do not turn it");
+    if (!await differ(page, 0, back)) faults.push("the arrows do not turn it");
+    const away = await settled(page, 0);
+    await page.keyboard.press("Home");
+    await differ(page, 0, away);
+    if (await settled(page, 0) !== back) faults.push("Home does not turn it back");
+    return faults;
+});
+
+/** Of the stills one is to be seen, as wide as the column, and on a phone it fits the window with its play button. */
+const fits = (browser, address, how) => opened(browser, address, { ...how, width: PHONE, reducedMotion: "reduce" }, async (page) => {
+    const [count, high, wide] = await page.evaluate(() => {
+        const figure = document.querySelector("figure:has(> .player)");
+        const seen = [...figure.querySelectorAll(".panel svg")].filter((svg) => svg.checkVisibility());
+        return [seen.length, figure.querySelector(".play").getBoundingClientRect().bottom - seen[0].getBoundingClientRect().top, seen[0].getBoundingClientRect().width / figure.clientWidth];
+    });
+    return [...count === 1 ? [] : [`${count} stills`], ...high < 640 ? [] : [`picture and play button are ${high} px high`], ...wide > 0.99 ? [] : [`the picture has ${wide} of the column`]];
+});
+
+/** A picture plays when it is seen, but not where motion is not wanted or data is paid for; paused it stays so. */
+const plays = async (browser, address, how) => {
+    const pressed = async (more) => opened(browser, address, { ...how, ...more }, async (page) => {
+        await tap(page);
+        const panel = page.locator("figure:has(> .player) .panel:last-child").first();
+        await panel.evaluate((panel) => panel.scrollIntoView({ block: "center", behavior: "instant" }));
+        const button = page.locator(".player .play").first();
+        await comes(page, () => document.querySelector(".player .play").getAttribute("aria-pressed") === "true", null, 2000);
+        const playing = await button.getAttribute("aria-pressed") === "true";
+        if (!playing) return "still";
+        if (!await paints(page, 0) || !await differ(page, 0, await page.evaluate(pixels, 0))) return "played, and stands still";
+        await button.click();
+        await page.evaluate(() => scrollTo({ top: document.body.scrollHeight, behavior: "instant" }));
+        await page.waitForTimeout(300);
+        await panel.evaluate((panel) => panel.scrollIntoView({ block: "center", behavior: "instant" }));
+        await page.waitForTimeout(300);
+        return await button.getAttribute("aria-pressed") === "true" ? "playing again" : "played";
+    });
+    const found = [await pressed({}), await pressed({ reducedMotion: "reduce" }), await pressed({ before: saving })];
+    return `${found}` === "played,still,still" ? [] : [`the picture is ${found}`];
+};
+
+/** What is refused says so below its field, wrapped, and nowhere else; the picture stays. */
+const refuses = (browser, address, how) => opened(browser, address, { ...how, width: PHONE, reducedMotion: "reduce" }, async (page) => {
+    await tap(page);
+    await page.locator(".player .step").first().click();
+    await paints(page, 0);
+    const [before, faults] = [await settled(page, 0), []];
+    const knob = page.locator(".player > .knobs .knob").first();
+    for (const typed of ["abc", "", "1e308"]) {
+        await knob.locator(".value").fill(typed);
+        await comes(page, () => document.querySelector(".knob .told:not(:empty)"), null, 10_000);
+        const { said, others, over } = await knob.evaluate((knob) => {
+            const told = knob.querySelector(".told");
+            const all = [...document.querySelectorAll(".player .told, .player .refusal")];
+            return { said: told.textContent, others: all.filter((line) => line !== told).map((line) => line.textContent).join(""),
+                over: document.documentElement.scrollWidth - innerWidth };
+        });
+        if (said === "" || others !== "" || over > 0) faults.push(`'${typed}' is told as '${said}', '${others}', ${over} px too wide`);
+        if (await settled(page, 0) !== before) faults.push(`'${typed}' changes the picture`);
+    }
+    await knob.locator(".back").click();
+    if (!await comes(page, () => !document.querySelector(".knob .told:not(:empty)"), null, 10_000)) faults.push("it is said for ever");
     return faults;
 });
 
@@ -269,9 +330,9 @@ export const PAGES = {
     touch: "ch16_ex2_conical_pendulum", redraws: "ch16_ex2_conical_pendulum", answers: "ch16_ex2_conical_pendulum",
     shares: "ch16_ex2_conical_pendulum", downloads: "ch16_ex2_conical_pendulum",
     benches: "ch15_5_torque_free", acts: "ch16_2_gyroscope", turns: "ch15_5_torque_free",
-    pins: "ch16_ex3_corner",
+    pins: "ch16_ex3_corner", fits: "ch16_2_gyroscope", plays: "ch16_2_gyroscope", refuses: "ch16_2_gyroscope",
 };
-export const USES = { touch, redraws, answers, shares, downloads, benches, acts, turns, pins };
+export const USES = { touch, redraws, answers, shares, downloads, benches, acts, turns, pins, fits, plays, refuses };
 
 const runs = (from, to) => changed(/\/modules\/run\.js$/, (script) => {
     if (!script.includes(from)) throw new Error(`run.js does not hold ${from}`);
@@ -288,4 +349,7 @@ export const DAMAGES = {
     acts: runs("own.click()", "own.focus()"),
     turns: instead("player.js", "panel.setPointerCapture(event.pointerId);", ""),
     pins: instead("player.js", '"--pinned"', '"--loose"'),
+    fits: instead("live.css", ".panel:not(:last-child)", ".panel:not(*)"),
+    plays: instead("player.js", "intersectionRatio >= SEEN", "intersectionRatio > 2"),
+    refuses: instead("player.js", "knob.told.textContent = mine", "knob.told.textContent = false"),
 };

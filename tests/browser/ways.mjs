@@ -34,7 +34,7 @@ const keyboard = (browser, address, how) => opened(browser, address, how, async 
     if (await pressed() !== "true") faults.push("Space does not play");
     // Out of sight, and in a page behind others, nothing is painted.
     await page.bringToFront();
-    await page.evaluate(() => document.querySelector("figure.moving .panel")?.scrollIntoView({ block: "nearest" }));
+    await page.evaluate(() => document.querySelector("figure.moving .panel:last-child")?.scrollIntoView({ block: "nearest" }));
     if (!await paints(page, 0)) {
         const box = await page.locator("figure .panel").first().boundingBox();
         const now = await page.locator(".player .now").first().innerText();
@@ -118,7 +118,8 @@ const unscripted = (browser, address, how) => opened(browser, address, { ...how,
 
 /** Where a module does not arrive the locked figure stays, and the page says so. */
 const missing = (browser, address, how) => opened(browser, address, how, async (page, { console }) => {
-    const all = await stills(page);
+    await stills(page);
+    const all = await page.locator("figure:not(:has(> .player)) .panel svg, .panel:last-child svg").count();
     const player = page.locator(".player").first();
     await player.locator(".play").click();
     const said = page.locator(".player .refusal:not(:empty)").first().waitFor();

@@ -133,7 +133,7 @@ fn sound_far_from_the_notes() {
 
 const REFUSED: &[(&str, &str)] = &[
     (
-        "--energy 0.40",
+        "--b 1.2 --energy 0.40",
         "E~ = 0.4 is not allowed: no motion is below U_min = 0.404262",
     ),
     ("--a 2.5", "no body has I3 > 2 I1"),
@@ -213,7 +213,7 @@ fn the_picture_moves_for_any_motion() {
         vec![("b", 1.0), ("energy", 0.0)],
         vec![("b", 1.0), ("c", 0.6), ("energy", 0.0)],
         vec![("b", -1.0), ("c", -0.3), ("energy", 2.0)],
-        vec![("c", 0.0)],
+        vec![("c", 0.0), ("energy", 0.55)],
         vec![("a", 1e-6), ("b", 0.5), ("energy", 3.0)],
         vec![("spin", -628.3), ("theta", 2.5)],
         vec![("spin", 20000.0), ("theta", 0.01)],

@@ -1,10 +1,16 @@
-//! The moving pictures, for what a reader sets: each is moved by a slider, or is one of a list, and
-//! at the ends of its sliders all that it shows is in its frame.
+//! The moving pictures, for what a reader sets: a control begins at what is shown, each open one
+//! changes the picture, and at the ends of its sliders all that it shows is in its frame.
 
 use kit::draw::{Display, Ink, Shape, Sketch};
-use kit::{Figure, Moves, MovingPicture, Page};
+use kit::{Figure, Moves, MovingPicture, Page, seen};
 use pages::{ALL, MOVING, WHOLE};
 use serde_json::Value;
+
+/// The pages whose picture moves.
+fn moving() -> impl Iterator<Item = (&'static dyn Page, &'static dyn Moves, MovingPicture)> {
+    let pages = ALL.iter().zip(MOVING);
+    pages.filter_map(|(page, moves)| Some((*page, *moves, moves.opened("").expect("its own parameters")?)))
+}
 
 /// What is declared of the parameters of a page.
 fn flags(page: &dyn Page) -> Vec<Value> {
@@ -12,21 +18,10 @@ fn flags(page: &dyn Page) -> Vec<Value> {
     declared["flags"].as_array().expect("a list").clone()
 }
 
-/// The settings of a page with one slider at one of its ends.
-fn ends(page: &dyn Page) -> Vec<String> {
-    let ends = |flag: &Value| Some([flag["from"].as_f64()?, flag["to"].as_f64()?]);
-    let sliders = flags(page).into_iter().filter_map(|flag| {
-        Some(ends(&flag)?.map(|end| format!("{}={end}", flag["name"].as_str().expect("a name"))))
-    });
-    sliders.flatten().collect()
-}
-
-/// Those with one word of a list.
-fn choices(page: &dyn Page) -> Vec<String> {
-    let words = |flag: &Value| flag["words"].as_array().cloned().unwrap_or_default();
-    let set = |flag: &Value, word: &Value| Some(format!("{}={}", flag["name"].as_str()?, word.as_str()?));
-    let lists = flags(page).into_iter();
-    lists.flat_map(|flag| words(&flag).into_iter().filter_map(move |word| set(&flag, &word))).collect()
+/// The settings with one of these sliders at one of its ends.
+fn ends(flags: &[Value]) -> impl Iterator<Item = String> {
+    let set = |flag: &Value, end: &str| Some(format!("{}={}", flag["name"].as_str()?, flag[end].as_f64()?));
+    flags.iter().flat_map(move |flag| ["from", "to"].map(|end| set(flag, end))).flatten()
 }
 
 /// The frame after this part of the span.
@@ -36,30 +31,39 @@ fn frame(picture: &MovingPicture, part: f64) -> Figure {
     frame.unwrap_or_else(|error| panic!("after {part} of the span: {error}"))
 }
 
-/// Whether one of these settings changes the picture half of the way.
-fn moved(page: &dyn Moves, settings: &[String]) -> bool {
-    let drawn = |setting: &str| {
-        let picture = page.opened(setting).ok()??;
-        Some(frame(&picture, 0.5).display)
+/// Whether the picture with these settings is the one that is shown.
+fn is_shown(moves: &dyn Moves, settings: &str) -> bool {
+    let drawn = |settings: &str| {
+        let picture = moves.opened(settings).ok()??;
+        Some([0.0, 0.3, 0.6, 1.0].map(|part| frame(&picture, part).display))
     };
-    let before = drawn("").expect("it moves");
-    settings.iter().filter_map(|setting| drawn(setting)).any(|display| display != before)
+    drawn(settings) == drawn("")
 }
 
+/// What is not set has the value on show, alone and with all others; the damaged twin, an end of a slider, has not.
 #[test]
-fn a_control_moves_every_picture() {
-    let mut seen = 0;
-    for (page, moves) in ALL.iter().zip(MOVING) {
-        if moves.opened("").expect("its own parameters").is_some() {
-            let (sliders, lists) = (ends(*page), choices(*page));
-            let controls = if sliders.is_empty() { &lists } else { &sliders };
-            assert!(moved(*moves, controls), "no control moves the picture of {}", page.stem());
-            // The damaged twin: what is declared already moves nothing.
-            assert!(!moved(*moves, &["\n".into()]), "{}", page.stem());
-            seen += 1;
+fn a_control_begins_at_what_is_shown() {
+    let set = |flag: &Value| Some(format!("{}={}\n", flag["name"].as_str()?, flag["shown"].as_str()?));
+    for (page, moves, _) in moving() {
+        let flags = flags(page);
+        let alone = flags.iter().filter(|flag| flag["kind"] == "optional").filter_map(set);
+        for settings in alone.chain([flags.iter().filter_map(set).collect()]) {
+            assert!(is_shown(moves, &settings), "{}: {settings:?} is not shown", page.stem());
         }
+        assert!(!ends(&flags).all(|setting| is_shown(moves, &setting)), "{} shows no slider", page.stem());
     }
-    assert!(!WHOLE || seen > 40, "{seen} pictures");
+}
+
+/// Two or three at most, each is seen, and the ends of its slider are allowed.
+#[test]
+fn the_open_controls_change_the_picture() {
+    for (page, moves, _) in moving() {
+        let told: Value = serde_json::from_str(&seen(page, moves).expect("it moves")).expect("JSON");
+        let open: Vec<_> = flags(page).into_iter().filter(|flag| flag["title"].is_string()).collect();
+        let hidden = open.iter().find(|flag| !told["seen"].as_array().expect("a list").contains(&flag["name"]));
+        let refused = ends(&open).find_map(|setting| moves.opened(&setting).err());
+        assert!((1..=3).contains(&open.len()) && hidden.is_none() && refused.is_none(), "{}: {hidden:?} {refused:?}", page.stem());
+    }
 }
 
 /// By how many px what is drawn leaves the frame.
@@ -122,13 +126,10 @@ const NOT_YET: [&str; 1] = ["further_5_wheel_on_rope"];
 #[test]
 fn at_the_ends_of_its_sliders_a_picture_is_whole() {
     let (mut seen, mut wrong) = (0, Vec::new());
-    for (page, moves) in ALL.iter().zip(MOVING) {
-        let Some(usual) = moves.opened("").expect("its own parameters") else {
-            continue;
-        };
+    for (page, moves, usual) in moving() {
         let size = frame(&usual, 0.0).display.size;
         let mut found = Vec::new();
-        for setting in ends(*page) {
+        for setting in ends(&flags(page)) {
             // What no motion belongs to is refused.
             if let Ok(Some(picture)) = moves.opened(&setting) {
                 let faults = faults(&picture, size).into_iter();

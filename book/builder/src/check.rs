@@ -31,7 +31,7 @@ pub fn html(project: &Project, stem: &str) -> Result<String, String> {
          <p class=\"head\">Check your answer</p>{}\
          <label>I computed <select name=\"key\">{}</select></label>\
          <label>and found <input name=\"value\" type=\"text\" spellcheck=\"false\" \
-         placeholder=\"2/3, 1.5e-5, pi/3, 0.88 s\" required></label>\
+         placeholder=\"2/3, 1.5e-5, acos(0.4), 0.88 s\" required></label>\
          <button type=\"submit\">Check</button>\
          <p class=\"asked\">Give {digits} digits.</p>\
          <output aria-live=\"polite\"></output>\
@@ -127,6 +127,7 @@ fn data(
     let data = json!({
         "key": key,
         "value": number("value", &claim.value)?,
+        "printed": claim.value,
         "unit": claim.unit,
         "bound": number("bound", &claim.bound)?,
         "within": within,

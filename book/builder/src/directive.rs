@@ -9,7 +9,6 @@
 //! | `{{given 9.81}}` | a number that is given, not computed |
 //! | `{{figure STEM:NAME NAME …}}` | locked figures side by side; the next paragraph is their caption |
 //! | `{{stills STEM}}` | the locked frames `STEM/frame_*` of a moving figure as a strip that moves when it is touched; a caption as for `figure` |
-//! | `{{moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …}}` | one of these frames, which moves as soon as the page is loaded, with these values, and sliders for those that have a range |
 //! | `{{figure measured:RECORD-TABLE}}` | error against time, drawn from a table of `benches/record/RECORD.txt` |
 //! | `{{listing STEM:ANCHOR}}` | the lines between the anchors in `examples/STEM.rs`; `STEM/FILE:ANCHOR` in `examples/STEM/FILE.rs` |
 //! | `{{output STEM}}` | the locked output with its command, folded |
@@ -27,7 +26,6 @@ use crate::contents;
 use crate::exercises::{self, Exercise};
 use crate::expand::Page;
 use crate::figure;
-use crate::live::{self, Setting};
 use crate::measured;
 use crate::notation;
 use crate::project::{Claim, Project};
@@ -52,8 +50,6 @@ pub enum Directive {
     Pages(Vec<(String, String)>),
     /// The frames of a moving figure.
     Stills { stem: String },
-    /// One frame of a figure that moves by itself, the values it is moved with, the sliders.
-    Moving { stem: String, still: String, settings: Vec<Setting> },
     /// Lines of an example: in its file, or in one of its directory (`STEM/FILE`).
     Listing { file: String, anchor: String },
     /// The locked output, or one section of it.
@@ -114,15 +110,6 @@ impl Directive {
             ("param", _) => Err(wrong("param STEM:NAME}} or {{param STEM:NAME unit")),
             ("stills", [stem]) if is_name(stem) => Ok(Self::Stills { stem: (*stem).to_owned() }),
             ("stills", _) => Err(wrong("stills STEM")),
-            ("moving", [word, settings @ ..]) => {
-                let form = "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …";
-                let (stem, still) = pair(word).ok_or_else(|| wrong(form))?;
-                let settings: Option<Vec<Setting>> =
-                    settings.iter().map(|word| Setting::read(word)).collect();
-                let settings = settings.ok_or_else(|| wrong(form))?;
-                Ok(Self::Moving { stem, still, settings })
-            }
-            ("moving", _) => Err(wrong("moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …")),
             ("given", [number]) if number_html(number).is_some() => {
                 Ok(Self::Given((*number).to_owned()))
             }
@@ -196,7 +183,7 @@ impl Directive {
             ("test", _) => Err(wrong("test FILE::NAME")),
             _ => Err(format!(
                 "unknown directive {{{{{inner}}}}}; there are num, param, given, figure, stills, \
-                 moving, listing, output, table, measured, check, exercise, exercises, pages, test"
+                 listing, output, table, measured, check, exercise, exercises, pages, test"
             )),
         }
     }
@@ -208,7 +195,7 @@ impl Directive {
 
     /// Whether the next paragraph is its caption.
     pub fn has_caption(&self) -> bool {
-        matches!(self, Self::Figure(_) | Self::Stills { .. } | Self::Moving { .. })
+        matches!(self, Self::Figure(_) | Self::Stills { .. })
     }
 }
 
@@ -363,14 +350,8 @@ pub fn block(
             let frames: Vec<(String, String)> =
                 names.into_iter().map(|name| (stem.clone(), name)).collect();
             let marks = panels(page, &frames)?;
-            let player = Splice::Player { stem: stem.clone(), settings: Vec::new() };
+            let player = Splice::Player { stem: stem.clone() };
             Ok(page.row(&marks, Some((stem, &player.mark(""))), caption, indent, "fig-frames"))
-        }
-        Directive::Moving { stem, still, settings } => {
-            let marks = panels(page, &[(stem.clone(), still.clone())])?;
-            live::known(project, stem, settings)?;
-            let player = Splice::Player { stem: stem.clone(), settings: settings.clone() };
-            Ok(page.row(&marks, Some((stem, &player.mark(""))), caption, indent, "fig-moving"))
         }
         Directive::Listing { file, anchor } => {
             let stem = file.split_once('/').map_or(file.as_str(), |(stem, _)| stem);
@@ -496,21 +477,6 @@ mod tests {
             ]))
         );
         assert_eq!(
-            Directive::read("moving a:frame_1 b=0.6 spin-rate=-2:-3..1e2"),
-            Ok(Directive::Moving {
-                stem: "a".into(),
-                still: "frame_1".into(),
-                settings: vec![
-                    Setting { name: "b".into(), value: "0.6".into(), range: None },
-                    Setting {
-                        name: "spin-rate".into(),
-                        value: "-2".into(),
-                        range: Some([-3.0, 100.0])
-                    }
-                ]
-            })
-        );
-        assert_eq!(
             Directive::read("measured peers:ratios"),
             Ok(Directive::Measured { record: "peers".into(), table: "ratios".into() })
         );
@@ -536,13 +502,6 @@ mod tests {
             ("stills", "stills STEM"),
             ("stills a:b", "stills STEM"),
             ("pages a:b c", "pages STEM:NAME STEM:NAME …"),
-            ("moving", "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …"),
-            ("moving a", "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …"),
-            ("moving a:b c", "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …"),
-            ("moving a:b c=", "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …"),
-            ("moving a:b c=1:2", "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …"),
-            ("moving a:b c=1:3..2", "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …"),
-            ("moving a:b =1", "moving STEM:STILL NAME=VALUE NAME=VALUE:FROM..TO …"),
             ("given", "given NUMBER"),
             ("given pi", "given NUMBER"),
             ("given 1 2", "given NUMBER"),

@@ -14,7 +14,6 @@ use base64::prelude::BASE64_STANDARD;
 use kit::{STEPPING, Table};
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt;
 
 /// What compiles modules and calls them, in a worker. A page that is opened as a file may start no
 /// worker from one: the source comes as a text.
@@ -23,52 +22,12 @@ const SOURCE: &str = "book/theme/module.js";
 /// What runs commands, loaded when the first is run.
 const RUNS: &str = "book/theme/run.js";
 
+/// How a command begins that runs an example.
+const COMMAND: &str = "cargo run --example ";
+
 /// Shows the controls where they can work, before anything is laid out.
 const ABLE: &str = "<script>if(window.WebAssembly&&window.DecompressionStream&&window.Worker)\
     document.documentElement.classList.add('live')</script>";
-
-/// What a moving figure is told: a parameter, its value, and the range of a slider if the reader
-/// may change it. Written `NAME=VALUE` or `NAME=VALUE:FROM..TO`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Setting {
-    /// Its name.
-    pub name: String,
-    /// Its value at first, as it is typed.
-    pub value: String,
-    /// From where to where the slider goes.
-    pub range: Option<[f64; 2]>,
-}
-
-impl Setting {
-    /// Reads a setting; `None` if it is not written so.
-    pub fn read(word: &str) -> Option<Self> {
-        let (name, rest) = word.split_once('=')?;
-        let (value, range) = match rest.split_once(':') {
-            None => (rest, None),
-            Some((value, range)) => {
-                let (from, to) = range.split_once("..")?;
-                let ends: [f64; 2] = [from.parse().ok()?, to.parse().ok()?];
-                (value, Some(ends).filter(|[from, to]| from < to).map(Some)?)
-            }
-        };
-        let named = |text: &str| !text.is_empty() && !text.contains(['"', '<', '&', ' ']);
-        (named(name) && named(value)).then(|| Self {
-            name: name.into(),
-            value: value.into(),
-            range,
-        })
-    }
-}
-
-impl fmt::Display for Setting {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { name, value, range } = self;
-        match range {
-            None => write!(f, "{name}={value}"),
-            Some([from, to]) => write!(f, "{name}={value}:{from}..{to}"),
-        }
-    }
-}
 
 /// The modules that there are: `{"pages": {STEM: {"module", "page", "declared"}}, "palette":
 /// [{"name"}]}`: the file of the page's part of the book, and the page's number in it.
@@ -115,64 +74,38 @@ impl Modules {
         flags.map_or(&[], Vec::as_slice)
     }
 
-    /// What plays the moving picture of `stem`: its bar, and the controls of its parameters. With
-    /// `settings` it plays by itself, with these values and controls only for those with a range.
-    /// Nothing if it does not move.
-    pub fn player(&self, stem: &str, settings: &[Setting], prefix: &str) -> String {
-        let page = self.page(stem);
-        let moves = page.is_some_and(|page| page["declared"]["moves"] == true);
-        if !moves {
+    /// What plays the moving picture of `stem`: its bar, and the controls of the parameters that it
+    /// shows, two or three open, the others in a fold. Nothing if it does not move.
+    pub fn player(&self, stem: &str, prefix: &str) -> String {
+        let declared = self.page(stem).map_or(&Value::Null, |page| &page["declared"]);
+        if declared["moves"] != true {
             return String::new();
         }
-        let shown = |flag: &Value| {
-            let setting = settings.iter().find(|setting| flag["name"] == *setting.name);
-            match setting {
-                None => settings.is_empty().then(|| flag.clone()),
-                Some(Setting { value, range, .. }) => range.map(|[from, to]| {
-                    let mut flag = flag.clone();
-                    flag["default"] = json!(value);
-                    [flag["from"], flag["to"]] = [json!(from), json!(to)];
-                    flag
-                }),
-            }
+        let shown = |flag: &&Value| {
+            let seen = declared["seen"].as_array().is_some_and(|seen| seen.contains(&flag["name"]));
+            // A control begins at what the picture has; an effect may be out.
+            seen && (flag["kind"] == "effect" || flag["shown"].is_string())
         };
-        let flags: Vec<Value> = self.flags(stem).iter().filter_map(shown).collect();
-        let knobs: String = flags.iter().map(|flag| knob(flag, prefix)).collect();
-        let names = flags.iter().map(|flag| format!("<span>{}</span>", text(flag, "name")));
-        let names: Vec<String> = names.collect();
-        let knobs = match (knobs.is_empty(), settings.is_empty()) {
-            (true, _) => String::new(),
-            (_, false) => format!("<div class=\"knobs\">{knobs}</div>"),
-            (_, true) => format!(
-                "<details class=\"fold\"><summary>Change it <span class=\"names\">{}</span></summary>\
-                 <div class=\"knobs\">{knobs}</div><p class=\"runs\"><button type=\"button\" class=\"run\" \
-                 data-stem=\"{stem}\" data-arguments=\"\" data-state aria-label=\"Run the example with these parameters\">\
-                 Run the example with these</button></p></details>",
-                names.join(" ")
+        let flags = self.flags(stem).iter().filter(shown);
+        let (open, more): (Vec<_>, Vec<_>) = flags.partition(|flag| flag["title"].is_string());
+        let knobs = |flags: &[&Value]| {
+            let knobs: String = flags.iter().map(|flag| knob(flag, prefix)).collect();
+            if knobs.is_empty() { knobs } else { format!("<div class=\"knobs\">{knobs}</div>") }
+        };
+        let (open, more) = (knobs(&open), knobs(&more));
+        let fold = match more.is_empty() {
+            true => String::new(),
+            false => format!(
+                "<details class=\"fold\"><summary>More parameters</summary>{more}</details>"
             ),
         };
-        let fixed: Vec<String> =
-            settings.iter().map(|Setting { name, value, .. }| format!("{name}={value}")).collect();
-        let plays = match fixed.is_empty() {
-            true => String::new(),
-            false => format!(" data-plays=\"{}\"", fixed.join(" ")),
-        };
+        let turns = if declared["turns"] == true { " turns" } else { "" };
         format!(
-            "<div class=\"player\" role=\"group\" aria-label=\"Moving picture\" data-stem=\"{stem}\"{plays}>\
-             {BAR}<p class=\"refusal\" role=\"status\"></p>{knobs}</div>"
+            "<div class=\"player{turns}\" role=\"group\" aria-label=\"Moving picture\" data-stem=\"{stem}\">\
+             {BAR}<p class=\"refusal\" role=\"status\"></p>{open}{fold}</div><p class=\"runs\"><button \
+             type=\"button\" class=\"run\" data-stem=\"{stem}\" data-arguments=\"\" data-state>Run the example \
+             with these parameters</button></p>"
         )
-    }
-
-    /// What the answer box of `stem` must know of its parameters, as attributes.
-    pub fn answered(&self, stem: &str) -> String {
-        let names = |wanted: fn(&Value) -> bool| {
-            let flags = self.flags(stem).iter().filter(|flag| wanted(flag));
-            let names: Vec<String> = flags.map(|flag| text(flag, "name")).collect();
-            names.join(" ")
-        };
-        let unset = names(|flag| flag["default"].is_null());
-        let effects = names(|flag| flag["kind"] == "effect");
-        format!(" data-unset=\"{unset}\" data-effects=\"{effects}\"")
     }
 
     /// The bench beside the table of what accuracy costs: any method at any step, where the
@@ -220,8 +153,11 @@ impl Modules {
                         .filter(|_| mark != "<code>")
                         .map_or(code, |(_, code)| code);
                     if !summary {
-                        let buttons: String =
-                            code.lines().filter_map(|line| self.button(line, predict)).collect();
+                        let several =
+                            code.lines().filter(|line| line.contains(COMMAND)).count() > 1;
+                        let buttons =
+                            code.lines().filter_map(|line| self.button(line, predict, several));
+                        let buttons: String = buttons.collect();
                         done += &match (mark, buttons.is_empty()) {
                             (_, true) | ("<code>", _) => buttons,
                             _ => format!("<div class=\"runs\">{buttons}</div>"),
@@ -237,19 +173,25 @@ impl Modules {
         done + rest
     }
 
-    /// The button of a command, if it runs an example that has a module.
-    fn button(&self, command: &str, predict: bool) -> Option<String> {
+    /// The button of a command, if it runs an example that has a module; one of several says what
+    /// it runs.
+    fn button(&self, command: &str, predict: bool, several: bool) -> Option<String> {
         let command = unescape(command);
-        let rest = command.trim().strip_prefix("cargo run --example ")?;
+        let rest = command.trim().strip_prefix(COMMAND)?;
         let (stem, arguments) = rest.split_once(' ').unwrap_or((rest, ""));
         self.page(stem)?;
         let arguments = arguments.trim_start();
         let arguments = escape(arguments.strip_prefix("--").unwrap_or(arguments).trim());
         let predict = if predict { " data-predict" } else { "" };
-        let label = escape(command.trim());
+        let command = escape(command.trim());
+        let (what, label) = match &*arguments {
+            _ if !several => (String::new(), "Run here".into()),
+            "" => (" as it is".into(), "Run as it is".into()),
+            words => (format!(" <code>{words}</code>"), format!("Run {words}")),
+        };
         Some(format!(
             "<button type=\"button\" class=\"run\" data-stem=\"{stem}\" data-arguments=\"{arguments}\"{predict} \
-             aria-label=\"Run here: {label}\">Run</button>"
+             aria-label=\"{label}: {command}\">Run{what}</button>"
         ))
     }
 
@@ -270,7 +212,14 @@ impl Modules {
                 let page = self.page(stem)?;
                 let [module, number] = [page.get("module")?, page.get("page")?];
                 let size = self.files.get(module.as_str()?)?.len();
-                Some((stem.to_owned(), json!({"module": module, "page": number, "size": size})))
+                let names = |wanted: fn(&&Value) -> bool| -> Vec<&Value> {
+                    let flags = self.flags(stem).iter().filter(wanted);
+                    flags.map(|flag| &flag["name"]).collect()
+                };
+                let effects = names(|flag| flag["kind"] == "effect");
+                let page = json!({"module": module, "page": number, "size": size,
+                    "flags": names(|_| true), "effects": effects});
+                Some((stem.to_owned(), page))
             })
             .collect();
         let palette = self.index["palette"].as_array().into_iter().flatten();
@@ -300,25 +249,6 @@ impl Modules {
     }
 }
 
-/// Confirms that these are parameters of an example, if it has a module.
-///
-/// # Errors
-/// One that is not.
-pub fn known(project: &Project, stem: &str, settings: &[Setting]) -> Result<(), String> {
-    let Some(modules) = Modules::of(project)? else {
-        return Ok(());
-    };
-    let flags = modules.flags(stem);
-    for Setting { name, .. } in settings {
-        if !flags.iter().any(|flag| flag["name"] == **name) {
-            let known: Vec<String> = flags.iter().map(|flag| text(flag, "name")).collect();
-            let known = known.join(", ");
-            return Err(format!("{stem} has no parameter '{name}'; it has: {known}"));
-        }
-    }
-    Ok(())
-}
-
 /// What every player has: play, steps, time, speed, everything as it was.
 const BAR: &str = "<div class=\"bar\">\
     <button type=\"button\" class=\"play\" aria-pressed=\"false\"><svg viewBox=\"0 0 12 12\" aria-hidden=\"true\">\
@@ -340,16 +270,17 @@ fn text(flag: &Value, key: &str) -> String {
 
 /// The control of a parameter, from its one declaration.
 fn knob(flag: &Value, prefix: &str) -> String {
-    let [name, kind, allowed] = ["name", "kind", "allowed"].map(|key| text(flag, key));
-    let meaning = flag["meaning"].as_str().unwrap_or_default();
+    let [name, kind] = ["name", "kind"].map(|key| text(flag, key));
+    let words = ["title", "meaning"].into_iter().find_map(|key| flag[key].as_str());
+    let words = words.unwrap_or_default();
     let unit = flag["unit"].as_str().filter(|unit| *unit != "-").unwrap_or_default();
     let spoken = match unit {
-        "" => escape(&notation::symbols(meaning)),
-        unit => format!("{}, in {}", escape(&notation::symbols(meaning)), escape(unit)),
+        "" => escape(&notation::symbols(words)),
+        unit => format!("{}, in {}", escape(&notation::symbols(words)), escape(unit)),
     };
-    let shown = notation::words(meaning);
+    let shown = notation::words(words);
     let (id, told) = (format!("{prefix}{name}"), format!("{prefix}{name}-told"));
-    let set = flag["default"].as_str().unwrap_or_default();
+    let set = flag["shown"].as_str().unwrap_or_default();
     let typed = match (set, flag["usual"].as_str()) {
         ("", Some(usual)) => usual,
         (set, _) => set,
@@ -379,43 +310,43 @@ fn knob(flag: &Value, prefix: &str) -> String {
                 "effect" => format!(" aria-label=\"strength: {spoken}\""),
                 _ => String::new(),
             };
-            let open = if kind == "optional" { " placeholder=\"not set\"" } else { "" };
             format!(
-                "<input id=\"{id}\" class=\"value\" inputmode=\"decimal\" value=\"{typed}\"{open}{named} size=\"9\" \
+                "<input id=\"{id}\" class=\"value\" inputmode=\"decimal\" value=\"{typed}\"{named} size=\"9\" \
                  autocomplete=\"off\" spellcheck=\"false\" aria-describedby=\"{told}\">"
             )
         }
     };
     let slider = slider(flag, &typed, &spoken);
     let unit = unit_html(unit);
-    let name_of_flag = match &*kind {
-        "effect" => format!("--with {name}"),
-        _ => format!("--{name}"),
-    };
     format!(
         "<div class=\"knob {kind}\" data-name=\"{name}\" data-default=\"{}\">{label}\
          <span class=\"entry\">{entry}<span class=\"unit\">{unit}</span>\
          <button type=\"button\" class=\"back\" disabled aria-label=\"Reset {spoken}\">Reset</button></span>{slider}\
-         <span class=\"told\" id=\"{told}\"><code>{name_of_flag}</code> {allowed}</span></div>",
+         <span class=\"told\" id=\"{told}\" role=\"status\"></span></div>",
         escape(set),
     )
 }
 
 /// The slider over the usual range of a parameter, if it has one: in even steps, or by powers
-/// where the range spans more than a factor of 200.
+/// where the range spans more than a factor of 200. Its ends say what happens there, or else how much
+/// it is.
 fn slider(flag: &Value, typed: &str, spoken: &str) -> String {
     let [Some(from), Some(to)] = ["from", "to"].map(|end| flag[end].as_f64()) else {
         return String::new();
     };
+    let named = flag["ends"].as_array().filter(|ends| ends.len() == 2);
+    let [low, high] = match named {
+        Some(ends) => [0, 1].map(|end| notation::words(ends[end].as_str().unwrap_or_default())),
+        None => [from, to].map(short),
+    };
     let ends = format!(
-        "<span class=\"ends\" aria-hidden=\"true\">{} to {}</span>",
-        short(from),
-        short(to)
+        "<span class=\"ends\" aria-hidden=\"true\"><span>{low}</span><span>{high}</span></span>"
     );
     let head = format!("<span class=\"slide\"><input type=\"range\" aria-label=\"{spoken}\"");
+    // An effect that is left out stands at the low end.
+    let value: f64 = flag["shown"].as_str().and_then(|_| typed.parse().ok()).unwrap_or(from);
     if from > 0.0 && to > 200.0 * from {
         const STEPS: f64 = 300.0;
-        let value: f64 = typed.parse().unwrap_or((from * to).sqrt());
         let at = STEPS * ((value / from).ln() / (to / from).ln()).clamp(0.0, 1.0);
         return format!(
             "{head} min=\"0\" max=\"{STEPS}\" value=\"{at:.0}\" data-from=\"{from}\" data-to=\"{to}\">{ends}</span>"
@@ -430,7 +361,6 @@ fn slider(flag: &Value, typed: &str, spoken: &str) -> String {
         (digit, power @ ..=-1) => format!("0.{digit:0>0$}", power.unsigned_abs() as usize),
         (digit, power) => format!("{digit}{}", "0".repeat(power as usize)),
     };
-    let value = if typed.is_empty() { format!("{}", 0.5 * (from + to)) } else { typed.to_owned() };
     format!("{head} min=\"{from}\" max=\"{to}\" step=\"{step}\" value=\"{value}\">{ends}</span>")
 }
 
@@ -451,23 +381,34 @@ mod tests {
     fn modules() -> Modules {
         let flag = |name: &str, kind: &str, more: Value| {
             let mut flag = json!({"name": name, "unit": "rad/s^2", "meaning": "angle theta", "kind": kind,
-                "default": null, "usual": null, "allowed": "it must be > 0", "from": null, "to": null, "words": []});
+                "default": null, "shown": null, "usual": null, "from": null, "to": null, "words": [], "title": null, "ends": []});
             for (key, value) in more.as_object().into_iter().flatten() {
                 flag[key] = value.clone();
             }
             flag
         };
         let flags = json!([
-            flag("angle", "number", json!({"default": "0.25", "from": 0.01, "to": 1.5})),
-            flag("mass", "optional", json!({"unit": "-", "from": 0.1, "to": 100.0})),
+            flag(
+                "angle",
+                "number",
+                json!({"default": "0.25", "shown": "0.25", "from": 0.01, "to": 1.5, "title": "tilt theta", "ends": ["upright", "flat"]})
+            ),
+            flag("mass", "optional", json!({"unit": "-", "shown": "2", "from": 0.1, "to": 100.0})),
             flag(
                 "start",
                 "choice",
-                json!({"default": "rest", "allowed": null, "words": ["rest", "turning"]})
+                json!({"default": "rest", "shown": "rest", "words": ["rest", "turning"]})
             ),
             flag("friction", "effect", json!({"usual": "0.02"})),
+            // What the picture has no value of, and what it does not show.
+            flag("charge", "optional", json!({})),
+            flag("tolerance", "number", json!({"default": "1e-9", "shown": "1e-9"})),
         ]);
-        let page = |n: u32, moves: bool| json!({"module": "a.gz", "page": n, "declared": {"moves": moves, "flags": flags}});
+        let seen = json!(["angle", "mass", "start", "friction", "charge"]);
+        let page = |n: u32, moves: bool| {
+            json!({"module": "a.gz", "page": n,
+            "declared": {"moves": moves, "turns": true, "seen": seen, "flags": flags}})
+        };
         let pages = json!({"rod": page(3, true), "table": page(4, false)});
         Modules {
             index: json!({"pages": pages, "palette": [{"name": "fig-ink"}, {"name": "fig-axis"}]}),
@@ -477,43 +418,32 @@ mod tests {
 
     #[test]
     fn a_player_has_a_control_for_each_parameter() {
-        let html = modules().player("rod", &[], "p1-");
+        let html = modules().player("rod", "p1-");
         for part in [
-            "data-stem=\"rod\">",
-            "<details class=\"fold\">",
-            "<div class=\"knob number\" data-name=\"angle\" data-default=\"0.25\"><label for=\"p1-angle\">angle <math",
+            "<div class=\"player turns\" role=\"group\" aria-label=\"Moving picture\" data-stem=\"rod\">",
+            "<p class=\"refusal\" role=\"status\"></p><div class=\"knobs\"><div class=\"knob number\" data-name=\"angle\"",
+            "data-name=\"angle\" data-default=\"0.25\"><label for=\"p1-angle\">tilt <math",
+            "</div><details class=\"fold\"><summary>More parameters</summary><div class=\"knobs\"><div class=\"knob optional\"",
             "<input id=\"p1-angle\" class=\"value\" inputmode=\"decimal\" value=\"0.25\" size",
             "<span class=\"unit\">rad/s<sup>2</sup></span>",
-            "aria-label=\"Reset angle θ, in rad/s^2\"",
+            "aria-label=\"Reset tilt θ, in rad/s^2\"",
             "min=\"0.01\" max=\"1.5\" step=\"0.01\" value=\"0.25\"",
-            "<code>--angle</code> it must be &gt; 0",
-            // More than a factor of 200: by powers, from the middle.
-            "min=\"0\" max=\"300\" value=\"150\" data-from=\"0.1\" data-to=\"100\"",
-            "placeholder=\"not set\"",
+            "<span>upright</span><span>flat</span>",
+            // More than a factor of 200: by powers.
+            "min=\"0\" max=\"300\" value=\"130\" data-from=\"0.1\" data-to=\"100\"",
+            "<span>0.1</span><span>100</span>",
             "<option selected>rest</option><option>turning</option>",
             "<div class=\"knob effect\" data-name=\"friction\" data-default=\"\"><label><input type=\"checkbox\"> ",
             "value=\"0.02\" aria-label=\"strength: angle θ, in rad/s^2\"",
-            "<code>--with friction</code>",
             "data-stem=\"rod\" data-arguments=\"\" data-state",
         ] {
             assert!(html.contains(part), "{part}\n{html}");
         }
         assert_eq!(html.matches("class=\"knob ").count(), 4);
-        let opening = modules().player(
-            "rod",
-            &["angle=0.5", "mass=2:1..3"].map(|word| Setting::read(word).expect(word)),
-            "p1-",
-        );
-        assert_eq!(opening.matches("class=\"knob ").count(), 1);
-        for part in
-            [" data-plays=\"angle=0.5 mass=2\">", "min=\"1\" max=\"3\" step=\"0.01\" value=\"2\""]
-        {
-            assert!(opening.contains(part), "{part}\n{opening}");
-        }
-        assert!(!opening.contains("<details"));
+        assert!(!html.contains("charge") && !html.contains("tolerance"), "{html}");
         // The damaged twins: what does not move has no player, what is unknown nothing.
-        assert_eq!(modules().player("table", &[], ""), "");
-        assert_eq!(modules().player("other", &[], ""), "");
+        assert_eq!(modules().player("table", ""), "");
+        assert_eq!(modules().player("other", ""), "");
     }
 
     #[test]
@@ -565,8 +495,12 @@ mod tests {
                 ),
                 format!(
                     "<pre><code class=\"language-console\">{rod} -- --b 2\n{rod}\n</code></pre><div class=\"runs\">{}{}</div>x",
-                    button("rod", "--b 2", "", &format!("{rod} -- --b 2")),
+                    button("rod", "--b 2", "", &format!("{rod} -- --b 2"))
+                        .replace("Run<", "Run <code>--b 2</code><")
+                        .replace("Run here", "Run --b 2"),
                     button("rod", "", "", rod)
+                        .replace("Run<", "Run as it is<")
+                        .replace("Run here", "Run as it is")
                 ),
             ),
         ];
@@ -593,7 +527,8 @@ mod tests {
         let data =
             head.split("id=\"live\">").nth(1).and_then(|rest| rest.strip_suffix("</script>"));
         let data: Value = serde_json::from_str(data.expect("data")).expect("JSON");
-        let page = json!({"module": "a.gz", "page": 3, "size": 5});
+        let page = json!({"module": "a.gz", "page": 3, "size": 5,
+            "flags": ["angle", "mass", "start", "friction", "charge", "tolerance"], "effects": ["friction"]});
         assert_eq!(data, json!({"pages": {"rod": page}, "inks": ["fig-ink", "fig-axis"]}));
         // The damaged twins: no module, or nothing that uses it.
         assert_eq!(modules().head("<div class=\"player\" data-stem=\"other\">"), None);

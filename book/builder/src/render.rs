@@ -238,15 +238,11 @@ fn finish(
     let html = splice::fill(&html, |splice| {
         let plain = html_of(project, splice, &mut number)?;
         Ok(match (modules, splice) {
-            (Some(modules), Splice::Player { stem, settings }) => {
-                modules.player(stem, settings, &format!("p{number}-"))
+            (Some(modules), Splice::Player { stem }) => {
+                modules.player(stem, &format!("p{number}-"))
             }
             (Some(modules), Splice::Table { stem, section }) if section == times::SECTION => {
                 plain + &modules.bench(stem, &project.table(stem, section)?)
-            }
-            (Some(modules), Splice::Check { stem }) => {
-                let form = "<form class=\"answer\"";
-                plain.replacen(form, &format!("{form}{}", modules.answered(stem)), 1)
             }
             _ => plain,
         })

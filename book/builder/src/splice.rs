@@ -5,7 +5,6 @@
 //! renderer fills it. The mark carries everything, so that the two may run in
 //! different processes, as the stock `mdbook` does it.
 
-use crate::live::Setting;
 use std::fmt::Write;
 
 /// What belongs at a mark.
@@ -19,8 +18,8 @@ pub enum Splice {
     Proof { kind: String, id: String, html: String, proof: String },
     /// A locked figure.
     Figure { stem: String, name: String },
-    /// What plays a moving figure; if there are settings, by itself and with these.
-    Player { stem: String, settings: Vec<Setting> },
+    /// What plays a moving figure.
+    Player { stem: String },
     /// A section of the locked output.
     Table { stem: String, section: String },
     /// A table of a record of measurements.
@@ -51,10 +50,7 @@ impl Splice {
                 vec!["proof".into(), kind.clone(), id.clone(), html.clone(), proof.clone()]
             }
             Self::Figure { stem, name } => vec!["figure".into(), stem.clone(), name.clone()],
-            Self::Player { stem, settings } => {
-                let words: Vec<String> = settings.iter().map(Setting::to_string).collect();
-                vec!["player".into(), stem.clone(), words.join(" ")]
-            }
+            Self::Player { stem } => vec!["player".into(), stem.clone()],
             Self::Table { stem, section } => vec!["table".into(), stem.clone(), section.clone()],
             Self::Measured { record, table } => {
                 vec!["measured".into(), record.clone(), table.clone()]
@@ -82,10 +78,7 @@ impl Splice {
                 proof: proof.into(),
             },
             ["figure", stem, name] => Self::Figure { stem: stem.into(), name: name.into() },
-            ["player", stem, settings] => Self::Player {
-                stem: stem.into(),
-                settings: settings.split_whitespace().map(Setting::read).collect::<Option<_>>()?,
-            },
+            ["player", stem] => Self::Player { stem: stem.into() },
             ["table", stem, section] => Self::Table { stem: stem.into(), section: section.into() },
             ["measured", record, table] => {
                 Self::Measured { record: record.into(), table: table.into() }
@@ -173,13 +166,7 @@ mod tests {
                 boxed: true,
             },
             Splice::Figure { stem: "a".into(), name: "b".into() },
-            Splice::Player {
-                stem: "a".into(),
-                settings: ["b=0.6", "c-d=1:-0.5..2"]
-                    .into_iter()
-                    .filter_map(Setting::read)
-                    .collect(),
-            },
+            Splice::Player { stem: "a".into() },
             Splice::Table { stem: "a".into(), section: "limits".into() },
             Splice::Measured { record: "peers".into(), table: "ratios".into() },
             Splice::Check { stem: "a".into() },

@@ -5,22 +5,27 @@
 //! ```text
 //! answer  = sum [ unit ]
 //! sum     = product { ("+" | "-") product }
-//! product = factor { ("*" | "/" | "x") factor | ("pi" | "sqrt" | "(") … }
-//! factor  = ("-" | "+") factor | atom [ "^" integer ]
-//! atom    = number | "pi" | "sqrt" atom | "(" sum ")"
+//! product = factor { ("*" | "/" | "x") factor | ("pi" | function | "(") … }
+//! factor  = ("-" | "+") factor | atom [ "^" factor ]
+//! atom    = number | "pi" | "e" | "sqrt" atom | function "(" sum ")" | "(" sum ")"
 //! unit    = { name [ [ "^" ] integer ] | "1" } joined by " ", "*" or "/"
 //! ```
 //! A decimal comma (but for `1,000`, which may be a thousand), a true minus sign, raised digits, `×`,
 //! `·`, `π` and `√` are read too.
 
 use super::Claim;
+use super::expression::{Reader, number_end, raised};
 use core::f64::consts::PI;
-use libm::{ceil, floor, sqrt};
-use rotation_dynamics::math::{log10, pow};
+use libm::{ceil, floor};
+use rotation_dynamics::math::log10;
 use std::collections::BTreeMap;
 
 /// Longer texts are refused: no answer needs them.
 const LONGEST: usize = 80;
+
+/// What is said to a function that is not among them.
+const UNKNOWN: &str = "that function is not known; there are sqrt, sin, cos, tan, asin, acos, atan, \
+                       exp, ln and log10, each with its argument in parentheses";
 
 /// A number as a reader gives it.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,7 +45,7 @@ impl From<f64> for Answer {
 }
 
 impl Answer {
-    /// Reads `2/3`, `1.5x10^-5`, `1,5`, `−0.3`, `pi/3`, `0.876 s`.
+    /// Reads `2/3`, `1.5x10^-5`, `1,5`, `−0.3`, `pi/3`, `acos(2/3*cos(0.25))`, `0.876 s`.
     ///
     /// # Errors
     /// What is wrong with the text, in words.
@@ -53,8 +58,12 @@ impl Answer {
         if plain.contains(',') {
             return Err("decimals come after a point, thousands are not parted");
         }
-        let mut reader = Reader { rest: &plain };
-        let value = reader.sum().ok_or(NONE)?;
+        let mut reader = Reader { rest: &plain, unknown: false };
+        let value = reader.sum();
+        if reader.unknown {
+            return Err(UNKNOWN);
+        }
+        let value = value.ok_or(NONE)?;
         // A hexadecimal number, as programmers write it: 0x10 is not zero times ten.
         if plain.trim_start_matches(['-', '+', ' ']).starts_with("0x") {
             return Err(NONE);
@@ -126,8 +135,8 @@ fn plain(text: &str) -> String {
             match c {
                 '\u{2212}' | '\u{2013}' => plain.push('-'),
                 '·' | '×' | '⋅' => plain.push('*'),
-                'π' => plain.push_str("pi"),
-                '√' => plain.push_str("sqrt"),
+                'π' => plain.push_str(" pi "),
+                '√' => plain.push_str(" sqrt "),
                 // The ordinal sign and the ring look the same, and some keyboards have those.
                 '°' | 'º' | '˚' => plain.push_str(" deg"),
                 c if c.is_whitespace() => plain.push(' '),
@@ -150,160 +159,6 @@ fn may_part_thousands(text: &str) -> bool {
     let whole = &before[before.trim_end_matches(is_digit).len()..];
     let decimals = after.len() - after.trim_start_matches(is_digit).len();
     (1..=3).contains(&whole.len()) && !whole.starts_with('0') && decimals == 3
-}
-
-/// Where `text` stands after the longest decimal number with which it begins.
-fn number_end(text: &str) -> Option<usize> {
-    let digits = |from: usize| {
-        let tail = text.get(from..).unwrap_or("");
-        from + tail.bytes().take_while(u8::is_ascii_digit).count()
-    };
-    let whole = digits(0);
-    let mut end = whole;
-    if text[end..].starts_with('.') {
-        end = digits(end + 1);
-    }
-    if end == 0 || (whole == 0 && end == 1) {
-        return None;
-    }
-    if text[end..].starts_with(['e', 'E']) {
-        let from = end + 1 + usize::from(text[end + 1..].starts_with(['+', '-']));
-        if digits(from) > from {
-            end = digits(from);
-        }
-    }
-    Some(end)
-}
-
-/// What is left to read.
-struct Reader<'t> {
-    rest: &'t str,
-}
-
-impl Reader<'_> {
-    fn space(&mut self) {
-        self.rest = self.rest.trim_start();
-    }
-
-    /// Takes `word`, if it stands here.
-    fn take(&mut self, word: &str) -> bool {
-        let rest = self.rest.trim_start();
-        let found = rest.strip_prefix(word);
-        self.rest = found.unwrap_or(self.rest);
-        found.is_some()
-    }
-
-    /// What `read` gives, or everything as it was.
-    fn attempt(&mut self, read: impl FnOnce(&mut Self) -> Option<f64>) -> Option<f64> {
-        let before = self.rest;
-        let value = read(self);
-        if value.is_none() {
-            self.rest = before;
-        }
-        value
-    }
-
-    fn sum(&mut self) -> Option<f64> {
-        let mut value = self.product()?;
-        loop {
-            if let Some(more) = self.attempt(|r| r.take("+").then(|| r.product())?) {
-                value += more;
-            } else if let Some(less) = self.attempt(|r| r.take("-").then(|| r.product())?) {
-                value -= less;
-            } else {
-                return Some(value);
-            }
-        }
-    }
-
-    fn product(&mut self) -> Option<f64> {
-        let mut value = self.factor()?;
-        loop {
-            if let Some(by) = self.attempt(|r| r.times().then(|| r.factor())?) {
-                value *= by;
-            } else if let Some(by) = self.attempt(|r| r.take("/").then(|| r.factor())?) {
-                value /= by;
-            } else if let Some(by) = self.attempt(|r| r.begins_word().then(|| r.factor())?) {
-                value *= by;
-            } else {
-                return Some(value);
-            }
-        }
-    }
-
-    /// A sign of multiplication; the letter x is one before a digit.
-    fn times(&mut self) -> bool {
-        if self.take("*") {
-            return true;
-        }
-        let before = self.rest;
-        if self.take("x") && number_end(self.rest.trim_start()).is_some() {
-            return true;
-        }
-        self.rest = before;
-        false
-    }
-
-    /// Whether a factor follows that needs no sign of multiplication before it.
-    fn begins_word(&self) -> bool {
-        let rest = self.rest.trim_start();
-        ["pi", "sqrt", "("].iter().any(|word| rest.starts_with(word))
-    }
-
-    fn factor(&mut self) -> Option<f64> {
-        if self.take("-") {
-            return Some(-self.factor()?);
-        }
-        if self.take("+") {
-            return self.factor();
-        }
-        let base = self.atom()?;
-        let power = self.attempt(|r| r.take("^").then(|| r.integer())?);
-        Some(match power {
-            None => base,
-            Some(power) => raised(base, power),
-        })
-    }
-
-    fn integer(&mut self) -> Option<f64> {
-        self.space();
-        let sign = usize::from(self.rest.starts_with(['-', '+']));
-        let digits = self.rest[sign..].bytes().take_while(u8::is_ascii_digit);
-        let (integer, rest) = self.rest.split_at(sign + digits.count());
-        self.rest = rest;
-        integer.parse().ok()
-    }
-
-    fn atom(&mut self) -> Option<f64> {
-        self.space();
-        if let Some(end) = number_end(self.rest) {
-            let (number, rest) = self.rest.split_at(end);
-            self.rest = rest;
-            return number.parse().ok();
-        }
-        if self.take("sqrt") {
-            return Some(sqrt(self.atom()?));
-        }
-        if self.take("(") {
-            let inside = self.sum()?;
-            return self.take(")").then_some(inside);
-        }
-        let after = self.rest.strip_prefix("pi")?;
-        if after.starts_with(|c: char| c.is_ascii_alphabetic()) {
-            return None;
-        }
-        self.rest = after;
-        Some(PI)
-    }
-}
-
-/// `base^power` for a whole `power`.
-fn raised(base: f64, power: f64) -> f64 {
-    if base == 10.0 {
-        // As the decimal number is read, to the last bit.
-        return format!("1e{power}").parse().unwrap_or(f64::NAN);
-    }
-    pow(base, power)
 }
 
 /// Significant digits, and the worth of the last, of a decimal number or one times `10^n`.

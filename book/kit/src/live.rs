@@ -100,10 +100,11 @@ fn set(parameters: &mut dyn Settings, name: &str, value: &str) -> Result<()> {
 }
 
 /// What an example and its parameters are, for the controls of its page, as JSON:
-/// `{"stem", "about", "moves", "flags": [{"name", "unit", "meaning", "kind", "default",
-/// "usual", "allowed", "from", "to", "words"}]}`. `kind` is `number`, `optional`, `choice` or
-/// `effect`; `default` is as it is typed, `null` for what is not set; `usual` is the strength
-/// of an effect, `from` and `to` are the part in which a reader will want to move.
+/// `{"stem", "about", "moves", "flags": [{"name", "unit", "meaning", "kind", "default", "shown",
+/// "usual", "allowed", "from", "to", "words", "title", "ends"}]}`. `kind` is `number`, `optional`,
+/// `choice` or `effect`; `default` is as it is typed, `null` for what is not set; `shown` is what the
+/// moving picture has then; `usual` is the strength of an effect, `from` and `to` are the part in which
+/// a reader will want to move; `title` and `ends` are those of an open control.
 pub(super) fn declared(run: &dyn Run) -> String {
     let or_null = |text: Option<String>| text.map_or("null".into(), |text| quoted(&text));
     let defaults = run.parameters();
@@ -119,20 +120,28 @@ pub(super) fn declared(run: &dyn Run) -> String {
         let range = flag.allowed().and_then(|allowed| allowed.usual());
         let [from, to] =
             range.map_or(["null".into(), "null".into()], |r| r.map(|x| format!("{x:?}")));
-        let words: Vec<String> = flag.words().iter().map(|word| quoted(word)).collect();
+        let list = |words: &[&str]| {
+            let words: Vec<String> = words.iter().map(|word| quoted(word)).collect();
+            words.join(", ")
+        };
+        let open = flag.opened();
         let comma = if flags.is_empty() { "" } else { ", " };
         // Writing to a string cannot fail.
         let _ = write!(
             flags,
             "{comma}{{\"name\": {}, \"unit\": {}, \"meaning\": {}, \"kind\": \"{kind}\", \"default\": {}, \
-             \"usual\": {}, \"allowed\": {}, \"from\": {from}, \"to\": {to}, \"words\": [{}]}}",
+             \"shown\": {}, \"usual\": {}, \"allowed\": {}, \"from\": {from}, \"to\": {to}, \"words\": [{}], \
+             \"title\": {}, \"ends\": [{}]}}",
             quoted(&flag.name()),
             quoted(flag.unit()),
             quoted(flag.meaning()),
             or_null(default),
+            or_null(flag.on_show(defaults)),
             or_null(flag.usual().map(super::number::exactly)),
             or_null(flag.allowed_words()),
-            words.join(", "),
+            list(flag.words()),
+            or_null(open.map(|open| open.title.to_owned())),
+            list(open.map_or(&[], |open| open.ends)),
         );
     }
     format!(
@@ -152,9 +161,9 @@ mod tests {
         /// A rod.
         pub struct Parameters {
             /// length of the rod
-            length: number(3.0, "m", above(0.0).usually(0.5, 5.0));
+            length: number(3.0, "m", above(0.0).usually(0.5, 5.0)).open("length", "quick", "slow");
             /// mass, if it matters
-            mass: optional("kg", above(0.0));
+            mass: optional("kg", above(0.0)).shown(2.0);
             /// how it starts
             start: choice("rest", "turning");
             /// friction of the hinge
@@ -198,11 +207,15 @@ mod tests {
         let told = declared(&example.run());
         assert!(told.starts_with(r#"{"stem": "rod", "about": "A \"rod\"", "moves": false, "flags": [{"name": "length", "#), "{told}");
         assert!(told.contains(r#""from": 0.5, "to": 5.0"#), "{told}");
+        assert!(told.contains(r#""title": "length", "ends": ["quick", "slow"]"#), "{told}");
         assert!(
-            told.contains(r#""kind": "choice", "default": "rest", "usual": null, "allowed": null, "from": null, "to": null, "words": ["rest", "turning"]"#),
+            told.contains(r#""kind": "choice", "default": "rest", "shown": "rest", "usual": null, "allowed": null, "from": null, "to": null, "words": ["rest", "turning"], "title": null, "ends": []"#),
             "{told}"
         );
-        assert!(told.contains(r#""kind": "effect", "default": null, "usual": "0.02""#), "{told}");
-        assert!(told.contains(r#""kind": "optional", "default": null"#), "{told}");
+        assert!(
+            told.contains(r#""kind": "effect", "default": null, "shown": null, "usual": "0.02""#),
+            "{told}"
+        );
+        assert!(told.contains(r#""kind": "optional", "default": null, "shown": "2""#), "{told}");
     }
 }

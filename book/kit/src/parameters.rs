@@ -24,7 +24,11 @@ use crate::interval::Interval;
 ///   strength, `--with NAME=VALUE` with another, and `--without NAME` leaves it out. One that
 ///   is in unless it is left out is `.present()`.
 ///
-/// A number that a problem sheet may draw says among which: `.drawn(FROM, TO, STEP)`.
+/// What may follow, in this order:
+/// - `.drawn(FROM, TO, STEP)`: a problem sheet may draw the number, among these;
+/// - `.shown(VALUE)`: not set, it has this value in the moving picture;
+/// - `.open(TITLE)`, `.open(TITLE, LOW, HIGH)`: it is one of the two or three controls that stand
+///   open below the moving picture, named by the title, the ends of its slider by what happens there.
 ///
 /// ```
 /// use kit::ParameterSet;
@@ -32,9 +36,10 @@ use crate::interval::Interval;
 ///     /// A rod that hangs from one end.
 ///     pub struct Parameters {
 ///         /// length of the rod
-///         length: number(3.0, "m", above(0.0).usually(0.5, 5.0)).drawn(1.0, 4.0, 0.5);
+///         length: number(3.0, "m", above(0.0).usually(0.5, 5.0)).drawn(1.0, 4.0, 0.5)
+///             .open("length of the rod", "quick", "slow");
 ///         /// mass, if it matters
-///         mass: optional("kg", above(0.0));
+///         mass: optional("kg", above(0.0)).shown(2.0);
 ///         /// how it starts
 ///         start: choice("rest", "turning");
 ///         /// friction of the hinge
@@ -123,7 +128,8 @@ macro_rules! parameters {
             $(
                 $(#[doc = $meaning:literal])*
                 $field:ident : $kind:ident ( $($setting:tt)* )
-                    $( .drawn($from:expr, $to:expr, $step:expr) )? $( .present $present:tt )?;
+                    $( .drawn($from:expr, $to:expr, $step:expr) )? $( .present $present:tt )?
+                    $( .shown($shown:expr) )? $( .open($title:literal $(, $low:literal, $high:literal)?) )?;
             )*
         }
     ) => {
@@ -142,7 +148,8 @@ macro_rules! parameters {
         impl $crate::ParameterSet for $set {
             const FLAGS: &'static [$crate::Flag] = &[
                 $( $crate::parameters!(@flag $kind stringify!($field), concat!($($meaning),*); $($setting)*)
-                    $( .drawn($from, $to, $step) )?, )*
+                    $( .drawn($from, $to, $step) )? $( .shown($shown) )?
+                    $( .open($title, &[$( $low, $high )?]) )?, )*
             ];
         }
         impl $crate::Settings for $set {
@@ -262,6 +269,15 @@ pub struct Flag {
     usual: Option<f64>,
     words: &'static [&'static str],
     grid: Option<Grid>,
+    shown: Option<f64>,
+    open: Option<Open>,
+}
+
+/// How an open control is named: its title, and what happens at the ends of its slider (two, or none).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Open {
+    pub(crate) title: &'static str,
+    pub(crate) ends: &'static [&'static str],
 }
 
 /// The values among which a problem sheet draws: from one to another in equal steps, typed with
@@ -317,7 +333,18 @@ impl Flag {
         meaning: &'static str,
         allowed: Interval,
     ) -> Self {
-        Self { field, unit, meaning, allowed: Some(allowed), usual: None, words: &[], grid: None }
+        let (allowed, words) = (Some(allowed), &[]);
+        Self {
+            field,
+            unit,
+            meaning,
+            allowed,
+            usual: None,
+            words,
+            grid: None,
+            shown: None,
+            open: None,
+        }
     }
 
     /// An effect, of the strength `usual` in `unit` unless another is given.
@@ -337,13 +364,39 @@ impl Flag {
         meaning: &'static str,
         words: &'static [&'static str],
     ) -> Self {
-        Self { field, unit: "-", meaning, allowed: None, usual: None, words, grid: None }
+        let unit = "-";
+        Self {
+            field,
+            unit,
+            meaning,
+            allowed: None,
+            usual: None,
+            words,
+            grid: None,
+            shown: None,
+            open: None,
+        }
     }
 
     /// Lets problem sheets draw this number: `from`, `from + step`, … `to`.
     #[must_use]
     pub const fn drawn(mut self, from: f64, to: f64, step: f64) -> Self {
         self.grid = Some(Grid { from, to, step });
+        self
+    }
+
+    /// Says what value the moving picture has while this is not set.
+    #[must_use]
+    pub const fn shown(mut self, value: f64) -> Self {
+        self.shown = Some(value);
+        self
+    }
+
+    /// Lets the control stand open below the moving picture, under this title, the ends of its slider
+    /// named by what happens there.
+    #[must_use]
+    pub const fn open(mut self, title: &'static str, ends: &'static [&'static str]) -> Self {
+        self.open = Some(Open { title, ends });
         self
     }
 
@@ -381,6 +434,17 @@ impl Flag {
     /// The usual strength of an effect; `None` for what is no effect.
     pub(crate) fn usual(&self) -> Option<f64> {
         self.usual
+    }
+
+    /// How its open control is named; `None` for one in the fold.
+    pub(crate) fn opened(&self) -> Option<Open> {
+        self.open
+    }
+
+    /// What the moving picture shows of it unless it is set otherwise, as it is typed; `None` for what
+    /// has no value there.
+    pub(crate) fn on_show(&self, defaults: &dyn Settings) -> Option<String> {
+        self.printed(defaults).or_else(|| self.shown.map(exactly))
     }
 
     /// The words to choose from; none for a number.

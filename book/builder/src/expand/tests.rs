@@ -94,10 +94,7 @@ impl Sample {
                 }
                 Splice::Proof { kind, id, proof, .. } => format!("«{kind} {id} {proof}»"),
                 Splice::Figure { stem, name } => format!("«{stem}:{name}»"),
-                Splice::Player { stem, settings } => {
-                    let settings: Vec<String> = settings.iter().map(ToString::to_string).collect();
-                    format!("«player {stem}{}»", settings.concat())
-                }
+                Splice::Player { stem } => format!("«player {stem}»"),
                 Splice::Table { stem, section } => format!("«table {stem}:{section}»"),
                 other => format!("«{other:?}»"),
             })
