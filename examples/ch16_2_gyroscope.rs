@@ -102,7 +102,7 @@ kit::parameters! {
         /// m g l I3/L_z^2, weight against spin
         c: optional("-", any().usually(0.05, 0.5)).shown(CUSPS[2]);
         /// E~, at least the minimum of U_eff
-        energy: optional("-", any().usually(-0.087, -0.05)).shown(CUSPS[3]).open("push at release", "forward: waves", "backward: loops");
+        energy: optional("-", any().usually(-0.087, -0.05)).shown(CUSPS[3]).open("push at release, as an energy", "forward: waves", "backward: loops");
         /// turning point at t' = 0
         start: choice("theta_min", "theta_max");
         /// moment of inertia across the axis, about the pivot

@@ -288,6 +288,8 @@ class Knobs {
             Live.change([...others, ...this.knobs.changed()], this.heard);
             this.touch();
             this.open();
+            // What changes a still starts it, so that the change is seen from the beginning.
+            if (this.begun !== true && !quiet.matches) this.toggle();
             this.remember();
         }
 

@@ -18,6 +18,8 @@
     /** Lets check.js show where the box has more than is to be seen. */
     const scrolls = (box) => requestAnimationFrame(() => box.dispatchEvent(new Event("scrolls", { bubbles: true })));
     const button = (text, attributes = {}) => make("button", { type: "button", ...attributes }, text);
+    /** A printed number in at most six digits. */
+    const short = (number) => (number.length > 9 ? String(Number(Number(number).toPrecision(6))) : number).replaceAll("-", "\u2212");
     /** Words as a shell parts them, without its other powers. */
     const parted = (line) => [...line.matchAll(/(?:[^\s"']+|"[^"]*"|'[^']*')+/g)]
         .map(([word]) => word.replace(/"([^"]*)"|'([^']*)'/g, "$1$2"));
@@ -165,14 +167,14 @@
             this.offer(words, told);
         }
 
-        /** What the page asks for and is another number now, before and after. */
+        /** What the page asks for and is another number now, before and after, in six digits. */
         compare(stdout) {
             const form = document.querySelector(`form.answer[data-stem="${this.stem}"]`);
             const checks = form ? JSON.parse(form.querySelector("script").textContent).checks : [];
             const [, claims = ""] = stdout.match(/\nclaims\n([^]*?)\n(\n|$)/) ?? [];
             const now = new Map(claims.split("\n").map((line) => line.split(/ +/)));
             const rows = checks.filter(({ key, printed }) => now.has(key) && now.get(key) !== printed).map(({ key, printed }) =>
-                [form.querySelector(`option[value="${key}"]`).textContent, ...[printed, now.get(key)].map((number) => number.replaceAll("-", "\u2212"))]);
+                [form.querySelector(`option[value="${key}"]`).textContent, ...[printed, now.get(key)].map(short)]);
             this.compared.hidden = rows.length === 0;
             this.compared.replaceChildren(table(["asked for", "on the page", "now"], rows.map((row) => tr(row, "td"))));
         }

@@ -1,6 +1,7 @@
 //! What a page asks that moves by itself: its parameters' one declaration, a moving picture
 //! for those that the reader chose, the methods at the reader's own choice.
 
+use super::answer::Answer;
 use super::example::Run;
 use super::json::quoted;
 use super::parameters::{Settings, check};
@@ -88,9 +89,9 @@ fn set(parameters: &mut dyn Settings, name: &str, value: &str) -> Result<()> {
     if value.is_empty() && flag.usual().is_some() {
         flag.leave_out(parameters);
     } else if flag.words().is_empty() {
-        let number = value.parse().ok().filter(|x: &f64| x.is_finite());
-        let number = number.ok_or_else(|| refused("a finite number"))?;
-        flag.set_number(parameters, number);
+        // As it is typed after a flag: 0.3, 3/4, pi/6, 30 deg.
+        let number = Answer::read(value).map_err(refused)?.in_unit(flag.unit());
+        flag.set_number(parameters, number.map_err(|_| refused("that is in another unit"))?);
     } else if flag.words().contains(&value) {
         flag.set_word(parameters, value);
     } else {
@@ -173,8 +174,8 @@ mod tests {
 
     #[test]
     fn lines_set_parameters_and_are_refused_by_name() {
-        let p: Parameters =
-            read("length=2e0\n\nmass=4\nstart=turning\nfriction=0.5").expect("they are allowed");
+        let p: Parameters = read("length=4/2\n\nmass=4\nstart=turning\nfriction=0.5")
+            .expect("they are allowed");
         let expected =
             Parameters { length: 2.0, mass: Some(4.0), start: "turning", friction: Some(0.5) };
         assert_eq!(p, expected);
@@ -183,8 +184,11 @@ mod tests {
         let refused = |lines| read::<Parameters>(lines).unwrap_err().to_string();
         let cases = [
             ("width=2", "there is no"),
-            ("length=", "a finite number"),
-            ("length=inf", "a finite number"),
+            ("length=", "not a number"),
+            ("length=inf", "not a number"),
+            ("length=1/0", "not a finite number"),
+            ("length=1,000,2", "decimals come after a point"),
+            ("length=3 kg", "in another unit"),
             ("start=flying", "one of the words"),
             ("length=-1", "greater than 0"),
         ];
