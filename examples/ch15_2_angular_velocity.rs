@@ -58,7 +58,7 @@ kit::parameters! {
         /// rate of theta
         nutation: number(0.5, "rad/s", from_to(-1e5, 1e5).usually(-3.0, 3.0)).open("rate of the inner ring", "axle rises", "axle sinks");
         /// rate of zeta; the pictures show a tenth of it
-        spin: number(30.0, "rad/s", from_to(-1e5, 1e5).usually(-40.0, 40.0)).open("rate of the rotor", "clockwise", "counterclockwise");
+        spin: number(30.0, "rad/s", from_to(-1e5, 1e5).usually(-40.0, 40.0)).open("rate of the rotor, drawn at a tenth", "clockwise", "counterclockwise");
         /// error of a step of the runs
         tolerance: number(1e-12, "-", from_to(1e-15, 1e-3));
     }

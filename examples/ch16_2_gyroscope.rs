@@ -98,9 +98,9 @@ kit::parameters! {
         /// I3/I1, the shape: above 0, at most 2
         a: optional("-", any().usually(0.3, 2.0)).shown(CUSPS[0]);
         /// L_Z/L_z, vertical over axial angular momentum
-        b: optional("-", any().usually(-0.7, 0.9)).shown(CUSPS[1]);
+        b: optional("-", any().usually(-0.2, 0.64)).shown(CUSPS[1]);
         /// m g l I3/L_z^2, weight against spin
-        c: optional("-", any().usually(0.05, 0.5)).shown(CUSPS[2]);
+        c: optional("-", any().usually(0.19, 0.5)).shown(CUSPS[2]);
         /// E~, at least the minimum of U_eff
         energy: optional("-", any().usually(-0.087, -0.05)).shown(CUSPS[3]).open("push at release, as an energy", "forward: waves", "backward: loops");
         /// turning point at t' = 0
