@@ -85,15 +85,18 @@ class Knobs {
      * "" says that nothing is. True if there is one.
      */
     refuse(message) {
-        const [, field = ""] = message.match(/^([A-Za-z0-9_-]+) ?=/) ?? [];
+        const [, field = ""] = message.match(/^"?([A-Za-z0-9_-]+) ?=/) ?? [];
         const meant = this.all.has(field.replaceAll("_", "-")) ? field.replaceAll("_", "-") : this.touched;
         let named = false;
         for (const [name, knob] of this.all) {
             const mine = message !== "" && name === meant;
             named ||= mine;
-            knob.told.textContent = mine ? `${message}.` : "";
-            knob.element.classList.toggle("refused", mine);
-            if (mine) knob.value.setAttribute("aria-invalid", "true");
+            if (mine) [knob.refused, knob.told.textContent] = [this.typed(knob), `${message.replace(/^"[^"]*" is not allowed: /, "")}.`];
+            // What was refused before stays so until it is changed.
+            const still = mine || (message !== "" && knob.refused === this.typed(knob));
+            if (!still) [knob.refused, knob.told.textContent] = [undefined, ""];
+            knob.element.classList.toggle("refused", still);
+            if (still) knob.value.setAttribute("aria-invalid", "true");
             else knob.value.removeAttribute("aria-invalid");
         }
         return named;
