@@ -116,12 +116,14 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let speed = |k: usize| Curve::sampled(times(0.0, end, 300), |t| Ok(run.at(t)?.1[k]), Ink::Body);
     let caught = run.transition("catches").is_ok() && m.closed_form().0 == Grip::Holds;
     // Where the lines are apart.
-    let (apart, side) =
-        if caught { (0.15 * end, Side::AboveRight) } else { (end, Side::BelowLeft) };
+    let (apart, rope_side, rim_side) = match caught {
+        true => (0.27 * end, Side::BelowRight, Side::AboveRight),
+        false => (0.9 * end, Side::AboveLeft, Side::BelowRight),
+    };
     let [_, rope, _, rim] = run.at(apart)?.1;
     let graph = Panel::over_axes("$t$ / s", "speed / (m/s)")
-        .curve(speed(1)?.label_at("rope", apart, rope, Side::Above))
-        .curve(speed(3)?.dashed().label_at("rim", apart, rim, side));
+        .curve(speed(1)?.label_at("rope", apart, rope, rope_side))
+        .curve(speed(3)?.dashed().label_at("rim", apart, rim, rim_side));
     // So that a force also fits above a mass that has come up to the axle.
     let fitting = sampled(times(0.0, end, 300), |t| {
         let (grip, [way, ..]) = run.at(t)?;

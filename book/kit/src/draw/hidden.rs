@@ -161,3 +161,23 @@ impl View {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::solid::Camera;
+    use super::*;
+
+    #[test]
+    fn a_body_hides_what_is_behind_it_and_a_ball_its_far_side() {
+        let at = SpaceVector::new;
+        let edges = [at(0.2, 0.0, 0.0), at(0.0, 1.0, 0.0), at(0.0, 0.0, 1.0)];
+        // The eye looks along -X.
+        let view = View::of(SpaceVector::zero(), 1.0).camera(Camera::new(0.0, 0.0));
+        let plate = view.clone().solid(Solid::cuboid(SpaceVector::zero(), edges), Ink::Body);
+        assert!(plate.hides(at(-0.5, 0.3, 0.3)));
+        assert!(!plate.hides(at(0.1, 0.3, 0.3)), "on the face towards the eye");
+        assert!(!plate.hides(at(-0.5, 0.6, 0.3)), "beside the plate");
+        let ball = view.ball(Ink::Body);
+        assert!(ball.hides(at(-1.0, 0.0, 0.0)) && !ball.hides(at(1.0, 0.0, 0.0)));
+    }
+}
