@@ -215,7 +215,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .solid(Solid::rod(hook, hub, 0.02 * size), Ink::Frame)
             .solid(Solid::wheel(hub, e, radius, 0.1 * size, spin * t), Ink::Body)
             .arrow(hub, tip, Ink::Momentum, "$L$", Side::Right)
-            .arrow(tip, tip + torque, Ink::Force, "torque", Side::Above);
+            .arrow(tip, tip + torque, Ink::Force, "torque", Side::Below);
         Ok((alt, scene))
     })
 }
