@@ -26,7 +26,7 @@ use rotation_dynamics::exact::{Modulus, legendre};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, ode, size_or};
-use rotation_dynamics::math::{acos, atan2, cos, hypot, sin, sincos};
+use rotation_dynamics::math::{acos, atan2, cos, hypot, sin};
 use rotation_dynamics::scene::Scene;
 
 pub use fit::{Fit, MIDDLE, Unknowns, jackknife, least_squares, unknowns};

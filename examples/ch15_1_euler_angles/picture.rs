@@ -34,10 +34,10 @@ fn shown(p: &Parameters) -> (SpaceVector, f64) {
     (SpaceVector::new(0.0, 0.0, middle), REACH + 0.5 * missing)
 }
 
-/// Three arrows of this length with their names.
+/// Those of three arrows of this length that have names.
 pub fn triad(view: View, axes: [SpaceVector; 3], length: f64, names: [&str; 3], ink: Ink) -> View {
     let sides = [Side::Below, Side::Right, Side::Above];
-    let each = axes.into_iter().zip(names).zip(sides);
+    let each = axes.into_iter().zip(names).zip(sides).filter(|((_, name), _)| !name.is_empty());
     each.fold(view, |view, ((axis, name), side)| view.arrow(ORIGIN, axis * length, ink, name, side))
 }
 
@@ -79,7 +79,7 @@ fn scene(view: View, angles: [f64; 3], names: [&str; 3]) -> View {
         view.dashed([ORIGIN, second[0] * 0.95], Ink::Ink)
             .dashed([ORIGIN, second[1] * 0.95], Ink::Ink)
     });
-    if names[0].is_empty() { view } else { triad(view, last, BODY, names, Ink::Body) }
+    triad(view, last, BODY, names, Ink::Body)
 }
 
 /// The notes' figure, panel by panel.

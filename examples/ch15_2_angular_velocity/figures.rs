@@ -171,7 +171,9 @@ fn gimbals(name: &str, alt: &str, g: &Gyroscope) -> View {
         .solid(Solid::gimbal(ORIGIN, y, 0.8, 0.04), Ink::Frame)
         .solid(Solid::rod(x * 0.84, x * 0.96, 0.03), Ink::Frame)
         .solid(Solid::rod(x * -0.96, x * -0.84, 0.03), Ink::Frame)
-        .solid(Solid::rod(z * -0.76, z * 0.76, 0.03), Ink::Frame)
+        // In two halves, so that the disc hides the one behind it.
+        .solid(Solid::rod(z * -0.76, z * -0.055, 0.03), Ink::Frame)
+        .solid(Solid::rod(z * 0.055, z * 0.76, 0.03), Ink::Frame)
         .solid(Solid::disc(ORIGIN, z, 0.52, 0.11), Ink::Body)
         .line([face + mark * 0.08, face + mark * 0.5], Ink::Paper)
         .line([face - mark * 0.08, face - mark * 0.5], Ink::Paper)
@@ -225,10 +227,10 @@ fn triad(p: &Parameters) -> Result<Figure> {
     let alt = "The axes x, y and z, at right angles, and the vertical Z in the plane of y and z. Arrows show the rate of \
                phi along Z, that of theta along x and that of zeta along z; the first has a part along y and one along z.";
     let (hs, hc) = sincos(0.5 * p.theta);
-    let half = (z * hc + y * hs) * 0.54;
-    let tilt = times(0.0, 1.0, 20).map(|a| {
-        let (s, c) = sincos(a * p.theta);
-        (z * c + y * s) * 0.42
+    let half = (z * hc + y * hs) * 0.4;
+    let tilt = times(p.theta, 0.0, 20).map(|a| {
+        let (s, c) = sincos(a);
+        (z * c + y * s) * 0.52
     });
     View::new("triad", alt)
         .around((UP + y + z) * 0.2, 1.05)

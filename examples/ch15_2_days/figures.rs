@@ -35,7 +35,7 @@ fn one_day() -> Result<Figure> {
     let (sun, angle, down) = ((0.0, 0.0), 0.62, -0.5 * PI);
     let [alpha, beta] = [at(sun, 1.0, down), at(sun, 1.0, down + angle)];
     let alt = "The Sun, and the Earth at two places of its orbit. At alpha the line OP points at the Sun. At beta, one \
-               solar day later, it does again, and so has turned by more than a whole turn: a dashed line at beta, \
+               solar day later, it does again, and so has turned by more than a whole turn: a grey arrow at beta, \
                parallel to OP at alpha, lies short of it by the angle that the Earth has gone round the Sun.";
     let ray = |from: Point| Curve::new([from, sun], Ink::Frame).thin().dashed();
     let upright = at(beta, 0.46, 0.5 * PI);
@@ -253,7 +253,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let angle = 0.5 * PI + turn(year) * t;
         let alt = format!(
             "The Earth after {t:.2} days of a year of {year} days, the half away from the Sun dark: it has gone round the Sun by {:.2} turns, and its line OP \
-             has turned by {:.2} turns against a dashed arrow that points at a star. Below, turns against the stars and \
+             has turned by {:.2} turns against a grey arrow that points at a star; a dashed line leads to the Sun. Below, turns against the stars and \
              against the Sun over the days.",
             t / year,
             turn(year) / TAU * t

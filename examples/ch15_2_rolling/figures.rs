@@ -130,7 +130,8 @@ figures! { _: &Parameters;
             .arrow(joint, joint + (precession + spin), Ink::Velocity, "sum", Side::Above)
             .arrow(centre, centre + rho * 0.2, Ink::Frame, r"$\hat\rho$", Side::Right)
             .text(joint + rho * (0.5 * a), "$a$", Ink::Ink, Side::Above)
-            .text(centre - UP * (0.5 * r), "$R$", Ink::Ink, Side::Centre)
+            .line([centre, contact], Ink::Ink)
+            .text(centre - UP * (0.5 * r), "$R$", Ink::Ink, Side::Right)
             .dot(contact, Ink::Ink, "at rest", Side::BelowRight)
             .dot(joint, Ink::Ink, "", Side::Right)
     };

@@ -27,7 +27,7 @@ fn floor(name: &str, alt: &str, l: f64) -> Sketch {
 fn setup() -> Result<Figure> {
     let alt = "A plank leans to the right at the angle theta from the vertical through its foot. The weight acts \
                at its middle, at the height y, the floor pushes up at its foot. An arrow says that the foot slides to \
-               the left, another that the middle goes straight down along a dashed line.";
+               the left; a dashed line leads from the floor straight up through the middle.";
     let theta = 0.55;
     let ([foot, top], middle) = (ends(1.0, theta), (0.0, 0.5 * cos(theta)));
     let line = |from, to| Curve::new([from, to], Ink::Frame).dashed().thin();

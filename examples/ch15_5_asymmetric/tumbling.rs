@@ -93,16 +93,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let view = sphere(view.ball(Ink::Body), separatrices(tumble.moments))
             .trace(polhode.iter().copied(), Ink::Momentum)
             .arrow(SpaceVector::zero(), on_sphere(now), Ink::Momentum, "", Side::Right)
-            .dot(on_sphere(now), Ink::Momentum, "", Side::Right);
+            .spot(on_sphere(now), Ink::Momentum);
         let view = book(view, &p, &attitude, aside)
             .vector(aside, aside + UP * 1.2, Ink::Momentum, "$L$", Side::Above)
-            .arrow(
-                aside,
-                aside + axis * 0.95,
-                Ink::Body,
-                "$2$",
-                if axis.z() < 0.0 { Side::Left } else { Side::Right },
-            );
+            .arrow(aside, aside + axis * 0.95, Ink::Body, "", Side::Right)
+            // Beside L, also where the axis lies along it.
+            .text(aside * 0.95 + axis * 0.9, "$2$", Ink::Body, Side::Right);
         Stack::frame(&alt, view, &graph, t)
     };
     MovingPicture::new(0.0..=end, [0.0, 0.5 * flips, flips], draw)

@@ -23,28 +23,13 @@ const LOBES: [(f64, f64); 11] = [
     (1.0, 0.0),
 ];
 
-/// A point of its surface on its own axes.
-fn surface((height, width): (f64, f64), turn: f64) -> BodyVector {
-    let (s, c) = sincos(turn);
-    BodyVector::new(HALF_AXES[0] * width * c, HALF_AXES[1] * width * s, HALF_AXES[2] * height)
-}
-
-/// The body in this attitude.
-fn body(attitude: &Attitude) -> Solid {
+/// The body in this attitude, so many times as large.
+fn body(attitude: &Attitude, size: f64) -> Solid {
     let up = SpaceVector::new(0.0, 0.0, 1.0);
     Solid::turned(SpaceVector::zero(), up, &smooth(&LOBES)).carried(|at| {
-        attitude.to_space(BodyVector::new(HALF_AXES[0] * at.x(), HALF_AXES[1] * at.y(), at.z()))
+        let [x, y, z] = HALF_AXES;
+        attitude.to_space(BodyVector::new(x * at.x(), y * at.y(), z * at.z())) * size
     })
-}
-
-/// Its outline in the planes of x and y, as it was seen.
-fn ghost(view: View, attitude: &Attitude) -> View {
-    let outline = |turn: f64| {
-        let up = smooth(&LOBES).into_iter().map(move |ring| surface(ring, turn));
-        let down = smooth(&LOBES).into_iter().rev().map(move |ring| surface(ring, turn + PI));
-        up.chain(down).map(|v| attitude.to_space(v) * 1.04).collect::<Vec<_>>()
-    };
-    view.dashed(outline(0.0), Ink::Ink).dashed(outline(FRAC_PI_2), Ink::Ink)
 }
 
 /// Its attitude and angular velocity through December 1992, for `--csv`.
@@ -112,12 +97,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             lean(&found.attitude),
             [
                 "",
-                ", and a dashed outline shows the attitude seen by radar"
+                ", and a grey silhouette behind it shows the attitude seen by radar"
             ][usize::from(image.is_some())]
         );
         let view = View::new("scene", &alt)
             .around(SpaceVector::new(0.0, 0.0, 0.1), 1.3)
-            .solid(body(&shown), Ink::Body)
+            .solid(body(&shown, 1.0), Ink::Body)
             .arrow(
                 origin,
                 SpaceVector::new(0.0, 0.0, 1.3),
@@ -128,7 +113,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .arrow(origin, speed, Ink::Velocity, r"$\Omega$", Side::Left);
         let view = image
             .into_iter()
-            .fold(view, |view, other| ghost(view, &(up * other.attitude)));
+            .fold(view, |view, other| view.ghost(body(&(up * other.attitude), 1.06), Ink::Ink));
         Stack::frame(&alt, view, &graph, day)
     })
     .map(|picture| picture.timed("day of December 1992"))

@@ -192,8 +192,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             false => (now * unit, "after the beginning of the pull"),
         };
         let alt = format!(
-            "The particle {since:.2} s {what}, with its path, its velocity and the pull of the \
-             string; below, this force against time: it grows, and is nothing while the string is slack."
+            "The particle {since:.2} s {what}, with its path, its velocity and {}; below, the pull of the \
+             string against time: it grows, and is nothing while the string is slack.",
+            if force > 0.0 { "the pull of the string" } else { "the slack string" }
         );
         let (pull, hole) = (0.3 * force / most / hypot(x, y), (0.0, 0.0));
         let scene = Sketch::within((-1.35, 1.35), (-1.1, 1.15)).guide(path);

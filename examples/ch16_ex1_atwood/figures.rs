@@ -110,13 +110,20 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 
 /// The machine with a pulley that spins at first; below, the speeds of rope and rim.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let (m, h, rim_radius) = (machine(p)?, p.height, p.radius);
+    let (m, h) = (machine(p)?, p.height);
     let run = m.run(p.spin * p.radius, p.tolerance, 1e3)?;
     let (end, scale) = (run.end_time(), 0.9 / h);
     let speed = |k: usize| Curve::sampled(times(0.0, end, 300), |t| Ok(run.at(t)?.1[k]), Ink::Body);
+    let caught = run.transition("catches").is_ok() && m.closed_form().0 == Grip::Holds;
+    // Where the lines are apart.
+    let (apart, rope_side, rim_side) = match caught {
+        true => (0.27 * end, Side::BelowRight, Side::AboveRight),
+        false => (0.9 * end, Side::AboveLeft, Side::BelowRight),
+    };
+    let [_, rope, _, rim] = run.at(apart)?.1;
     let graph = Panel::over_axes("$t$ / s", "speed / (m/s)")
-        .curve(speed(1)?.label_end("rope"))
-        .curve(speed(3)?.dashed().label_end("rim"));
+        .curve(speed(1)?.label_at("rope", apart, rope, rope_side))
+        .curve(speed(3)?.dashed().label_at("rim", apart, rim, rim_side));
     // So that a force also fits above a mass that has come up to the axle.
     let fitting = sampled(times(0.0, end, 300), |t| {
         let (grip, [way, ..]) = run.at(t)?;
@@ -127,7 +134,6 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let usual = 0.45 / (p.m1.max(p.m2) * m.gravity);
     let force = fitting.into_iter().fold(usual, f64::min);
     let (side, goes_on) = if p.m1 > p.m2 { (-1.0, "rise as") } else { (1.0, "fall as") };
-    let caught = run.transition("catches").is_ok() && m.closed_form().0 == Grip::Holds;
     let told = format!(": they approach each other and then {goes_on} one line");
     let told = if caught { told } else { String::new() };
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.2 * end, 0.9 * end], move |t| {
@@ -141,7 +147,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         );
         let (radius, hang) = (0.16, [h + way, h - way].map(|y| 0.5 * scale * y));
         let sketch = Sketch::within((-1.0, 1.0), (-1.35, 0.4));
-        let sketch = drawn(sketch, radius, hang, 0.6 + rim / rim_radius, side);
+        let sketch = drawn(sketch, radius, hang, 0.6 + 0.5 * scale * rim / radius, side);
         let forces = m.forces(grip, way);
         let pull = |sketch: Sketch, k: usize| {
             let (x, low) = ([-radius, radius][k] * 1.6, -hang[k]);

@@ -39,7 +39,7 @@ fn forces(Solved { exact, naive, .. }: &Solved) -> Result<Panel> {
     Ok(Panel::over_axes("$t$ / s", "force / $mg$")
         .level(0.0, Ink::Frame, "")
         .ring(t_r, 0.0, Ink::Ink, "", Side::Above)
-        .curve(over([0.0, landing], 160, floor, Ink::Ink)?.label("floor"))
+        .curve(over([0.0, landing], 160, floor, Ink::Force)?.label("floor"))
         .curve(over([0.0, t_r], 120, wall, Ink::Force)?.label("wall"))
         .curve(kept.label_at("wrong: the wall pulls", middle, pull(middle)?, side)))
 }

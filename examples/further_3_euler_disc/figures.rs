@@ -25,7 +25,7 @@ fn view(tilt: f64, disc: &Disc) -> View {
         .ground(SpaceVector::zero(), 1.22)
         .dashed(circle(cos(tilt), 0.0, TAU), Ink::Frame)
         .solid(Solid::disc(centre + disc.axis * 0.015, disc.axis, 1.0, 0.03), Ink::Body)
-        .dot(contact, Ink::Velocity, "", Side::Below)
+        .spot(contact, Ink::Velocity)
 }
 
 /// Inclinations of the steady motions.

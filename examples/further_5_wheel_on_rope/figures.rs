@@ -184,7 +184,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     };
     let curve = Curve::sampled(times(0.0, end, 600), |t| Ok(lean(&run.at(t)?)), Ink::Body)?;
     let graph = Panel::over_axes("$t$ / s", "rope / rad").curve(curve);
-    let (b, radius, size) = (wheel.rope, p.radius, wheel.lever + p.radius);
+    let (b, radius, size, spin) = (wheel.rope, p.radius, wheel.lever + p.radius, p.spin);
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.2 * end, 0.7 * end], move |t| {
         let state = run.at(t.min(end))?;
         let Place { rope: [r, _], axle: [e, _] } = place(&state);
@@ -193,13 +193,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let torque = e.cross(&r) * (0.7 * size);
         let tip = hub + e * (1.3 * size * wheel.momentum.signum());
         let alt = format!(
-            "The wheel {t:.1} s after it is let go, on its rope, which is {:.1} degrees off the \
+            "The wheel {t:.1} s after it is let go, on its rope, which goes on upward and is {:.1} degrees off the \
              vertical; the axle rises by {:.1} degrees. Below, the rope's angle against time.",
             lean(&state).to_degrees(),
             angles(&state)[1].to_degrees()
         );
-        let (inner, outer, w) = (0.9 * radius, radius, 0.02 * size);
-        let rim = [(-w, inner), (-w, outer), (w, outer), (w, inner)];
         let path = sampled(times((t - 1.5).max(0.0), t.min(end), 60), |t| {
             let Place { rope: [r, _], axle: [e, _] } = place(&run.at(t)?);
             Ok(r * b + e * wheel.lever)
@@ -214,10 +212,10 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             )
             .line([cut(hook, support), hook], Ink::Ink)
             .dashed(path, Ink::Body)
-            .line([hook, hub], Ink::Ink)
-            .solid(Solid::turned(hub, e, &rim), Ink::Body)
+            .solid(Solid::rod(hook, hub, 0.02 * size), Ink::Frame)
+            .solid(Solid::wheel(hub, e, radius, 0.1 * size, spin * t), Ink::Body)
             .arrow(hub, tip, Ink::Momentum, "$L$", Side::Right)
-            .arrow(tip, tip + torque, Ink::Force, "torque", Side::Above);
+            .arrow(tip, tip + torque, Ink::Force, "torque", Side::Below);
         Ok((alt, scene))
     })
 }

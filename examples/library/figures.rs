@@ -20,15 +20,11 @@ fn hung(angle: f64) -> Sketch {
         .arrow(low, (low.0, low.1 - pull), Ink::Force, "", Side::Right)
         .arrow((1.0, -0.8), (1.0, -1.1), Ink::Frame, "to the Earth", Side::Left)
         .arrow((-0.75, 1.0), (-1.1, 1.0), Ink::Frame, "flies", Side::Below)
-        .text(
-            place(0.5, 0.17),
-            if angle.abs() < 0.4 { "$e_1$" } else { "" },
-            Ink::Body,
-            Side::Right,
-        );
+        .guide([low, up]);
     if angle.abs() < 0.02 {
         return sketch;
     }
+    let sketch = sketch.angle((0.0, 0.0), 0.5, (0.5 * PI, 0.5 * PI + angle), r"$\alpha$");
     // The couple turns it back: the longer the arrow, the stronger.
     let from = 0.5 * PI + angle + 0.35 * angle.signum();
     let turn = (from, from - 8.0 * s * c);
@@ -62,9 +58,8 @@ figures! { p: &Parameters;
     /// by the angle alpha. The Earth is below. Its lower end is pulled down, its upper end up,
     /// and the two turn it back to the vertical.
     setup: hung(0.5)
-        .guide([(0.0, 0.0), (-0.95 * sin(0.5), 0.95 * cos(0.5))])
-        .text((-0.97 * sin(0.5), 0.97 * cos(0.5)), "$e_1$", Ink::Body, Side::Left)
-        .angle((0.0, 0.0), 0.78, (0.5 * PI, 0.5 * PI + 0.5), r"$\alpha$");
+        .guide([(-HALF * sin(0.5), HALF * cos(0.5)), (-0.95 * sin(0.5), 0.95 * cos(0.5))])
+        .text((-0.97 * sin(0.5), 0.97 * cos(0.5)), "$e_1$", Ink::Body, Side::Left);
 
     /// The angle of the satellite from the vertical in the first six hours: a wave of constant
     /// height; a dot at every hour lies on it.

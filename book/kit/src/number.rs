@@ -72,6 +72,18 @@ pub fn decimals(value: f64, places: usize) -> String {
     if seen && value.abs() < 1e15 { plain } else { format!("{value:.places$e}") }
 }
 
+/// A text without the minus of numbers that were rounded to nought.
+pub(crate) fn without_minus_nought(text: &str) -> String {
+    let plain = |word: &str| {
+        let positive = word.strip_prefix('-').filter(|rest| {
+            let digits = rest.trim_end_matches(['.', ',', ';', ':', ')']);
+            digits.starts_with('0') && digits.parse() == Ok(0.0)
+        });
+        positive.unwrap_or(word).to_owned()
+    };
+    text.split(' ').map(plain).collect::<Vec<_>>().join(" ")
+}
+
 /// `value`, of decimal exponent `top`, rounded to a multiple of `10^last`, `last <= top`.
 fn rounded(value: f64, top: i32, last: i32) -> String {
     let scientific = |x: f64, digits: i32| format!("{x:.*e}", digits.max(0) as usize);
@@ -151,6 +163,12 @@ mod tests {
             None => (mantissa.len() - mantissa.trim_end_matches('0').len()) as i32,
         };
         pow(10.0, f64::from(decimals + e.parse::<i32>().expect("an exponent")))
+    }
+
+    #[test]
+    fn a_number_rounded_to_nought_has_no_minus() {
+        let told = format!("{:.2} rad, {:.0}, -0.01, x-0", -0.001, -0.2);
+        assert_eq!(without_minus_nought(&told), "0.00 rad, 0, -0.01, x-0");
     }
 
     /// Values and bounds over 40 decades: the printed number is a rounding of the

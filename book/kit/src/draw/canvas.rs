@@ -8,6 +8,7 @@ use super::method::Marker;
 use super::words::{Rect, Words};
 use crate::Figure;
 use crate::error::{Error, Result, finite};
+use crate::number::without_minus_nought;
 use core::cell::RefCell;
 use core::f64::consts::PI;
 use plotters::coord::Shift;
@@ -267,5 +268,9 @@ pub(super) fn figure(
     }
     let canvas = Canvas::new(size);
     draw(&canvas)?;
-    Ok(Figure { name: name.into(), alt: alt.into(), display: canvas.display.into_inner() })
+    Ok(Figure {
+        name: name.into(),
+        alt: without_minus_nought(alt),
+        display: canvas.display.into_inner(),
+    })
 }

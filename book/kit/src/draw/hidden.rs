@@ -7,7 +7,7 @@ use super::ink::Ink;
 use super::material::stepped;
 use super::scene::Part;
 use super::solid::{Solid, normal};
-use super::view::View;
+use super::view::{Element, View};
 use crate::error::{Result, finite};
 use rotation_dynamics::frame::SpaceVector;
 
@@ -109,6 +109,30 @@ impl View {
         Ok(())
     }
 
+    /// Whether a body hides this point, or it is on the far side of the sphere.
+    pub(super) fn hides(&self, at: SpaceVector) -> bool {
+        /// A point on a body is not hidden by the face it lies on; part of the reach.
+        const ON: f64 = 5e-3;
+        let eye = self.camera.eye;
+        let before = |face: &Vec<SpaceVector>| {
+            let Some(n) = normal(face).filter(|n| n.dot(&eye) > 1e-9) else { return false };
+            // From the point towards the eye as far as to the plane of the face.
+            let away = (face[0] - at).dot(&n) / n.dot(&eye);
+            let met = at + eye * away;
+            let inside = |i: usize| {
+                let (a, b) = (face[i], face[(i + 1) % face.len()]);
+                (b - a).cross(&(met - a)).dot(&n) >= 0.0
+            };
+            away > ON * self.reach && (0..face.len()).all(inside)
+        };
+        let ball = self.sphere || self.globe;
+        self.elements.iter().any(|element| match element {
+            Element::Solid(solid, _) => solid.faces.iter().any(before),
+            Element::Ball(..) => self.camera.depth(at) < 0.0 && at.norm() < 1.0 + ON,
+            _ => ball && self.camera.depth(at) < 0.0 && at.norm() < 1.0 + ON,
+        })
+    }
+
     pub(super) fn paint_items(&self, frame: &Frame<'_>, items: &[Item]) -> Result<()> {
         let mut line: Option<(usize, Vec<Point>)> = None;
         for i in from_behind(&self.camera, items) {
@@ -135,5 +159,25 @@ impl View {
             frame.draw(&points, &items[last].paint)?;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::solid::Camera;
+    use super::*;
+
+    #[test]
+    fn a_body_hides_what_is_behind_it_and_a_ball_its_far_side() {
+        let at = SpaceVector::new;
+        let edges = [at(0.2, 0.0, 0.0), at(0.0, 1.0, 0.0), at(0.0, 0.0, 1.0)];
+        // The eye looks along -X.
+        let view = View::of(SpaceVector::zero(), 1.0).camera(Camera::new(0.0, 0.0));
+        let plate = view.clone().solid(Solid::cuboid(SpaceVector::zero(), edges), Ink::Body);
+        assert!(plate.hides(at(-0.5, 0.3, 0.3)));
+        assert!(!plate.hides(at(0.1, 0.3, 0.3)), "on the face towards the eye");
+        assert!(!plate.hides(at(-0.5, 0.6, 0.3)), "beside the plate");
+        let ball = view.ball(Ink::Body);
+        assert!(ball.hides(at(-1.0, 0.0, 0.0)) && !ball.hides(at(1.0, 0.0, 0.0)));
     }
 }

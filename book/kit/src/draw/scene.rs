@@ -17,6 +17,9 @@ use rotation_dynamics::frame::SpaceVector;
 pub(super) const BODY: [f64; 2] = [0.0, 100.0];
 const VECTOR: [f64; 2] = [12.0, 60.0];
 
+/// The radius of a dot on a body, in px.
+const SPOT: f64 = 3.2;
+
 /// Where a part of a line lies relative to the sphere, from behind to the front.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Layer {
@@ -84,8 +87,19 @@ impl View {
         self.paint_bands(&frame, true)?;
         self.paint_layer(&frame, &parts, Layer::Before, unit)?;
         for element in &self.elements {
-            if let Element::Dot(at, ink, radius, ring) = element {
-                frame.draw(&[self.camera.project(*at)], &Paint::Dot(*ink, *radius, *ring))?;
+            match element {
+                Element::Dot(at, ink, radius, ring) => {
+                    frame.draw(&[self.camera.project(*at)], &Paint::Dot(*ink, *radius, *ring))?;
+                }
+                Element::Spot(at, ink) if self.hides(*at) => {
+                    let round =
+                        super::sketch::arc(self.camera.project(*at), SPOT / unit, (0.0, 2.0 * PI));
+                    frame.draw(&round, &Paint::Fill(*ink, 0.35))?;
+                }
+                Element::Spot(at, ink) => {
+                    frame.draw(&[self.camera.project(*at)], &Paint::Dot(*ink, SPOT, false))?;
+                }
+                _ => {}
             }
         }
         if self.triad {
@@ -308,6 +322,9 @@ impl View {
                 }
                 Element::Dot(at, _, radius, _) => {
                     obstacles.take(Rect::about(frame.px(self.camera.project(*at)), *radius));
+                }
+                Element::Spot(at, _) => {
+                    obstacles.take(Rect::about(frame.px(self.camera.project(*at)), SPOT));
                 }
                 _ => {}
             }

@@ -29,6 +29,8 @@ pub(super) enum Element {
     Ball(Ink, bool),
     /// A place, its ink, its radius (px), and whether it is a ring.
     Dot(SpaceVector, Ink, f64, bool),
+    /// A dot on a body, faint where it is hidden.
+    Spot(SpaceVector, Ink),
     /// A lit arrow from one place to another.
     Vector([SpaceVector; 2], Ink),
     /// Ground below everything else.
@@ -391,6 +393,13 @@ impl View {
     pub fn dot(mut self, at: SpaceVector, ink: Ink, label: &str, side: Side) -> Self {
         self.elements.push(Element::Dot(at, ink, 3.2, false));
         self.text(at, label, ink, side)
+    }
+
+    /// Adds a dot on a body or on the sphere, faint where a body hides it or it is on the far side.
+    #[must_use]
+    pub fn spot(mut self, at: SpaceVector, ink: Ink) -> Self {
+        self.elements.push(Element::Spot(at, ink));
+        self
     }
 
     /// Adds a ring; `label` may be empty.
