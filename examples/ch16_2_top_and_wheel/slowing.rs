@@ -217,10 +217,9 @@ fn hanging(pose: &Pose) -> View {
 fn scene(moment: &Moment) -> View {
     let (axis, origin) = (moment.axis, SpaceVector::zero());
     // A mark on the shoulder, turned from the side that faces X.
-    let x = SpaceVector::new(1.0, 0.0, 0.0);
+    let (x, (s, c)) = (SpaceVector::new(1.0, 0.0, 0.0), sincos(moment.turned));
     let side = x - axis * x.dot(&axis);
     let side = side / side.norm().max(1e-9);
-    let (s, c) = sincos(moment.turned);
     let spoke = side * c + axis.cross(&side) * s;
     let (centre, momentum) = (axis * CENTRE, moment.momentum * 1.25);
     let view = View::of(UP * 0.58, 0.84)

@@ -198,7 +198,7 @@ impl View {
                 }
                 Element::Vector([from, to], ink) => {
                     // The angular velocity may lie along L.
-                    let (size, along) = if self.slim { (0.6, 0.8) } else { (1.0, 1.45) };
+                    let (size, along) = if self.slim { (0.6, 0.9) } else { (1.0, 1.45) };
                     let thick = if *ink == Ink::Velocity { along } else { 1.0 };
                     let mut arrow = Solid::arrow(*from, *to, size * self.reach, thick);
                     let whole = self.layer_of([*from, *to]);

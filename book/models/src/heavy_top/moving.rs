@@ -122,7 +122,7 @@ impl Drawn {
                     ""
                 },
             );
-            let view = body(&pose).with_slim_vectors().corner(&clock);
+            let view = body(&pose).corner(&clock);
             let view = view.followed(&path, [t, self.past], axis, Ink::Body);
             let view = match fallen {
                 Some(fallen) => view.ghost(fallen, Ink::Frame),
