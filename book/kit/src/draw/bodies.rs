@@ -283,4 +283,21 @@ mod tests {
         open.faces.pop();
         assert!((volume(&open) / 3.0 - 1.0).abs() > 0.1);
     }
+
+    /// The rim of the top reaches the floor first, at the tilt that its doc says, and on a ball of an
+    /// eighth of the lever a little later. The damaged twins lean a little further.
+    #[test]
+    fn a_top_stands_on_its_tip_until_its_rim_touches() {
+        let depth = |tilt: f64, ball: f64| {
+            let (s, c) = sincos(tilt);
+            let (axis, centre) =
+                (SpaceVector::new(s, 0.0, c), SpaceVector::new(0.0, 0.0, ball + c));
+            let top = Solid::top(centre, axis, 1.0, ball);
+            top.faces.iter().flatten().map(SpaceVector::z).fold(f64::INFINITY, f64::min)
+        };
+        for (tilt, ball) in [(0.0, 0.0), (0.4, 0.0), (0.92, 0.0), (0.3, 0.125), (1.02, 0.125)] {
+            assert!(depth(tilt, ball) > -1e-12, "{tilt} {ball}: {}", depth(tilt, ball));
+        }
+        assert!(depth(0.935, 0.0) < -1e-3 && depth(1.04, 0.125) < -1e-3);
+    }
 }
