@@ -56,8 +56,5 @@ pub fn moving(p: &Parameters) -> Result<MovingPicture> {
         return driven::rotor(p)?.moving(HUB, stage);
     }
     let motion = motions.swap_remove(if motions.len() > 1 { 3 } else { 0 });
-    // In a motion without units c/a is all that the axis knows of the body. The half-kilogram
-    // rotor has the same c/a at some spin, and then t' is sqrt(c I1/m g l).
-    let unit = (motion.top.c().abs() * ROTOR.i1 / ROTOR.weight_moment()).sqrt();
-    motion.moving(HUB, unit, stage, falling)
+    motion.moving(HUB, [ROTOR.i1, ROTOR.i3, ROTOR.weight_moment()], stage, falling)
 }

@@ -33,10 +33,20 @@ figures! { p: &Parameters, [out, back] = flights(p)?, latitude = p.latitude.to_r
         let lost = flown[flown.len() - 1];
         View::of(SpaceVector::zero(), 1.05).camera(Camera::new(atan2(y, x), asin(z) - 0.2)).sphere()
             .trace(plan, Ink::Ink).trace(flown, Ink::Body)
-            .dot(drawn(out.from), Ink::Ink, "start", Side::Right)
-            .dot(drawn(back.from), Ink::Ink, "destination", Side::Left)
+            .dot(drawn(out.from), Ink::Ink, names(p)[0], Side::Right)
+            .dot(drawn(back.from), Ink::Ink, names(p)[1], Side::Left)
             .dot(lost, Ink::Body, "by the axle", Side::Right)
     };
+}
+
+/// What the start and the destination are called.
+fn names(p: &Parameters) -> [&'static str; 2] {
+    let [asked, page] = [p, &Parameters::default()]
+        .map(|p| [(p.latitude, p.longitude), (p.to_latitude, p.to_longitude)]);
+    [
+        if asked[0] == page[0] { "London" } else { "start" },
+        if asked[1] == page[1] { "Vancouver" } else { "destination" },
+    ]
 }
 
 /// There and back: how far it has turned on this leg, its journey, and the azimuth of the axle, rad.
@@ -61,7 +71,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 
 /// The Earth from above its pole, the stars at rest: the axle on the flights there and back.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let ([out, back], p) = (flights(p)?, p.clone());
+    let ([out, back], [start, destination], p) = (flights(p)?, names(p), p.clone());
     let end = 2.0 * out.time / HOUR;
     let azimuth = sampled(times(0.0, end, 300), |hour| {
         Ok((hour, under_way(&p, hour * HOUR)?.2.to_degrees()))
@@ -97,11 +107,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .globe(EARTH * t)
             .trace(route, Ink::Frame)
             .trail(flown.into_iter().map(|p| p * 1.01), Ink::Body)
-            .dot(turn.to_space(out.from), Ink::Ink, "start", Side::Right)
-            .dot(turn.to_space(back.from), Ink::Ink, "destination", Side::Below)
+            .dot(turn.to_space(out.from), Ink::Ink, start, Side::Right)
+            .dot(turn.to_space(back.from), Ink::Ink, destination, Side::Below)
             .arrow(here, here + north * 0.4, Ink::Ink, "north", Side::Above)
             .solid(Solid::turned(here, axle, &[(-0.025, 0.09), (0.025, 0.09)]), Ink::Body)
-            .vector(here, here + axle * 0.5, Ink::Momentum, "$L$", Side::Above)
+            .vector(here, here + axle * 0.5, Ink::Momentum, "$L$", Side::Below)
             .corner(&format!("{hour:.1} h"));
         Ok((alt, scene))
     })

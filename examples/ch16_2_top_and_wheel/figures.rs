@@ -49,7 +49,7 @@ fn top() -> Result<Figure> {
     let (tilt, origin) = (0.45, SpaceVector::zero());
     let axis = direction(tilt, 1.2);
     let node = UP.cross(&axis) / UP.cross(&axis).norm();
-    let (centre, beside) = (axis * 0.5, node * 0.72);
+    let (centre, beside) = (axis * 0.65, node * 0.72);
     let spin = arc(axis * 1.06, (node, axis.cross(&node)), 0.17, (-1.2, 3.4));
     let lean = times(0.0, tilt, 24).map(|theta| direction(theta, 1.2) * 1.3);
     View::new(
@@ -63,8 +63,8 @@ fn top() -> Result<Figure> {
     .ground(origin, 0.6)
     .dashed([origin, UP * 1.5], Ink::Frame)
     .text(UP * 1.5, "$Z$", Ink::Frame, Side::Right)
-    .solid(Solid::top(origin, axis, 1.12, 0.46), Ink::Body)
-    .arrow(axis * 1.12, axis * 1.5, Ink::Body, "$z$", Side::Left)
+    .solid(Solid::top(centre, axis, 0.65, 0.0), Ink::Body)
+    .arrow(axis * 1.1, axis * 1.5, Ink::Body, "$z$", Side::Left)
     .turn(spin, Ink::Velocity)
     .turn(lean, Ink::Ink)
     .text(direction(0.5 * tilt, 1.2) * 1.34, "$\\theta$", Ink::Ink, Side::Above)
@@ -72,7 +72,7 @@ fn top() -> Result<Figure> {
     .dashed([origin, beside], Ink::Frame)
     .dashed([centre, beside + centre], Ink::Frame)
     .text(beside + centre * 0.5, "$l$", Ink::Ink, Side::Left)
-    .arrow(centre, centre - UP * 0.45, Ink::Force, "$mg$", Side::Right)
+    .arrow_from_within(centre, centre - UP * 0.45, Ink::Force, "$mg$", Side::Right)
     .dot(centre, Ink::Ink, "", Side::Left)
     .dot(origin, Ink::Ink, "$O$", Side::Below)
     .figure()

@@ -142,7 +142,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         return if p.body == "wheel" {
             body.moving(LEVER, hanging)
         } else {
-            body.moving(0.44, leaning)
+            body.moving(CENTRE, leaning)
         };
     }
     let mut bodies = p.bodies().into_iter();
@@ -150,7 +150,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let waking = Waking::new(asked.map_or(TOP, |(_, body)| body))?;
     let end = waking.end;
     let moments = sampled(times(0.0, end, 700), |t| Ok((t, waking.at(t)?)))?;
-    let path: Vec<_> = moments.iter().map(|(t, m)| (*t, m.axis * HEIGHT)).collect();
+    let path: Vec<_> = moments.iter().map(|(t, m)| (*t, m.axis)).collect();
     let tilts = moments.iter().map(|(t, m)| (*t, m.tilt()));
     // The brake's torque is constant.
     let critical = end * (FROM - 1.0) / (FROM - TO);
@@ -172,26 +172,25 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
                 None => ", whose torque is too small to be drawn",
             }
         );
-        let now = moment.axis * HEIGHT;
+        let now = moment.axis;
         let view = scene(&moment).followed(&path, [t, 0.3 * end], now, Ink::Body);
         Ok((alt, view.corner(&format!("spin / critical $=$ {:.2}", moment.ratio))))
     })
 }
 
-/// Height of the top and the radius of its belly.
-const HEIGHT: f64 = 1.0;
-const BELLY: f64 = 0.42;
+/// From the tip of a top of height 1 to its centre of mass.
+const CENTRE: f64 = 1.0 / 1.7;
 
-/// A top that leans, with a mark on its shoulder.
+/// A top that leans.
 fn leaning(pose: &Pose) -> View {
-    let (axis, origin, spoke) = (pose.axis(), SpaceVector::zero(), pose.spoke(0.0));
-    let mark = [(0.625, 0.1), (0.515, 0.97)].map(|(h, r)| axis * h + spoke * (r * BELLY));
-    View::new("scene", "scene")
-        .around(UP * 0.45, 1.1)
-        .size(340, 280)
-        .table(origin, 1.0)
-        .solid(Solid::top(origin, axis, HEIGHT, BELLY), Ink::Body)
-        .line(mark, Ink::Paper)
+    let view = View::of(UP * 0.45, 1.1).size(340, 280).table(SpaceVector::zero(), 1.0);
+    marked(view, pose.axis(), pose.spoke(0.0))
+}
+
+/// With the top, a mark on its shoulder along the spoke.
+fn marked(view: View, axis: SpaceVector, spoke: SpaceVector) -> View {
+    let mark = [(1.19, 0.3), (1.09, 0.72)].map(|(h, r)| (axis * h + spoke * r) * CENTRE);
+    view.solid(Solid::top(axis * CENTRE, axis, CENTRE, 0.0), Ink::Body).line(mark, Ink::Paper)
 }
 
 /// From the rope to the hub of the wheel; its radius is to scale.
@@ -218,23 +217,19 @@ fn hanging(pose: &Pose) -> View {
 fn scene(moment: &Moment) -> View {
     let (axis, origin) = (moment.axis, SpaceVector::zero());
     // A mark on the shoulder, turned from the side that faces X.
-    let x = SpaceVector::new(1.0, 0.0, 0.0);
+    let (x, (s, c)) = (SpaceVector::new(1.0, 0.0, 0.0), sincos(moment.turned));
     let side = x - axis * x.dot(&axis);
     let side = side / side.norm().max(1e-9);
-    let (s, c) = sincos(moment.turned);
     let spoke = side * c + axis.cross(&side) * s;
-    let mark =
-        [(0.625, 0.1), (0.515, 0.97)].map(|(h, r)| axis * (h * HEIGHT) + spoke * (r * BELLY));
-    let (centre, momentum) = (axis * 0.44, moment.momentum * 1.25);
-    let view = View::new("scene", "scene")
-        .around(UP * 0.58, 0.84)
+    let (centre, momentum) = (axis * CENTRE, moment.momentum * 1.25);
+    let view = View::of(UP * 0.58, 0.84)
         .size(340, 270)
         .table(origin, 0.9)
-        .dashed([origin, UP * 1.45], Ink::Frame)
-        .solid(Solid::top(origin, axis, HEIGHT, BELLY), Ink::Body)
-        .line(mark, Ink::Paper)
-        .vector(origin, momentum, Ink::Momentum, "$L$", Side::Left)
-        .arrow(centre, centre - UP * 0.4, Ink::Force, "$mg$", Side::Left);
+        .dashed([origin, UP * 1.45], Ink::Frame);
+    // At the tip the arrow of L is thicker than the body, and is left out.
+    let view = marked(view, axis, spoke)
+        .vector(momentum * 0.2, momentum, Ink::Momentum, "$L$", Side::Left)
+        .arrow_from_within(centre, centre - UP * 0.4, Ink::Force, "$mg$", Side::Left);
     let Some(torque) = moment.torque() else {
         return view;
     };

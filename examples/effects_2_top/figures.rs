@@ -13,19 +13,7 @@ const MM: f64 = 1e3;
 
 /// The body, its centre of mass there.
 fn body(p: &Parameters, centre: SpaceVector, axis: SpaceVector) -> Solid {
-    let r = MM * p.tip;
-    let ball = times(0.0, 1.9, 7).map(|a| (-MM * LEVER - r * cos(a), r * sin(a)));
-    let above = [
-        (-6.0, 22.0),
-        (-2.0, 30.0),
-        (3.0, 30.0),
-        (7.0, 12.0),
-        (9.0, 3.0),
-        (27.0, 2.2),
-        (28.0, 0.0),
-    ];
-    let profile: Vec<_> = ball.chain(above).collect();
-    Solid::turned(centre, axis, &profile)
+    Solid::top(centre, axis, MM * LEVER, MM * p.tip)
 }
 
 /// The top seen from the side, its centre of mass above the middle of the picture.
@@ -63,14 +51,14 @@ figures! { p: &Parameters, life = p.life(p.tolerance)?, end = life.end_time();
         let (centre, foot) = (SpaceVector::new(0.0, 0.0, height), SpaceVector::new(-MM * LEVER * s, 0.0, 0.0));
         let up = SpaceVector::new(0.0, 0.0, 1.0);
         let tip = centre + axis * 45.0;
-        View::of(SpaceVector::new(2.0, 0.0, 44.0), 62.0)
-            .camera(Camera::new(-0.95, 0.25))
+        View::of(SpaceVector::new(2.0, 0.0, 38.0), 62.0)
+            .camera(Camera::new(-1.4, 0.45))
             .ground(SpaceVector::zero(), 60.0)
             .dashed([foot, foot + up * 80.0], Ink::Frame)
             .solid(body(p, centre, axis), Ink::Body)
             .arrow(centre, tip, Ink::Momentum, "$L$", Side::Right)
             .arrow(tip, tip - SpaceVector::new(c, 0.0, -s) * 20.0, Ink::Force, "torque of $F$", Side::Above)
-            .arrow(foot, foot - SpaceVector::new(0.0, 34.0, 0.0), Ink::Force, "$F$", Side::Below)
+            .arrow(foot, foot - SpaceVector::new(0.0, 44.0, 0.0), Ink::Force, "$F$", Side::Below)
             .dot(foot, Ink::Velocity, "", Side::Below)
     };
 
@@ -214,9 +202,14 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let friction = forces.friction * (30.0 / (p.friction * WEIGHT));
         let alt = format!(
             "The top {t:.1} s after the throw: its axis leans by {:.3} rad and it spins at {:.0} rad/s. \
-             On the floor a fading ribbon, the path of its contact in the last second; below, the tilt against time.",
+             {}Below, the tilt against time.",
             at.tilt(),
-            at.spin()
+            at.spin(),
+            if t > 0.0 {
+                "On the floor a fading ribbon, the path of its contact in the last second. "
+            } else {
+                ""
+            },
         );
         let mut scene = view(&p, &at)
             .trail(trail, Ink::Velocity)

@@ -174,15 +174,20 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let size = torque.norm();
         let alt = format!(
             "The Earth after {d:.0} days of the year 2000, flattened far too much. The Sun stands at \
-             the longitude {longitude:.0} degrees; its torque on the Earth has {size:.2} of the \
-             greatest size and lies in the plane of the equator; below, how far the axis has gone round."
+             the longitude {longitude:.0} degrees; its torque on the Earth {}; below, how far the axis has gone round.",
+            match size > 0.02 {
+                true => format!(
+                    "has {size:.2} of the greatest size and lies in the plane of the equator"
+                ),
+                false => "is too small to be drawn".into(),
+            }
         );
         let ring = times(0.0, TAU, 90).map(|a| SpaceVector::new(cos(a), sin(a), 0.0));
         let mut scene = View::of(UP * 0.26, 0.93)
             .size(340, 250)
             .camera(Camera::new(-0.35, 0.42))
             .dashed(ring, Ink::Frame)
-            .solid(Solid::turned(o, s, &profile), Ink::Body)
+            .sunlit(Solid::turned(o, s, &profile), Ink::Body, n)
             .circle(o, s, 1.02 * rim, Ink::Ink)
             .dashed([o, UP * 0.95], Ink::Frame)
             .dashed([o, n], Ink::Energy)

@@ -174,8 +174,8 @@ mod tests {
 
     #[test]
     fn lines_set_parameters_and_are_refused_by_name() {
-        let p: Parameters = read("length=4/2\n\nmass=4\nstart=turning\nfriction=0.5")
-            .expect("they are allowed");
+        let p: Parameters =
+            read("length=4/2\n\nmass=4\nstart=turning\nfriction=0.5").expect("they are allowed");
         let expected =
             Parameters { length: 2.0, mass: Some(4.0), start: "turning", friction: Some(0.5) };
         assert_eq!(p, expected);

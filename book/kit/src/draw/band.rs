@@ -79,4 +79,23 @@ mod tests {
         assert_eq!([near.len(), far.len()], [1, 1]);
         assert!((area(&near[0]) - area(&far[0])).abs() < 1e-12);
     }
+
+    /// What is outside the sphere on the near side is drawn after the band; the damaged twin ends inside.
+    #[test]
+    fn an_arrow_that_comes_out_through_a_band_is_before_it() {
+        use super::super::display::Shape;
+        let after = |length: f64| {
+            let tip = SpaceVector::new(0.0, -length, 0.0);
+            let view =
+                View::new("band", "an arrow comes out through a band of the sphere").band(1.2, 1.9);
+            let view = view.camera(Camera::new(-0.5 * PI, 0.0));
+            let figure =
+                view.vector(tip * 0.1, tip, Ink::Momentum, "", super::super::Side::Left).figure();
+            let shapes = figure.expect("it can be drawn").display.shapes;
+            let band = shapes.iter().rposition(|shape| matches!(shape, Shape::Area(..)));
+            let arrow = shapes.iter().rposition(|shape| matches!(shape, Shape::Face(..)));
+            arrow > band
+        };
+        assert!(after(1.3) && !after(0.9));
+    }
 }

@@ -69,21 +69,29 @@ impl Solid {
         Self::new((0..3).flat_map(|k| [face(k, 1.0), face(k, -1.0)]))
     }
 
-    /// A spinning top that stands on `tip`: cone, belly and stem along `axis`.
-    pub fn top(tip: SpaceVector, axis: SpaceVector, height: f64, radius: f64) -> Self {
-        let h = |part: f64| part * height;
-        Self::turned(
-            tip,
-            axis,
-            &[
-                (0.0, 0.0),
-                (h(0.06), 0.09 * radius),
-                (h(0.42), radius),
-                (h(0.50), radius),
-                (h(0.62), 0.12 * radius),
-            ],
-        )
-        .with(Self::rod(tip + axis * h(0.6), tip + axis * height, 0.085 * radius))
+    /// The toy top of 16.2: its centre of mass is `lever` above its tip, a ball of this radius about
+    /// that point or, with 0, the point. Its rim, 3/4 of the lever wide, is level with the centre of
+    /// mass and first touches the floor: on a point at 0.93 rad. Its stem ends 0.7 levers above.
+    pub fn top(centre: SpaceVector, axis: SpaceVector, lever: f64, ball: f64) -> Self {
+        /// Over the lever: height from the centre of mass, and radius.
+        const ABOVE: [(f64, f64); 8] = [
+            (-0.15, 0.55),
+            (-0.04, 0.73),
+            (0.0, 0.75),
+            (0.08, 0.74),
+            (0.18, 0.3),
+            (0.23, 0.075),
+            (0.68, 0.055),
+            (0.7, 0.0),
+        ];
+        let tip = (0..=7).map(|i| {
+            let (s, c) = sincos(1.9 * f64::from(i) / 7.0);
+            (-lever - ball * c, ball * s)
+        });
+        let above = ABOVE.map(|(height, radius)| (lever * height, lever * radius));
+        // A tip that is a point is one point.
+        let tip = tip.take(if ball > 0.0 { 8 } else { 1 });
+        Self::turned(centre, axis, &tip.chain(above).collect::<Vec<_>>())
     }
 
     /// A bicycle wheel: rim, spokes, hub, and the axle, `axle` to each side of the centre.
@@ -274,5 +282,22 @@ mod tests {
         let mut open = Solid::cuboid(at(5.0, 5.0, 5.0), edges);
         open.faces.pop();
         assert!((volume(&open) / 3.0 - 1.0).abs() > 0.1);
+    }
+
+    /// The rim of the top reaches the floor first, at the tilt that its doc says, and on a ball of an
+    /// eighth of the lever a little later. The damaged twins lean a little further.
+    #[test]
+    fn a_top_stands_on_its_tip_until_its_rim_touches() {
+        let depth = |tilt: f64, ball: f64| {
+            let (s, c) = sincos(tilt);
+            let (axis, centre) =
+                (SpaceVector::new(s, 0.0, c), SpaceVector::new(0.0, 0.0, ball + c));
+            let top = Solid::top(centre, axis, 1.0, ball);
+            top.faces.iter().flatten().map(SpaceVector::z).fold(f64::INFINITY, f64::min)
+        };
+        for (tilt, ball) in [(0.0, 0.0), (0.4, 0.0), (0.92, 0.0), (0.3, 0.125), (1.02, 0.125)] {
+            assert!(depth(tilt, ball) > -1e-12, "{tilt} {ball}: {}", depth(tilt, ball));
+        }
+        assert!(depth(0.935, 0.0) < -1e-3 && depth(1.04, 0.125) < -1e-3);
     }
 }

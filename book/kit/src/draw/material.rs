@@ -4,8 +4,9 @@ use super::canvas::{Frame, Paint, Point};
 use super::display::Stroke;
 use super::ink::Ink;
 use super::scene::BODY;
-use super::solid::{Solid, across};
+use super::solid::{Solid, across, normal};
 use super::view::{Element, View};
+use super::words::Side;
 use crate::error::Result;
 use core::f64::consts::PI;
 use rotation_dynamics::frame::SpaceVector;
@@ -51,6 +52,38 @@ impl View {
         light: u32,
     ) -> Self {
         self.elements.push(Element::Patch(outline.into_iter().collect(), ink, light));
+        self
+    }
+
+    /// Adds a body with a day side, which looks along the unit vector `sun`, and a night side.
+    #[must_use]
+    pub fn sunlit(self, solid: Solid, ink: Ink, sun: SpaceVector) -> Self {
+        solid.faces.into_iter().fold(self, |view, face| {
+            let lit = normal(&face).map_or(0.0, |n| n.dot(&sun).max(0.0));
+            view.patch(face, ink, stepped(24.0 + 68.0 * lit))
+        })
+    }
+
+    /// Adds an arrow that begins within a body, as [`Self::arrow`], but drawn over all bodies: a
+    /// weight at a centre of mass.
+    #[must_use]
+    pub fn arrow_from_within(
+        mut self,
+        from: SpaceVector,
+        to: SpaceVector,
+        ink: Ink,
+        label: &str,
+        side: Side,
+    ) -> Self {
+        self.elements.push(Element::Within([from, to], Stroke::new(ink, 2.2), 9.0));
+        self.text(to, label, ink, side)
+    }
+
+    /// With lit arrows of 0.6 of the usual thickness, that of the angular velocity thinner than the
+    /// others: for arrows that lie almost along one another, the thinner one longer.
+    #[must_use]
+    pub fn with_slim_vectors(mut self) -> Self {
+        self.slim = true;
         self
     }
 

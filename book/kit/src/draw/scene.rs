@@ -88,6 +88,10 @@ impl View {
         self.paint_layer(&frame, &parts, Layer::Before, unit)?;
         for element in &self.elements {
             match element {
+                Element::Within(ends, stroke, head) => {
+                    let paint = Paint::Arrow(*stroke, *head, stroke.ink == Ink::Force);
+                    frame.draw(&self.flat(ends), &paint)?;
+                }
                 Element::Dot(at, ink, radius, ring) => {
                     frame.draw(&[self.camera.project(*at)], &Paint::Dot(*ink, *radius, *ring))?;
                 }
@@ -174,6 +178,13 @@ impl View {
         if depth < 0.0 { Layer::Behind } else { Layer::Before }
     }
 
+    /// That a face is before the sphere, if a band of it is drawn and the face is outside on the near side.
+    fn before_bands(&self, face: &[SpaceVector]) -> Option<Layer> {
+        let banded = self.elements.iter().any(|element| matches!(element, Element::Band(_)));
+        let outside = |p: &SpaceVector| p.norm() > 1.0 && self.camera.depth(*p) > 0.0;
+        (banded && face.iter().all(outside)).then_some(Layer::Before)
+    }
+
     /// Lines, arrows and bodies of a layer.
     fn paint_layer(
         &self,
@@ -196,10 +207,13 @@ impl View {
                 {
                     self.patched(outline, *ink, *light, &mut items)?;
                 }
-                Element::Vector([from, to], ink) if self.layer_of([*from, *to]) == layer => {
+                Element::Vector([from, to], ink) => {
                     // The angular velocity may lie along L.
-                    let thick = if *ink == Ink::Velocity { 1.45 } else { 1.0 };
-                    let arrow = Solid::arrow(*from, *to, self.reach, thick);
+                    let (size, along) = if self.slim { (0.6, 0.9) } else { (1.0, 1.45) };
+                    let thick = if *ink == Ink::Velocity { along } else { 1.0 };
+                    let mut arrow = Solid::arrow(*from, *to, size * self.reach, thick);
+                    let whole = self.layer_of([*from, *to]);
+                    arrow.faces.retain(|face| self.before_bands(face).unwrap_or(whole) == layer);
                     self.faces(&arrow, *ink, VECTOR, &mut items)?;
                 }
                 _ => {}
@@ -316,7 +330,7 @@ impl View {
                         obstacles.add_head(&px, *head);
                     }
                 }
-                Element::Vector(ends, _) => {
+                Element::Vector(ends, _) | Element::Within(ends, ..) => {
                     let px: Vec<Point> = self.flat(ends).into_iter().map(|p| frame.px(p)).collect();
                     obstacles.add_line(Obstacles::NOBODY, &px);
                 }

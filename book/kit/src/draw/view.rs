@@ -23,6 +23,8 @@ pub(super) enum Element {
     Solid(Solid, Ink),
     /// A body that is seen through, and what is painted on it.
     Glass(Vec<(Solid, Ink)>),
+    /// An arrow that begins within a body, over all bodies.
+    Within([SpaceVector; 2], Stroke, f64),
     /// A flat patch on a body, with so many percent of light.
     Patch(Vec<SpaceVector>, Ink, u32),
     /// The unit ball in the light, and whether it is seen through.
@@ -70,6 +72,7 @@ pub struct View {
     pub(super) sphere: bool,
     pub(super) globe: bool,
     pub(super) triad: bool,
+    pub(super) slim: bool,
     pub(super) elements: Vec<Element>,
     pub(super) texts: Vec<(SpaceVector, String, Ink, Side)>,
     pub(super) corner: Option<String>,
@@ -89,6 +92,7 @@ impl View {
             sphere: false,
             globe: false,
             triad: false,
+            slim: false,
             elements: Vec::new(),
             texts: Vec::new(),
             corner: None,

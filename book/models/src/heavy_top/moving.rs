@@ -6,15 +6,15 @@ use super::{Motion, direction};
 use kit::Result;
 use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, View};
 use kit::{MovingPicture, sampled, times};
-use rotation_dynamics::frame::SpaceVector;
+use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::math::{acos, atan2, hypot, sincos};
 use std::sync::Arc;
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 /// Lengths of the longest arrows of L and of the angular velocity, of the torque on a level axis,
 /// and of dL.
-const MOMENTUM: f64 = 1.2;
-const VELOCITY: f64 = 0.5;
+const MOMENTUM: f64 = 1.15;
+const VELOCITY: f64 = 0.8;
 const TORQUE: f64 = 0.62;
 const CHANGE: f64 = 0.36;
 
@@ -94,21 +94,29 @@ impl Drawn {
             let fallen = (self.ghost)(t);
             let alt = format!(
                 "The body at {when}: its axis leans at {:.2} rad and has gone {:.2} rad round the vertical; \
-                 solid arrows show L and the angular velocity{}; a fading ribbon shows where the end of the axis \
-                 has been{}{}; below, the tilt against time",
+                 solid arrows show L and the angular velocity{}{}{}{}{}; below, the tilt against time",
                 pose.theta,
                 pose.phi,
                 match self.weight {
                     0.0 => "",
-                    _ =>
-                        ", others the weight, its level torque, and at the tip of L what the torque adds to it in a short time",
+                    _ => ", others the weight and its level torque",
                 },
-                if self.band.is_some() {
-                    ", in a level band between its two turning tilts"
+                if t >= 0.1 * brief && brief > 0.0 {
+                    ", and at the tip of L what the torque adds to it in a short time"
                 } else {
                     ""
                 },
-                if fallen.is_some() {
+                if t > 0.0 {
+                    "; a fading ribbon shows where the end of the axis has been"
+                } else {
+                    ""
+                },
+                if self.band.is_some() {
+                    "; a level band lies between the two turning tilts of the axis"
+                } else {
+                    ""
+                },
+                if fallen.is_some() && t > 0.0 {
                     "; a pale outline of the same body without spin falls"
                 } else {
                     ""
@@ -222,14 +230,15 @@ impl Motion {
     /// at `hub` along an axis of length 1, whose end leaves a trail; below, the tilt
     /// against time. The stills: the start, the first turning back, and two nods later. `ghost`
     /// is the silhouette of the same body that falls because it does not spin, `None` where it
-    /// meets what stops it. A t' is `unit` seconds, for a motion whose time is t'; 0 if it is none.
+    /// meets what stops it. A motion whose time is t' is shown as that of the body with the moments
+    /// i1 and i3 and this m g l: the axis knows only c/a, and at some spin the body has it.
     ///
     /// # Errors
     /// Those of the drawing.
     pub fn moving(
         self,
         hub: f64,
-        unit: f64,
+        [i1, i3, weight_moment]: [f64; 3],
         body: impl Fn(&Pose) -> View + Send + Sync + 'static,
         ghost: impl Fn(&Pose) -> Option<Solid> + Send + Sync + 'static,
     ) -> Result<MovingPicture> {
@@ -243,6 +252,9 @@ impl Motion {
         let shared = Arc::new(self);
         let motion = Arc::clone(&shared);
         let in_seconds = shared.in_seconds();
+        let unit = (shared.top.c().abs() * i1 / weight_moment).sqrt();
+        // The spin of that body over the spin of the motion.
+        let faster = if in_seconds { 1.0 } else { shared.top.a() * i1 / i3 };
         let drawn = Drawn {
             end,
             stills,
@@ -254,7 +266,8 @@ impl Motion {
             ghost: Box::new(move |t| fall.as_ref()?.at(t).and_then(|pose| ghost(&pose))),
             at: Box::new(move |t| {
                 let (pose, state) = (motion.pose(t), motion.exact.state(t));
-                let rates = motion.exact.angular_velocity(t);
+                let [x, y, z] = motion.exact.angular_velocity(t).to_array();
+                let rates = BodyVector::new(x, y, faster * z);
                 Ok(Moment {
                     pose,
                     axis: state.attitude.axis(),

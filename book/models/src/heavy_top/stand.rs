@@ -8,7 +8,7 @@ use rotation_dynamics::frame::SpaceVector;
 /// Where the wheel sits on the axle.
 pub const HUB: f64 = 0.6;
 const RADIUS: f64 = 0.36;
-const AXLE: f64 = 0.018;
+const AXLE: f64 = 0.013;
 /// Height of the pivot above the table.
 const HEIGHT: f64 = 0.72;
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
@@ -34,7 +34,9 @@ pub fn falling(pose: &Pose) -> Option<Solid> {
 pub fn on_stand(name: &str, alt: &str, pose: &Pose) -> View {
     let origin = SpaceVector::zero();
     View::new(name, alt)
-        .camera(Camera::new(-0.55, 0.38))
+        // From here L and dL are not one behind the other at the first turning back.
+        .camera(Camera::new(-0.7, 0.28))
+        .with_slim_vectors()
         .around(UP * 0.11, 1.2)
         .size(340, 276)
         .table(UP * -HEIGHT, 1.1)
