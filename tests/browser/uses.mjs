@@ -351,5 +351,5 @@ export const DAMAGES = {
     pins: instead("player.js", '"--pinned"', '"--loose"'),
     fits: instead("live.css", ".panel:not(:last-child)", ".panel:not(*)"),
     plays: instead("player.js", "intersectionRatio >= SEEN", "intersectionRatio > 2"),
-    refuses: instead("player.js", "knob.told.textContent = mine", "knob.told.textContent = false"),
+    refuses: instead("player.js", "if (mine) [knob.refused", "if (false) [knob.refused"),
 };
