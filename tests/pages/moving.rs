@@ -2,7 +2,9 @@
 //! changes the picture, and at the ends of its sliders all that it shows is in its frame.
 
 use kit::draw::{Display, Ink, Shape, Sketch};
-use kit::{Figure, Moves, MovingPicture, Page, seen};
+use crate::answers::asked;
+use core::slice;
+use kit::{Figure, Moves, MovingPicture, Page};
 use pages::{ALL, MOVING, WHOLE};
 use serde_json::Value;
 
@@ -58,11 +60,15 @@ fn a_control_begins_at_what_is_shown() {
 #[test]
 fn the_open_controls_change_the_picture() {
     for (page, moves, _) in moving() {
-        let told: Value = serde_json::from_str(&seen(page, moves).expect("it moves")).expect("JSON");
         let open: Vec<_> = flags(page).into_iter().filter(|flag| flag["title"].is_string()).collect();
-        let hidden = open.iter().find(|flag| !told["seen"].as_array().expect("a list").contains(&flag["name"]));
-        let refused = ends(&open).find_map(|setting| moves.opened(&setting).err());
-        assert!((1..=3).contains(&open.len()) && hidden.is_none() && refused.is_none(), "{}: {hidden:?} {refused:?}", page.stem());
+        assert!((1..=3).contains(&open.len()), "{}: {} are open", page.stem(), open.len());
+        for flag in open {
+            let words = flag["words"].as_array().into_iter().flatten();
+            let words = words.filter_map(|word| Some(format!("{}={}", flag["name"].as_str()?, word.as_str()?)));
+            let tried: Vec<_> = words.chain(ends(slice::from_ref(&flag))).collect();
+            let refused = tried.iter().find_map(|setting| moves.opened(setting).err());
+            assert!(refused.is_none() && !tried.iter().all(|setting| is_shown(moves, setting)), "{}: {tried:?} {refused:?}", page.stem());
+        }
     }
 }
 
@@ -123,13 +129,17 @@ fn labels_can_be_read_while_a_picture_moves() {
 /// Pages where that is not so yet at some end of a slider; one that is mended comes off.
 const NOT_YET: [&str; 1] = ["further_5_wheel_on_rope"];
 
+/// Of every two ends one is tried, and all for a page alone or where `PROPERTY_CASES` is set, as in the gate.
 #[test]
 fn at_the_ends_of_its_sliders_a_picture_is_whole() {
+    let part = if asked("PROPERTY_CASES").is_some() || !WHOLE { 1 } else { 2 };
     let (mut seen, mut wrong) = (0, Vec::new());
     for (page, moves, usual) in moving() {
         let size = frame(&usual, 0.0).display.size;
         let mut found = Vec::new();
-        for setting in ends(&flags(page)) {
+        let flags = flags(page);
+        let tried = ends(&flags).enumerate().filter(|(n, _)| (n + n / 2) % part == 0);
+        for (_, setting) in tried {
             // What no motion belongs to is refused.
             if let Ok(Some(picture)) = moves.opened(&setting) {
                 let faults = faults(&picture, size).into_iter();
@@ -143,7 +153,7 @@ fn at_the_ends_of_its_sliders_a_picture_is_whole() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-    assert!(!WHOLE || seen > 500, "{seen} settings");
+    assert!(!WHOLE || seen > 500 / part, "{seen} settings");
 }
 
 /// The damaged twin: an arrow that grows out of its frame, and a frame of another size.

@@ -1,9 +1,9 @@
 //! What must hold for every legal input, tried on random ones.
 //!
 //! proptest draws the inputs: bodies from needles to discs, rates from 1e-200 to 1e8 rad/s,
-//! spans of up to a million radians, attitudes at and beside the poles. The suite runs a
-//! share; with `PROPERTY_CASES=N` every property runs N times as many, and with
-//! `PROPERTY_SEED=S` others:
+//! spans of up to a million radians, attitudes at and beside the poles. Each property has its share of
+//! inputs, of which `cargo test` runs half, and the gate all; with `PROPERTY_CASES=N` every property
+//! runs N times its share, and with `PROPERTY_SEED=S` others:
 //!
 //! ```text
 //! PROPERTY_CASES=100 cargo test --release --package checks --test properties -- --nocapture
@@ -23,12 +23,12 @@ use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, TestRng, TestRunner};
 
 /// A number from the environment.
-fn asked(name: &str, or: u32) -> u32 {
-    let text = std::env::var(name).ok();
-    text.map_or(or, |text| text.parse().unwrap_or_else(|_| panic!("{name}={text} is no number")))
+fn asked(name: &str) -> Option<u32> {
+    let text = std::env::var(name).ok()?;
+    Some(text.parse().unwrap_or_else(|_| panic!("{name}={text} is no number")))
 }
 
-/// Asserts that `property` holds of `share` inputs, times `PROPERTY_CASES`. It says how often
+/// Asserts that `property` holds of half of `share` inputs, or of `PROPERTY_CASES` times as many. It says how often
 /// it was asked in vain: where a clear error was the answer. That may be at most the part
 /// `refused` of all.
 #[track_caller]
@@ -39,9 +39,9 @@ pub fn holds<S: Strategy>(
     inputs: S,
     property: impl Fn(S::Value) -> Result<Held, TestCaseError>,
 ) {
-    let cases = share * asked("PROPERTY_CASES", 1);
+    let cases = asked("PROPERTY_CASES").map_or(share.div_ceil(2), |times| share * times);
     let mut seed = [0; 32];
-    seed[..4].copy_from_slice(&asked("PROPERTY_SEED", 1).to_le_bytes());
+    seed[..4].copy_from_slice(&asked("PROPERTY_SEED").unwrap_or(1).to_le_bytes());
     let config =
         Config { cases, failure_persistence: None, max_shrink_iters: 2000, ..Config::default() };
     let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &seed);
