@@ -11,7 +11,7 @@
 //! ```
 //!
 //! The tables are in `rotations`, `torques`, `findings` and `events`; `naive` has the methods that
-//! break, `motions` those that hold, `truth` the series against which all are judged.
+//! break, `motions` those that hold, `models::truth` the series against which all are judged.
 
 #[path = "hard_cases/events.rs"]
 mod events;
@@ -29,8 +29,6 @@ pub mod report;
 pub mod rotations;
 #[path = "hard_cases/torques.rs"]
 mod torques;
-#[path = "hard_cases/truth.rs"]
-mod truth;
 
 // What the modules share.
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
@@ -50,28 +48,32 @@ use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start, Symmetric
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Method};
 use rotation_dynamics::math::{DoubleDouble, EPS, expm1};
-use rotation_dynamics::motion::Motion as _;
+use rotation_dynamics::motion::Motion as Exact;
 use rotation_dynamics::scene::Scene;
 use rotation_dynamics::{Error, Result as Solved};
 use std::sync::Arc;
 
 /// A row: the case, what goes wrong there, and what comes of it by the methods of its family.
-pub struct Case(pub &'static str, &'static str, fn(&[By]) -> Result<Answered>);
+pub struct Case(pub &'static str, pub &'static str, fn(&[By]) -> Result<Answered>);
 
 /// The naive method, which everyone writes first, and its error.
 pub type Naive = (&'static str, f64);
 
-/// The answers to a case: its condition, the change of the answer per relative change of what it
-/// is computed from; the naive method; and for each method in each form an error or a refusal,
-/// with the bound that an error is held to.
-pub struct Answered(f64, Naive, Vec<(Solved<f64>, f64)>);
+/// What comes of a case.
+pub struct Answered {
+    /// The change of the answer per relative change of what it is computed from.
+    condition: f64,
+    naive: Naive,
+    /// Method by method, each in all forms.
+    pub cells: Vec<Cell>,
+}
 
-/// What came of a case by a method in a form.
-pub enum Cell {
-    /// An error (rad, unless the family says otherwise) within its bound.
-    Holds { measured: f64, bound: f64 },
-    /// A refusal by name.
-    Refuses(Error),
+/// What comes of a case by a method in a form: an error (rad, unless the family says otherwise) or
+/// a refusal by name; and the bound that an error is held to.
+pub struct Cell {
+    pub method: &'static str,
+    pub answer: Solved<f64>,
+    pub bound: f64,
 }
 
 /// Cases that are hard for the same reason.
@@ -118,56 +120,39 @@ pub const FAMILIES: &[Family] = &[
     torques::STABILITY,
 ];
 
-impl Family {
-    /// The name of the method of the n-th cell of a row.
-    fn method(&self, n: usize) -> &'static str {
-        self.methods[n / self.forms.len()].0
-    }
-}
-
 impl Cell {
-    /// The verdict on an answer.
+    /// Nothing, if it holds or is refused.
     ///
     /// # Errors
     /// [`kit::Error::Contradicted`] for an error that is not within its bound.
-    pub fn of(key: String, answer: Solved<f64>, bound: f64) -> Result<Self> {
-        match answer {
-            Err(error) => Ok(Self::Refuses(error)),
-            Ok(measured) if measured <= bound => Ok(Self::Holds { measured, bound }),
+    pub fn judge(&self, case: &str) -> Result<()> {
+        match self.answer {
+            Err(_) => Ok(()),
+            Ok(measured) if measured <= self.bound => Ok(()),
             Ok(value) => Err(kit::Error::Contradicted {
-                key,
+                key: format!("{case}, {}", self.method),
                 value,
                 oracle: "the truth".into(),
                 oracle_value: 0.0,
-                bound,
+                bound: self.bound,
             }),
         }
     }
 
     /// The error in units of its bound; 0 within a bound of 0. None if it is refused.
     pub fn part(&self) -> Option<f64> {
-        match self {
-            Self::Holds { measured: 0.0, .. } => Some(0.0),
-            Self::Holds { measured, bound } => Some(measured / bound),
-            Self::Refuses(_) => None,
-        }
+        let measured = *self.answer.as_ref().ok()?;
+        Some(if measured == 0.0 { 0.0 } else { measured / self.bound })
     }
 }
 
-/// A row with its cells: method by method, each in all forms.
-pub struct Row {
-    pub case: &'static Case,
-    condition: f64,
-    naive: Naive,
-    /// The smallest bound to which a careful method is held; where all refuse, would be.
-    least: f64,
-    pub cells: Vec<Cell>,
-}
-
-impl Row {
-    /// The naive error in units of the smallest bound; infinite if there is no number at all.
+impl Answered {
+    /// The naive error in units of the smallest bound to which a careful method is held (where all
+    /// refuse, would be); infinite if there is no number at all.
     pub fn broken(&self) -> f64 {
-        let part = self.naive.1 / self.least;
+        let all_refuse = self.cells.iter().all(|cell| cell.answer.is_err());
+        let counted = self.cells.iter().filter(|cell| all_refuse || cell.answer.is_ok());
+        let part = self.naive.1 / counted.map(|cell| cell.bound).fold(f64::NAN, f64::min);
         if part.is_nan() { f64::INFINITY } else { part }
     }
 }
@@ -175,44 +160,28 @@ impl Row {
 /// A family with its rows computed.
 pub struct Computed {
     pub family: &'static Family,
-    pub rows: Vec<Row>,
+    pub rows: Vec<(&'static Case, Answered)>,
 }
 
 impl Computed {
     fn new(family: &'static Family) -> Result<Self> {
         let mut rows = Vec::new();
         for case in family.cases {
-            let Answered(condition, naive, answers) = case.2(family.methods)?;
-            let (mut held, mut all, mut cells) = (f64::NAN, f64::NAN, Vec::new());
-            for (n, (answer, bound)) in answers.into_iter().enumerate() {
-                let key = format!("{}, {}", case.0, family.method(n));
-                all = bound.min(all);
-                held = if answer.is_ok() { bound.min(held) } else { held };
-                cells.push(Cell::of(key, answer, bound)?);
-            }
-            let least = if held.is_nan() { all } else { held };
-            rows.push(Row { case, condition, naive, least, cells });
+            let answered = case.2(family.methods)?;
+            answered.cells.iter().try_for_each(|cell| cell.judge(case.0))?;
+            rows.push((case, answered));
         }
         Ok(Self { family, rows })
     }
 
-    /// All cells, and their methods.
-    pub fn cells(&self) -> impl Iterator<Item = (&'static str, &Cell)> {
-        let rows = self.rows.iter();
-        let cells = rows.flat_map(|row| row.cells.iter().enumerate());
-        cells.map(|(n, cell)| (self.family.method(n), cell))
+    pub fn cells(&self) -> impl Iterator<Item = &Cell> {
+        self.rows.iter().flat_map(|(_, answered)| &answered.cells)
     }
 
     /// How many rows, cells, cells that hold, and cells that refuse there are.
     pub fn count(&self) -> [usize; 4] {
-        let holds = self.cells().filter_map(|(_, cell)| cell.part()).count();
-        let cells = self.cells().count();
+        let [cells, holds] = [self.cells().count(), self.cells().filter_map(Cell::part).count()];
         [self.rows.len(), cells, holds, cells - holds]
-    }
-
-    /// How many cells there are to be: cases times methods times representations.
-    pub fn due(&self) -> usize {
-        self.rows.len() * self.family.methods.len() * self.family.forms.len()
     }
 }
 

@@ -2,28 +2,29 @@
 //! bouncing; and impacts of two bodies on a line, one of them up to 1e12 times the other.
 
 use super::*;
-use rotation_dynamics::integrators::size_or;
-use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState, motion};
-use rotation_dynamics::planar::{Condition, Next, Phased, simulate};
+use models::by_closures::{Bodies, Flow};
+use rotation_dynamics::planar::contact::{Contact, MechanismState, motion};
+use rotation_dynamics::planar::{Condition, Next, simulate};
 
 const G: f64 = 10.0;
 const LOCATED: By = By("DOP853 with located events", 32.0, How::Own);
 const CONTACTS: By = By("contact solver", 8.0, How::Own);
 
-/// A case of the family: the conditions of the time and of the state, the run, the error of the
-/// time of its event and that of the state at its end, and the naive method.
+/// A case of a method: a run, two errors that are asked of it, usually that of the time of an
+/// event and that of the state at the end, with their conditions; and the naive method.
 fn asked<R>(
+    by: By,
     conditions: [f64; 2],
     run: Solved<R>,
-    time: impl Fn(&R) -> Solved<f64>,
-    state: impl Fn(&R) -> Solved<f64>,
+    first: impl Fn(&R) -> Solved<f64>,
+    second: impl Fn(&R) -> Solved<f64>,
     naive: Naive,
 ) -> Result<Answered> {
     let run = run.as_ref().map_err(Clone::clone);
-    let answers = [run.clone().and_then(time), run.and_then(state)];
-    let bounds = conditions.map(|condition| LOCATED.bound(condition));
-    let answers = answers.into_iter().zip(bounds).collect();
-    Ok(Answered(conditions[0].max(conditions[1]), naive, answers))
+    let answers = [run.clone().and_then(first), run.and_then(second)];
+    let cells = conditions.into_iter().zip(answers).map(|(felt, answer)| by.cell(felt, answer));
+    let condition = conditions[0].max(conditions[1]);
+    Ok(Answered { condition, naive, cells: cells.collect() })
 }
 
 /// The largest of some differences.
@@ -40,49 +41,6 @@ const fn missing(name: &'static str, until: f64) -> Error {
     Error::NotReached { name, until }
 }
 
-/// A flow: its derivative in each phase, the end of the phase, and the least size of each number.
-struct Flow<const N: usize, P>(
-    fn(P, &[f64; N]) -> [f64; N],
-    fn(P) -> Vec<Condition<'static, P, N>>,
-    [f64; N],
-);
-
-impl<const N: usize, P: Copy + PartialEq + core::fmt::Debug> Phased<N> for Flow<N, P> {
-    type Phase = P;
-    fn derivative(&self, phase: P, state: &[f64; N]) -> [f64; N] {
-        self.0(phase, state)
-    }
-    fn conditions(&self, phase: P) -> Vec<Condition<'_, P, N>> {
-        self.1(phase)
-    }
-    fn scale(&self, state: &[f64; N]) -> [f64; N] {
-        size_or(self.2)(state)
-    }
-}
-
-/// Bodies of these masses, with forces and contacts.
-struct Bodies<const N: usize, const C: usize, K: Fn(&MechanismState<N>) -> [Contact<N>; C]>(
-    [f64; N],
-    [f64; N],
-    K,
-);
-
-impl<const N: usize, const C: usize, K> Mechanism<N, C> for Bodies<N, C, K>
-where
-    K: Fn(&MechanismState<N>) -> [Contact<N>; C],
-{
-    fn mass(&self, _: &[f64; N]) -> [[f64; N]; N] {
-        let row = |i| core::array::from_fn(|j| if i == j { self.0[i] } else { 0.0 });
-        core::array::from_fn(row)
-    }
-    fn force(&self, _: &MechanismState<N>) -> [f64; N] {
-        self.1
-    }
-    fn contacts(&self, state: &MechanismState<N>) -> [Contact<N>; C] {
-        self.2(state)
-    }
-}
-
 const fn moving<const N: usize>(q: [f64; N], v: [f64; N]) -> MechanismState<N> {
     MechanismState { q, v }
 }
@@ -90,6 +48,11 @@ const fn moving<const N: usize>(q: [f64; N], v: [f64; N]) -> MechanismState<N> {
 /// A ball in a plane that is looked at dt later.
 fn later([x, y, u, v]: [f64; 4], dt: f64) -> [f64; 4] {
     [x + dt * u, y + dt * v - 0.5 * G * dt * dt, u, v - G * dt]
+}
+
+/// The same that is looked at so often until `end`, and then does what its walls say.
+fn looked(ball: [f64; 4], end: f64, looks: u32, walls: impl Fn([f64; 4]) -> [f64; 4]) -> [f64; 4] {
+    (0..looks).fold(ball, |ball, _| walls(later(ball, end / f64::from(looks))))
 }
 
 /// A ball thrown up below a ceiling 5 m high, which returns it with its whole speed.
@@ -114,28 +77,24 @@ pub fn graze(excess: f64) -> Result<Answered> {
     // The state at the end; how far a time of contact moves with the speed, and the end with that;
     // and the looks. Above the ceiling between two looks, it is not seen; and what is called
     // touching when it is near has touched where it was only near.
-    let (after, moved, method, looks, near);
-    if excess > 0.0 {
+    let (after, moved, (method, looks, near)) = if excess > 0.0 {
         let height = CEILING - left * rest - 0.5 * G * rest * rest;
-        (after, moved) = ([height, -left - G * rest], start / G * (1.0 + start / left));
-        (method, looks, near) = ("looked at every 0.03 s", 63, 0.0);
+        let moved = start / G * (1.0 + start / left);
+        ([height, -left - G * rest], moved, ("looked at every 0.03 s", 63, 0.0))
     } else {
-        (after, moved) = ([start * end - 0.5 * G * end * end, start - G * end], start);
-        (method, looks, near) = ("looked at every 0.1 s, a micrometre is touching", 19, 1e-6);
-    }
-    let mut ball = [0.0, 0.0, 0.0, start];
-    for _ in 0..looks {
-        ball = later(ball, end / f64::from(looks));
-        if ball[1] > CEILING - near {
-            ball = [0.0, CEILING, 0.0, -ball[3]];
-        }
-    }
+        let looked = ("looked at every 0.1 s, a micrometre is touching", 19, 1e-6);
+        ([start * end - 0.5 * G * end * end, start - G * end], start, looked)
+    };
+    let naive = looked([0.0, 0.0, 0.0, start], end, looks, |[x, y, u, v]| {
+        if y > CEILING - near { [x, CEILING, u, -v] } else { [x, y, u, v] }
+    });
     asked(
+        LOCATED,
         [moved, start * end + 2.0 * G * moved],
         simulate(&THROWN, &tightest()?, (), [0.0, start], end),
         |run| Ok((run.transition("ceiling")?.t - touches).abs()),
         |run| Ok(off(run.at(end)?.1, after)),
-        (method, off([ball[1], ball[3]], after)),
+        (method, off([naive[1], naive[3]], after)),
     )
 }
 
@@ -157,17 +116,14 @@ fn corner(later_by: f64, longest: f64) -> Result<Answered> {
     let truth = [2.0 - speed * end, G * 0.5 - 0.5 * G * 0.5 * 0.5];
     // One event a step, the first in the list; the other is not looked at again.
     let start = [0.0, 5.0, speed, 0.0];
-    let mut ball = start;
-    for _ in 0..1500 {
-        ball = later(ball, end / 1500.0);
-        match ball {
-            [x, y, u, v] if x > 1.0 => ball = [1.0, y, -u, v],
-            [x, y, u, v] if y < 0.0 => ball = [x, 0.0, u, -v],
-            _ => {}
-        }
-    }
-    let (method, naive) = (tightest()?.with_longest_step(longest)?, [ball[0], ball[1]]);
+    let naive = looked(start, end, 1500, |ball| match ball {
+        [x, y, u, v] if x > 1.0 => [1.0, y, -u, v],
+        [x, y, u, v] if y < 0.0 => [x, 0.0, u, -v],
+        _ => ball,
+    });
+    let method = tightest()?.with_longest_step(longest)?;
     asked(
+        LOCATED,
         [2.0, 2.0 * G * end],
         simulate(&CORNER, &method, (), start, end),
         |run| {
@@ -175,7 +131,7 @@ fn corner(later_by: f64, longest: f64) -> Result<Answered> {
             Ok(off(found, [1.0 / speed, 1.0]))
         },
         |run| Ok(off([run.at(end)?.1[0], run.at(end)?.1[1]], truth)),
-        ("one event at the end of each 0.001 s", off(naive, truth)),
+        ("one event at the end of each 0.001 s", off([naive[0], naive[1]], truth)),
     )
 }
 
@@ -214,17 +170,20 @@ fn all_cycles(period: f64) -> Solved<(f64, [f64; 2])> {
 }
 
 /// A disc that settles in the air under it: its inclination falls as -k/theta^2, while its
-/// contact runs round at 2/sqrt(theta) (Moffatt; in units of sqrt(R/g)). Something ends it.
-const SETTLES: fn((), &[f64; 2]) -> [f64; 2] =
-    |(), [tilt, _]| [-AIR / (tilt * tilt), 2.0 / tilt.sqrt()];
+/// contact runs round at 2/sqrt(theta) (Moffatt; in units of sqrt(R/g)). Its phase is the
+/// inclination at which it ends.
+const DISC: Flow<2, f64> = Flow(
+    |_, [tilt, _]| [-AIR / (tilt * tilt), 2.0 / tilt.sqrt()],
+    |to| vec![Condition::gap("settled", move |y| y[0] - to, Next::End)],
+    [0.0, 1.0],
+);
 const AIR: f64 = 1e-4;
 const START: [f64; 2] = [0.1, 0.0];
 
-/// To an inclination, which is a condition, in a run to `end`; Heun's method goes to another end
-/// in so many steps, and its i-th number counts.
+/// To an inclination in a run to `end`; Heun's method goes to another end in so many steps, and
+/// its i-th number counts.
 fn settled(
-    (name, to): (&'static str, f64),
-    condition: fn(()) -> Vec<Condition<'static, (), 2>>,
+    to: f64,
     [end, heun_end]: [f64; 2],
     (method, steps, i): (&'static str, u32, usize),
 ) -> Result<Answered> {
@@ -232,18 +191,17 @@ fn settled(
     let turned = |to: f64| 0.8 / AIR * (pow(START[0], 2.5) - pow(to, 2.5));
     let h = heun_end / f64::from(steps);
     let heun = (0..steps).fold(START, |y, _| {
-        let a = SETTLES((), &y);
-        let b = SETTLES((), &[0, 1].map(|i| y[i] + h * a[i]));
+        let a = DISC.0(to, &y);
+        let b = DISC.0(to, &[0, 1].map(|i| y[i] + h * a[i]));
         [0, 1].map(|i| y[i] + 0.5 * h * (a[i] + b[i]))
     });
-    let naive = (heun[i] - [to, turned(to)][i]).abs();
-    let disc = Flow(SETTLES, condition, [0.0, 1.0]);
     asked(
+        LOCATED,
         [9.0 * settles(0.0), 7.5 * turned(0.0)],
-        simulate(&disc, &tightest()?, (), START, end),
-        |run| Ok((run.transition(name)?.t - settles(to)).abs()),
-        |run| Ok((run.transition(name)?.before[1] - turned(to)).abs()),
-        (method, naive),
+        simulate(&DISC, &tightest()?, to, START, end),
+        |run| Ok((run.transition("settled")?.t - settles(to)).abs()),
+        |run| Ok((run.transition("settled")?.before[1] - turned(to)).abs()),
+        (method, (heun[i] - [to, turned(to)][i]).abs()),
     )
 }
 
@@ -280,7 +238,7 @@ family! { EVENTS, "events": "Grazes, ties, stops and bounces without end",
             }
         }
         // Where a block on the belt is, a time of a run of 400 knows to eps of that run.
-        asked([end, 2.0 * HOLDS + BELT * 400.0 * period], all_cycles(period), |(t, _)| Ok((t - end).abs()),
+        asked(LOCATED, [end, 2.0 * HOLDS + BELT * 400.0 * period], all_cycles(period), |(t, _)| Ok((t - end).abs()),
             |(_, state)| Ok((state[0] - HOLDS).abs()), ("looked at every 0.01 s", (f64::from(steps) * dt - end).abs()))
     };
     // A block of 1 kg slides on a floor, mu = 0.5: 3 m/s against 5 m/s^2, so 0.6 s and 0.9 m, one event.
@@ -294,7 +252,7 @@ family! { EVENTS, "events": "Grazes, ties, stops and bounces without end",
             let slower = v - 5.0 * dt.copysign(v);
             (x, v) = (x + 0.5 * dt * (v + slower), slower);
         }
-        asked([3.0, 3.0], motion(&block, &tightest()?, moving([0.0; 3], [3.0, 0.0, 0.0]), 1000.0),
+        asked(LOCATED, [3.0, 3.0], motion(&block, &tightest()?, moving([0.0; 3], [3.0, 0.0, 0.0]), 1000.0),
             |found| match found.events() {
                 [one] => Ok((one.t - 0.6).abs()),
                 _ => Err(missing("one stop", found.end_time())),
@@ -315,7 +273,7 @@ family! { EVENTS, "events": "Grazes, ties, stops and bounces without end",
             }
         }
         let late = (f64::from(steps) * 0.001 - bounce).abs();
-        asked([6.0, 6.0], motion(&ball, &tightest()?, MechanismState::rest([5.0]), 4.0),
+        asked(LOCATED, [6.0, 6.0], motion(&ball, &tightest()?, MechanismState::rest([5.0]), 4.0),
             |found| {
                 let twentieth = found.events().get(19).ok_or(missing("twenty bounces", found.end_time()))?;
                 Ok(off([twentieth.t, found.event("floor rests")?.t], [bounce, 3.0]))
@@ -333,18 +291,16 @@ family! { EVENTS, "events": "Grazes, ties, stops and bounces without end",
         });
         let (stop, place, end) = (0.5_f64, 1.25, 0.9);
         let back = 3.0 * (end - stop) * (end - stop);
-        asked([2.0 * stop, 1.0 + 2.0 * place + 4.0 * back],
+        asked(LOCATED, [2.0 * stop, 1.0 + 2.0 * place + 4.0 * back],
             motion(&towed, &tightest()?, moving([0.0, 1.0], [5.0; 2]), end),
             |found| Ok((found.events().first().ok_or(missing("block sticks", end))?.t - stop).abs()),
             |found| Ok(off(found.at(end)?.q, [place, 1.0 + place - back])), ("one contact an event", back))
     };
     "a disc that settles, to its film of air", "it falls a hundred thousand times faster than it began":
-        settled(("film", 1e-3), |()| vec![Condition::gap("film", |y| y[0] - 1e-3, Next::End)],
-            [2.0 * settles(0.0), settles(1e-3)], ("1000 steps of Heun: inclination", 1000, 0));
+        settled(1e-3, [2.0 * settles(0.0), settles(1e-3)], ("1000 steps of Heun: inclination", 1000, 0));
     // Without a film it is flat at a time of its own, turning infinitely fast, and after that there is nothing.
     "a disc that settles, and beyond", "its rate is infinite in a finite time":
-        settled(("flat", 0.0), |()| vec![Condition::gap("flat", |y| y[0], Next::End)],
-            [1.5 * settles(0.0); 2], ("1500 steps of Heun: turned", 1500, 1));
+        settled(0.0, [1.5 * settles(0.0); 2], ("1500 steps of Heun: turned", 1500, 1));
 }
 
 /// Of the mass that hits (m/s): at 1 m/s the energies of a heavy mass are whole numbers, and
@@ -358,21 +314,21 @@ fn hit(m: f64, e: f64) -> Result<Answered> {
         [Contact::new("they meet", pair.q[1] - pair.q[0], [-1.0, 1.0], 0.0).restitution(e)]
     });
     let found = motion(&pair, &tightest()?, moving([0.0, 1.0], [SPEED, 0.0]), 2.0);
-    let after = found.map(|found| found.events().first().map(|event| event.after.v));
-    // A product and a sum of the inputs.
-    let condition = 4.0;
-    let answers = [0, 1].map(|i| {
-        let speeds = after.clone().map(|speeds| speeds.unwrap_or([f64::NAN; 2]));
-        let error = speeds.map(|v| (v[i] / truth[i] - 1.0).abs());
-        (error, CONTACTS.bound(condition))
-    });
+    let after = found.map(|found| found.events().first().map_or([f64::NAN; 2], |hit| hit.after.v));
     // The speed of the one that is hit, from what the energy lacks.
     let first = SPEED * (m - e) / (m + 1.0);
     let lost = 0.5 * (1.0 - e * e) * m / (1.0 + m) * SPEED * SPEED;
     let left = 0.5 * m * SPEED * SPEED - lost - 0.5 * m * first * first;
     let error = ((2.0 * left.max(0.0)).sqrt() / truth[1] - 1.0).abs();
-    let naive = ("the second speed from what is left of the energy", error);
-    Ok(Answered(condition, naive, answers.into()))
+    asked(
+        CONTACTS,
+        // A product and a sum of the inputs.
+        [4.0; 2],
+        after,
+        |speeds| Ok((speeds[0] / truth[0] - 1.0).abs()),
+        |speeds| Ok((speeds[1] / truth[1] - 1.0).abs()),
+        ("the second speed from what is left of the energy", error),
+    )
 }
 
 family! { IMPACTS, "impacts": "Impacts of a trillion to one",

@@ -23,27 +23,23 @@ fn pair(
     errors: impl Fn(f64) -> Result<[f64; 2]>,
     labels: [&str; 2],
 ) -> Result<Panel> {
-    let mut curves = [const { Vec::new() }; 2];
-    for x in over {
-        for (curve, error) in curves.iter_mut().zip(errors(x)?) {
-            if error.is_finite() {
-                curve.push((x, error.max(FLOOR)));
-            }
-        }
-    }
-    let [wrong, held] = curves;
-    let wrong = Curve::new(wrong, Ink::Wrong).dashed().label(labels[0]);
-    let held = Curve::new(held, Ink::Ink).label(labels[1]);
+    let errors = sampled(over, |x| Ok((x, errors(x)?)))?;
+    let curve = |i: usize, ink| {
+        let finite = errors.iter().filter(|(_, error)| error[i].is_finite());
+        Curve::new(finite.map(|(x, error)| (*x, error[i].max(FLOOR))), ink).label(labels[i])
+    };
     let y = match y {
         "relative error" => Axis::log(y).range(FLOOR, 10.0),
         _ => Axis::log(y),
     };
-    Ok(Panel::over_axes(Axis::log(x), y).curve(wrong).curve(held))
+    let panel = Panel::over_axes(Axis::log(x), y);
+    Ok(panel.curve(curve(0, Ink::Wrong).dashed()).curve(curve(1, Ink::Ink)))
 }
 
 /// The errors of a naive method, and of the closed form.
 fn ends(motion: &Motion, naive: Plain) -> Result<[f64; 2]> {
-    Ok([naive.1(motion)?, motion.off(Some(motion.in_closed_form()?))])
+    let truth = motion.truth()?;
+    Ok([naive.1(motion, truth)?, truth.angle_to(&motion.in_closed_form()?)])
 }
 
 figures! { p: &Parameters;
@@ -82,22 +78,21 @@ figures! { p: &Parameters;
     /// The error of a quaternion against how far a rotation is from half a turn, both logarithmic.
     /// From the trace it grows as one over it, to 1e-8, and ends at 1e-8; from the largest component it is a rounding.
     turns: pair(["half a turn less this / rad", "error / rad"], decades(-9, 0, 8), |off| {
-            let turned = Attitude::about_space_axis(SpaceVector::new(1.0, -2.0, 3.0), PI - off)?;
+            let turned = half_turn(off)?;
             Ok([by_trace(turned), MATRIX(turned)?.angle_to(&turned)])
         }, ["wrong: by the trace", "largest component"])?;
 
     /// The error against the number of periods, 1 to 1e12, both logarithmic. The one of the time
     /// modulo a rounded period grows in proportion; the one of the closed form stays a rounding.
     late: pair(["periods", "error / rad"], decades(0, 12, 1),
-        |periods| ends(&late(periods, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?, MODULO), ["wrong: $t$ mod $T$", "closed form"])?;
+        |periods| ends(&late([periods, 0.3], [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?, MODULO), ["wrong: $t$ mod $T$", "closed form"])?;
 
     /// The error of the end against the depth of a graze, both logarithmic. Looked at every 0.03 s
     /// it is from a third of a millimetre to centimetres; with the event located it is a rounding, growing as the graze
     /// gets shallow.
     events: pair(["excess speed / (m/s)", "error / m"], decades(-9, -1, 3), |excess| {
-            let Answered(_, (_, naive), answers) = events::graze(excess)?;
-            let [_, (state, _)] = &answers[..] else { return Ok([f64::NAN; 2]) };
-            Ok([naive, *state.as_ref().unwrap_or(&f64::NAN)])
+            let Answered { naive: (_, naive), cells, .. } = events::graze(excess)?;
+            Ok([naive, *cells[1].answer.as_ref().unwrap_or(&f64::NAN)])
         }, ["wrong: every 0.03 s", "located"])?;
 
     /// For each family the errors over their bounds, logarithmic: of each case the worst method in its
@@ -112,10 +107,10 @@ fn overview(p: &Parameters) -> Result<Panel> {
     for (one, line) in all.iter().zip((1..=all.len()).rev()) {
         let y = line as f64;
         names.push((y, one.family.key));
-        for row in &one.rows {
-            let worst = row.cells.iter().filter_map(Cell::part).reduce(f64::max);
+        for (_, answered) in &one.rows {
+            let worst = answered.cells.iter().filter_map(Cell::part).reduce(f64::max);
             held.extend(worst.map(|part| (part.max(1e-8), y)));
-            naive.push((row.broken().clamp(1e-8, 1e16), y));
+            naive.push((answered.broken().clamp(1e-8, 1e16), y));
         }
     }
     let lines = Axis::linear("").range(0.3, all.len() as f64 + 0.7);

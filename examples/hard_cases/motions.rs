@@ -1,7 +1,7 @@
 //! A motion as a case: its truth, its condition, and every method in every representation.
 
-use super::truth::Truth;
 use super::*;
+use models::truth::Truth;
 
 /// A representation: an attitude written as numbers, and read back.
 pub type Form = fn(Attitude) -> Solved<Attitude>;
@@ -23,14 +23,13 @@ pub fn turned(phi: f64, theta: f64, zeta: f64) -> Solved<Attitude> {
     Attitude::from_euler(EulerAngles { phi, theta, zeta })
 }
 
-/// The end of a start that is given and delivered in each form: how far it is off the truth, and
-/// the bound. Forms that give one start share a run.
+/// The cells of a method whose start is given and whose end is delivered in each form: how far the
+/// end is off the truth. Forms that give one start share a run.
 pub fn in_each_form(
-    from: Attitude,
-    truth: Attitude,
-    bound: f64,
+    (by, condition): (By, f64),
+    [from, truth]: [Attitude; 2],
     mut carried: impl FnMut(Attitude) -> Solved<Attitude>,
-) -> [(Solved<f64>, f64); 5] {
+) -> [Cell; 5] {
     let mut runs: Vec<(Attitude, Solved<Attitude>)> = Vec::new();
     let mut off = |form: Form| {
         let start = form(from)?;
@@ -39,7 +38,7 @@ pub fn in_each_form(
         runs.push((start, end.clone()));
         Ok(truth.angle_to(&form(end?)?))
     };
-    FORMS.map(|form| (off(form), bound))
+    FORMS.map(|form| by.cell(condition, off(form)))
 }
 
 /// The way from the start to the end.
@@ -80,30 +79,33 @@ impl By {
     pub fn bound(self, condition: f64) -> f64 {
         self.1 * EPS * condition
     }
+
+    /// The cell of an answer.
+    pub fn cell(self, condition: f64, answer: Solved<f64>) -> Cell {
+        Cell { method: self.0, answer, bound: self.bound(condition) }
+    }
 }
 
 /// A start and an end.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub struct Motion {
     pub moments: [f64; 3],
-    /// Weight (N) and lever (m) of a top; none of a free body.
-    pub gravity: Option<[f64; 2]>,
+    /// Weight (N) and lever (m) of a top; 0 of a free body.
+    pub gravity: [f64; 2],
     pub attitude: Attitude,
     pub rates: [f64; 3],
     pub end: f64,
 }
 
 /// Its closed form.
-trait Closed {
-    fn kinematics(&self, t: f64) -> Kinematics;
-    fn condition(&self, t: f64) -> Solved<f64>;
+trait Closed: Exact<State = State> {
+    fn at(&self, t: f64) -> Kinematics;
 }
 
 macro_rules! closed {
-    ($($form:ty),+) => { $( impl Closed for $form {
-        fn kinematics(&self, t: f64) -> Kinematics { self.kinematics(t) }
-        fn condition(&self, t: f64) -> Solved<f64> { rotation_dynamics::motion::Motion::condition(self, t) }
-    } )+ };
+    ($($form:ty),+) => {
+        $( impl Closed for $form { fn at(&self, t: f64) -> Kinematics { self.kinematics(t) } } )+
+    };
 }
 closed!(FreeBody, HeavyTop);
 
@@ -118,15 +120,13 @@ const MANY: f64 = 50.0;
 
 impl Motion {
     pub const fn free(moments: [f64; 3], attitude: Attitude, rates: [f64; 3], end: f64) -> Self {
-        let gravity = None;
-        Self { moments, gravity, attitude, rates, end }
+        Self { moments, gravity: [0.0; 2], attitude, rates, end }
     }
 
     /// Of moments across and along, with this torque of gravity on its lying axis (N m).
-    pub fn top(moments: [f64; 2], pull: f64, from: Attitude, rates: [f64; 3], end: f64) -> Self {
-        let mut top = Self::free([moments[0], moments[0], moments[1]], from, rates, end);
-        top.gravity = Some([pull.abs(), 1_f64.copysign(pull)]);
-        top
+    pub fn top([i1, i3]: [f64; 2], pull: f64, from: Attitude, rates: [f64; 3], end: f64) -> Self {
+        let gravity = [pull.abs(), 1_f64.copysign(pull)];
+        Self { gravity, ..Self::free([i1, i1, i3], from, rates, end) }
     }
 
     /// The same to another end.
@@ -136,18 +136,14 @@ impl Motion {
 
     /// As a case, beside a plain method.
     pub fn against(&self, methods: &[By], plain: Plain) -> Result<Answered> {
-        self.beside(methods, (plain.0, plain.1(self)?))
-    }
-
-    /// The same beside one whose error is known.
-    pub fn beside(&self, methods: &[By], naive: Naive) -> Result<Answered> {
-        self.answered(methods, naive, self.conditions()?, self.truth()?)
+        let truth = self.truth()?;
+        self.answered(methods, (plain.0, plain.1(self, truth)?), self.conditions()?, truth)
     }
 
     /// The same with a condition that is known.
     pub fn of_condition(&self, methods: &[By], known: f64, plain: Plain) -> Result<Answered> {
-        let naive = (plain.0, plain.1(self)?);
-        self.answered(methods, naive, [known; 2], self.truth()?)
+        let truth = self.truth()?;
+        self.answered(methods, (plain.0, plain.1(self, truth)?), [known; 2], truth)
     }
 
     /// Each method in each representation, by the conditions from the start and along the path.
@@ -158,27 +154,26 @@ impl Motion {
         [condition, path]: [f64; 2],
         truth: Attitude,
     ) -> Result<Answered> {
-        let mut answers = Vec::new();
-        for by in methods {
+        let cells = methods.iter().flat_map(|&by| {
             // Where no step is made only the start's own rounding is felt.
             let closed = matches!(by.2, How::ClosedForm | How::Request);
-            let bound = by.bound(if closed { condition } else { path });
-            let carried = |from| self.carried(by.2, from, bound);
-            answers.extend(in_each_form(self.attitude, truth, bound, carried));
-        }
-        Ok(Answered(condition, naive, answers))
+            let felt = if closed { condition } else { path };
+            let carried = |from| self.carried(by.2, from, by.bound(felt));
+            in_each_form((by, felt), [self.attitude, truth], carried)
+        });
+        Ok(Answered { condition, naive, cells: cells.collect() })
     }
 
     /// As a case of which this error is asked, in each form; the truth is of the motion that is
     /// really given.
-    pub fn promised(&self, how: How, tolerance: f64, plain: Plain) -> Result<Answered> {
-        let answers = FORMS.map(|form| {
+    pub fn promised(&self, how: How, bound: f64, plain: Plain) -> Result<Answered> {
+        let cells = FORMS.map(|form| {
             // A refusal needs no truth.
             let off = |end| Ok(self.truth_as_given(form)?.angle_to(&end));
-            (self.reached(how, form, tolerance).and_then(off), tolerance)
+            Cell { method: SOLVE.0, answer: self.reached(how, form, bound).and_then(off), bound }
         });
-        let (condition, naive) = (self.conditions()?[1], (plain.0, plain.1(self)?));
-        Ok(Answered(condition, naive, answers.into()))
+        let (condition, truth) = (self.conditions()?[1], self.truth_as_given(QUATERNION)?);
+        Ok(Answered { condition, naive: (plain.0, plain.1(self, truth)?), cells: cells.into() })
     }
 
     pub fn body(&self) -> Solved<PrincipalMoments> {
@@ -186,7 +181,7 @@ impl Motion {
         PrincipalMoments::new(i1, i2, i3)
     }
 
-    pub fn omega(&self) -> BodyVector {
+    fn omega(&self) -> BodyVector {
         BodyVector::from_array(self.rates)
     }
 
@@ -201,27 +196,27 @@ impl Motion {
     }
 
     fn closed(&self, attitude: Attitude, omega: BodyVector) -> Solved<Box<dyn Closed>> {
-        let Some([weight, lever]) = self.gravity else {
+        let [weight, lever] = self.gravity;
+        if weight == 0.0 {
             return Ok(Box::new(FreeBody::new(self.body()?, attitude, omega)?));
-        };
+        }
         let top = SymmetricTop::new(self.moments[0], self.moments[2], weight, lever)?;
         Ok(Box::new(HeavyTop::new(top, attitude, omega)?))
     }
 
-    /// The attitude at the end, by series; kept until another motion's is asked for.
+    fn series(&self, from: Attitude) -> Truth {
+        Truth::new(self.moments, self.gravity, from, self.rates)
+    }
+
+    /// The attitude at the end, by series.
     pub fn truth(&self) -> Solved<Attitude> {
-        static KEPT: Prepared<Motion, Attitude> = Prepared::new();
-        let by_series = |motion: &Self| {
-            let truth = Truth::new(motion, motion.attitude, None);
-            let period = motion.free_body().map(|body| body.rate_period());
-            match (motion.gravity, period) {
-                (None, Ok(period)) if motion.end.abs() > MANY * period => {
-                    truth.late(period, motion.end)
-                }
-                _ => truth.after(motion.end.into()).attitude(),
+        let (truth, end) = (self.series(self.attitude), self.end);
+        match self.free_body().map(|body| body.rate_period()) {
+            Ok(period) if self.gravity == [0.0; 2] && end.abs() > MANY * period => {
+                truth.late(period, end.into())
             }
-        };
-        KEPT.get(self, by_series).map(|truth| *truth)
+            _ => truth.after(end.into()).attitude(),
+        }
     }
 
     /// The attitude at the end of the motion that really begins when this one is given in a
@@ -229,14 +224,13 @@ impl Motion {
     /// condition is large the rounded start is another motion.
     pub fn truth_as_given(&self, form: Form) -> Solved<Attitude> {
         let start = RigidBody::new(self.body()?).state(form(self.attitude)?, self.omega())?;
-        let truth = Truth::new(self, start.attitude, Some(start.angular_momentum));
+        let truth = self.series(start.attitude).with_momentum(start.angular_momentum);
         truth.after(self.end.into()).attitude()
     }
 
     /// The rates at the end, in a unit of their own.
     pub fn true_rates(&self) -> [f64; 3] {
-        let truth = Truth::new(self, self.attitude, None);
-        truth.after(self.end.into()).rates()
+        self.series(self.attitude).after(self.end.into()).rates()
     }
 
     /// The change of the end per relative change of the inputs, and the largest per relative
@@ -247,7 +241,7 @@ impl Motion {
         let mut largest = at_start;
         for k in 1..PLACES {
             let t = self.end * f64::from(k) / f64::from(PLACES);
-            let there = closed.kinematics(t);
+            let there = closed.at(t);
             let from_there = self.closed(there.attitude, there.angular_velocity)?;
             largest = largest.max(from_there.condition(self.end - t)?);
         }
@@ -267,38 +261,33 @@ impl Motion {
     fn carried(&self, how: How, from: Attitude, asked: f64) -> Solved<Attitude> {
         let body = RigidBody::new(self.body()?);
         let mut effects: Vec<BoxedEffect> = Vec::new();
-        if let Some([weight, lever]) = self.gravity {
+        let [weight, lever] = self.gravity;
+        if weight > 0.0 {
             effects.push(Box::new(GravityAtLever::new(weight, lever)?));
         }
         let scene = Scene::new(body).with_list(EffectList::new(effects)?);
-        let start = || body.state(from, self.omega());
+        let (start, end) = (|| body.state(from, self.omega()), self.end);
         let stepper = match how {
-            How::Request => return Ok(scene.solve(&start()?, self.end, asked)?.state.attitude),
+            How::Request => return Ok(scene.solve(&start()?, end, asked)?.state.attitude),
             How::Solve => {
-                let solved = scene.solve_by_stepping(&start()?, self.end, asked)?;
-                return Ok(solved.state.attitude);
+                return Ok(scene.solve_by_stepping(&start()?, end, asked)?.state.attitude);
             }
             How::Steps(method, angle) => {
                 Stepper::new(method, Resolution::Steps(self.steps(angle)))?
             }
             How::Dop853 => Stepper::Dop853(Dop853::new(1e-15)?.with_step_limit(STEPS_ALLOWED)?),
-            _ => {
-                let closed = self.closed(from, self.omega())?;
-                return Ok(closed.kinematics(self.end).attitude);
-            }
+            _ => return Ok(self.closed(from, self.omega())?.at(end).attitude),
         };
-        let (end, _) = stepper.advance_as_usual(&scene, [0.0, self.end], &start()?)?;
-        Ok(end.attitude)
+        Ok(stepper.advance_as_usual(&scene, [0.0, end], &start()?)?.0.attitude)
     }
 
     /// Steps in which the fastest rotation turns by an angle.
     fn steps(&self, angle: f64) -> u64 {
-        let mut fastest = self
-            .gravity
-            .map_or(0.0, |[weight, lever]| 2.0 * (weight * lever.abs() / self.moments[0]).sqrt());
+        let [weight, lever] = self.gravity;
+        let mut fastest = 2.0 * (weight * lever.abs() / self.moments[0]).sqrt();
         let mut seen = vec![self.rates];
         if let Ok(exact) = self.closed(self.attitude, self.omega()) {
-            let at = |k: u32| exact.kinematics(self.end * f64::from(k) / f64::from(SEEN));
+            let at = |k: u32| exact.at(self.end * f64::from(k) / f64::from(SEEN));
             seen.extend((1..=SEEN).map(|k| at(k).angular_velocity.to_array()));
         }
         for rate in seen.into_iter().flatten() {
@@ -306,11 +295,5 @@ impl Motion {
         }
         let turned = 3_f64.sqrt() * fastest * self.end.abs();
         (turned / angle).ceil().max(1.0) as u64
-    }
-
-    /// How far from the truth this attitude is (rad); NaN for none.
-    pub fn off(&self, reached: Option<Attitude>) -> f64 {
-        let both = self.truth().ok().zip(reached);
-        both.map_or(f64::NAN, |(truth, reached)| truth.angle_to(&reached))
     }
 }

@@ -1,46 +1,52 @@
 //! The methods that everyone writes first. Not for use: they are here to break.
 
 use super::*;
-use rotation_dynamics::math::{atanh, sort_by_number, tanh};
+use models::naive::{quarter_period, runge_kutta as path};
+use rotation_dynamics::math::{atanh, tanh};
 
-/// A plain method that everyone writes first, and its error on a motion.
-pub type Plain = (&'static str, fn(&Motion) -> Solved<f64>);
+/// A plain method that everyone writes first, and its error on a motion whose true end is known.
+pub type Plain = (&'static str, fn(&Motion, Attitude) -> Solved<f64>);
 
 /// Plain methods, one an entry: its constant, its name, and its error on a motion.
 macro_rules! plain {
-    ($( $(#[$doc:meta])* $name:ident: $method:literal, |$motion:ident| $error:expr; )+) => {
-        $( $(#[$doc])* pub const $name: Plain = ($method, |$motion| Ok($error)); )+
+    ($( $(#[$doc:meta])* $name:ident: $method:literal, |$m:pat_param, $truth:pat_param| $error:expr; )+) => {
+        $( $(#[$doc])* pub const $name: Plain = ($method, |$m, $truth| Ok($error)); )+
     };
 }
 
+/// How far from the truth an end is (rad); NaN for none.
+pub fn off(truth: Attitude, end: Option<Attitude>) -> f64 {
+    end.map_or(f64::NAN, |end| truth.angle_to(&end))
+}
+
 plain! {
-    ANGLES: "RK4 on Euler angles, 20 000 steps", |m| m.off(on_euler_angles(m, 20_000));
-    FEWER: "RK4 on Euler angles, 2000 steps", |m| m.off(on_euler_angles(m, 2000));
-    YAW: "RK4 on yaw, pitch, roll, 20 000 steps", |m| m.off(on_yaw_pitch_roll(m));
-    FLIPS_BY_RK4: "RK4 on quaternion and rates, 100 steps a flip", |m| m.off(on_quaternion(m, 1_000_050));
+    ANGLES: "RK4 on Euler angles, 20 000 steps", |m, truth| off(truth, on_euler_angles(m, 20_000));
+    FEWER: "RK4 on Euler angles, 2000 steps", |m, truth| off(truth, on_euler_angles(m, 2000));
+    YAW: "RK4 on yaw, pitch, roll, 20 000 steps", |m, truth| off(truth, on_yaw_pitch_roll(m));
+    FLIPS_BY_RK4: "RK4 on quaternion and rates, 100 steps a flip", |m, truth| off(truth, on_quaternion(m, 1_000_050));
     FROM_MOMENTUM: "RK4 on the quaternion, rates from L, 5000 steps",
-        |m| m.off(path_by_momentum(m, 5000).ok().and_then(|path| Some(path.last()?.0)));
+        |m, truth| off(truth, path_by_momentum(m, 5000).ok().and_then(|path| Some(path.last()?.0)));
     /// In steps of a hundredth of the time in which the rates change by their own size; none, and there is no end.
-    FIRST_STEP: "RK4, steps of 0.01 |omega|/|omega'|", |m| {
+    FIRST_STEP: "RK4, steps of 0.01 |omega|/|omega'|", |m, truth| {
         let step = 0.01 * size(m.rates) / size(rates_of(m, m.rates, [0.0; 2]));
-        m.off((step > 0.0).then(|| on_quaternion(m, (m.end / step).ceil() as u32)).flatten())
+        off(truth, (step > 0.0).then(|| on_quaternion(m, (m.end / step).ceil() as u32)).flatten())
     };
-    AXIS: "axis by omega/|omega|", |m| m.off(by_axis(m));
-    ONE_STEP: "one step of 1e-6 s at most, axis by omega/|omega|", |m| m.off(by_axis(m));
-    JITTER: "a moment changed by 1e-9, so that nothing is 0/0", |m| {
+    AXIS: "axis by omega/|omega|", |m, truth| off(truth, by_axis(m));
+    ONE_STEP: "one step of 1e-6 s at most, axis by omega/|omega|", |m, truth| off(truth, by_axis(m));
+    JITTER: "a moment changed by 1e-9, so that nothing is 0/0", |m, truth| {
         let mut other = *m;
         other.moments[0] *= 1.0 + 1e-9;
-        m.off(other.truth().ok())
+        off(truth, other.truth().ok())
     };
-    GUARDED: "1e-30 added, so that nothing is divided by zero", |m| m.off(guarded(m));
+    GUARDED: "1e-30 added, so that nothing is divided by zero", |m, truth| off(truth, guarded(m));
     ASLEEP: "at rest below 1e-4 rad/s",
-        |m| m.off(if m.rates.iter().all(|w| w.abs() < 1e-4) { Some(m.attitude) } else { m.truth().ok() });
-    ARC_COSINE: "tilt by the arc cosine", |m| m.off(by_arc_cosine(m.truth()?));
+        |m, truth| off(truth, Some(if m.rates.iter().all(|w| w.abs() < 1e-4) { m.attitude } else { truth }));
+    ARC_COSINE: "tilt by the arc cosine", |_, truth| off(truth, by_arc_cosine(truth));
     TRIANGLE: "triangle inequality to the last bit",
-        |m| m.off((m.moments[2] <= m.moments[0] + m.moments[1]).then(|| m.truth()).transpose()?);
-    TRACE: "quaternion from the trace of the matrix", |m| by_trace(m.attitude);
+        |m, truth| off(truth, (m.moments[2] <= m.moments[0] + m.moments[1]).then_some(truth));
+    TRACE: "quaternion from the trace of the matrix", |m, _| by_trace(m.attitude);
     /// The tilt, with the sign of the start at all times: at a turning point the root is zero, and the motion stays.
-    ENERGY: "theta' = sqrt(2 (E - U)), stepped", |m| {
+    ENERGY: "theta' = sqrt(2 (E - U)), stepped", |m, truth| {
         let ([i1, _, i3], [p, q, r], pull) = (m.moments, m.rates, pull(m));
         let EulerAngles { theta, zeta, .. } = m.attitude.euler_angles();
         let ((s, c), (sz, cz)) = (sincos(theta), sincos(zeta));
@@ -54,23 +60,23 @@ plain! {
             [sign * (2.0 * (energy - pull * c) / i1 - turn * turn).max(0.0).sqrt()]
         };
         let end = path(slope, [theta], m.end, 10_000).last().map_or(f64::NAN, |[theta]| theta);
-        (end - m.truth()?.euler_angles().theta).abs()
+        (end - truth.euler_angles().theta).abs()
     };
-    LANDAU: "Jacobi's functions with 1 - k^2 by subtraction", |m| momentum_off(m, rates_by_landau(m));
+    LANDAU: "Jacobi's functions with 1 - k^2 by subtraction", |m, _| momentum_off(m, rates_by_landau(m));
     /// The same, as the sum of the errors of the rates.
-    LANDAU_RATES: "Jacobi's functions with 1 - k^2 by subtraction", |m| rates_off(m).iter().sum::<f64>().abs();
+    LANDAU_RATES: "Jacobi's functions with 1 - k^2 by subtraction", |m, _| rates_off(m).iter().sum::<f64>().abs();
     /// For a body whose L^2 is no double: Landau's k^2 is made of it.
-    SQUARES: "k^2 from L^2 and 2 E", |m| rates_off(m).iter().map(|off| off.abs()).sum();
+    SQUARES: "k^2 from L^2 and 2 E", |m, _| rates_off(m).iter().map(|off| off.abs()).sum();
     /// sn at k = 1 by the descent of the arithmetic-geometric mean, which has no bottom there, less
     /// the hyperbolic tangent that it is.
-    MEAN: "Jacobi's functions by the arithmetic-geometric mean", |m| {
+    MEAN: "Jacobi's functions by the arithmetic-geometric mean", |m, _| {
         let [largest, grown] = middle(m);
         let phase = atanh(m.rates[1] / largest) + grown;
         (jacobi(phase, 1.0)[0] - tanh(phase)).abs()
     };
     /// Where cn is negative the phase is counted back from half a period, 2K - u: of K = ln(4/k')
     /// with k' = 0 nothing is left to count.
-    BACK: "the phase counted back from half a period", |m| {
+    BACK: "the phase counted back from half a period", |m, _| {
         let ([p, q, r], [i1, i2, i3], [largest, grown]) = (m.rates, m.moments, middle(m));
         let complement = 1.0 - (i3 * (i3 - i2) * r * r) / (i1 * (i2 - i1) * p * p);
         let half = 2.0 * log(4.0 / complement.sqrt());
@@ -78,22 +84,15 @@ plain! {
         (largest * tanh(half - phase) - m.true_rates()[1]).abs()
     };
     /// The distance of the quaternions at the end, of this start and of its antipode.
-    COMPARED: "attitudes compared by their quaternions' difference", |m| {
-        let half = Motion { attitude: rotations::half_turn()?, ..*m };
-        let [[a, b, c, d], [e, f, g, h]] = [m.truth()?, half.truth()?].map(|a| a.quaternion());
+    COMPARED: "attitudes compared by their quaternions' difference", |m, truth| {
+        let half = Motion { attitude: rotations::half_turn(0.0)?, ..*m };
+        let [[a, b, c, d], [e, f, g, h]] = [truth, half.truth()?].map(|a| a.quaternion());
         2.0 * hypot(hypot(a - e, b - f), hypot(c - g, d - h))
     };
-    MODULO: "t modulo the period, in doubles", |m| m.off(by_modulo(m).ok());
-    // Nobody asks whether the first of these can be right.
-    BELIEVED: "one run of DOP853 at 1e-15, believed", |m| as_given(m, m.reached(How::Dop853, QUATERNION, 0.0).ok())?;
-    ON_ANGLES: "RK4 on Euler angles, 2000 steps", |m| as_given(m, on_euler_angles(m, 2000))?;
-    COARSE: "RK4 on quaternion and rates, 100 steps", |m| as_given(m, on_quaternion(m, 100))?;
-}
-
-/// How far this end is from the end of the motion that is really given (rad); NaN for none.
-fn as_given(motion: &Motion, end: Option<Attitude>) -> Solved<f64> {
-    let truth = motion.truth_as_given(QUATERNION)?;
-    Ok(end.map_or(f64::NAN, |end| truth.angle_to(&end)))
+    MODULO: "t modulo the period, in doubles", |m, truth| off(truth, by_modulo(m).ok());
+    /// Nobody asks whether it can be right.
+    BELIEVED: "one run of DOP853 at 1e-15, believed", |m, truth| off(truth, m.reached(How::Dop853, QUATERNION, 0.0).ok());
+    COARSE: "RK4 on quaternion and rates, 100 steps", |m, truth| off(truth, on_quaternion(m, 100));
 }
 
 fn rates_off(motion: &Motion) -> [f64; 3] {
@@ -118,26 +117,6 @@ fn size([a, b, c]: [f64; 3]) -> f64 {
     (a * a + b * b + c * c).sqrt()
 }
 
-/// The start, and the state after each step of the classical Runge-Kutta method.
-fn path<const N: usize>(
-    f: impl Fn(&[f64; N]) -> [f64; N],
-    start: [f64; N],
-    end: f64,
-    count: u32,
-) -> impl Iterator<Item = [f64; N]> {
-    let h = end / f64::from(count);
-    let step = move |y: &[f64; N]| {
-        let add = |k: &[f64; N], part: f64| core::array::from_fn(|i| y[i] + part * h * k[i]);
-        let a = f(y);
-        let b = f(&add(&a, 0.5));
-        let c = f(&add(&b, 0.5));
-        let d = f(&add(&c, 1.0));
-        let mean = |i: usize| a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i];
-        Some(core::array::from_fn(|i| y[i] + h / 6.0 * mean(i)))
-    };
-    core::iter::successors(Some(start), step).take(count as usize + 1)
-}
-
 /// The rate of a quaternion.
 fn turning([w, x, y, z]: [f64; 4], [p, q, r]: [f64; 3]) -> [f64; 4] {
     [
@@ -149,7 +128,7 @@ fn turning([w, x, y, z]: [f64; 4], [p, q, r]: [f64; 3]) -> [f64; 4] {
 }
 
 fn pull(motion: &Motion) -> f64 {
-    motion.gravity.map_or(0.0, |[weight, lever]| weight * lever)
+    motion.gravity[0] * motion.gravity[1]
 }
 
 /// Euler's equations, with the torque of a weight on the third axis.
@@ -268,27 +247,9 @@ pub fn rates_by_landau(motion: &Motion) -> [f64; 3] {
         (twice * i3 - square) / (i2 * (i3 - i2)),
         (square - twice * i1) / (i3 * (i3 - i1)),
     ];
-    // At the turning point of the middle rate a quarter of a period has passed: its length by
-    // the arithmetic-geometric mean.
-    let mean = |(a, b): (f64, f64), _| (0.5 * (a + b), (a * b).sqrt());
-    let (mean, _) = (0..60).fold((1.0, (1.0 - k2).max(0.0).sqrt()), mean);
-    let functions = jacobi(rate * motion.end + FRAC_PI_2 / mean, k2);
+    // At the turning point of the middle rate a quarter of a period has passed.
+    let functions = jacobi(rate * motion.end + quarter_period((1.0 - k2).max(0.0)), k2);
     [(0, 1), (1, 0), (2, 2)].map(|(i, f)| largest[i].max(0.0).sqrt() * functions[f])
-}
-
-/// The smaller turning point of a top (the notes' a, b, c and E~) by the trigonometric formula
-/// for the roots of a cubic, from its coefficients.
-pub fn turning_point([a, b, c]: [f64; 3], energy: f64) -> f64 {
-    let p = -(2.0 * energy + 2.0 * c + a) / (2.0 * c);
-    let q = (2.0 * a * b - 2.0 * c) / (2.0 * c);
-    let r = (2.0 * energy + 2.0 * c - a * b * b) / (2.0 * c);
-    let [linear, constant] = [q - p * p / 3.0, 2.0 * p * p * p / 27.0 - p * q / 3.0 + r];
-    let size = (-linear / 3.0).sqrt();
-    let angle = acos((-constant / (2.0 * size * size * size)).clamp(-1.0, 1.0)) / 3.0;
-    let third = TAU / 3.0;
-    let mut roots = [0.0, 1.0, 2.0].map(|k| 2.0 * size * cos(angle - k * third) - p / 3.0);
-    sort_by_number(&mut roots, |root| *root);
-    acos(roots[1])
 }
 
 /// 1e-30 kg m^2 added to each moment before it divides the momentum, "so that nothing is

@@ -1,7 +1,7 @@
 //! The numbers of the page: what is claimed of the table, limits, and the tables themselves.
 
-use super::naive::{by_modulo, guarded, on_quaternion, on_yaw_pitch_roll};
-use super::rotations::{flips, late, locked, scaled};
+use super::naive::{by_modulo, guarded, off, on_quaternion, on_yaw_pitch_roll};
+use super::rotations::{FLIPPED, TRILLION, half_turn, late, locked, scaled};
 use super::*;
 use kit::rounded_up;
 
@@ -12,7 +12,7 @@ pub fn report(p: &Parameters) -> Result<Report> {
         "cases times methods times attitude representations: an error within its bound, or a refusal by name",
     )?;
     claims(&mut report, &all)?;
-    let half = Attitude::about_space_axis(SpaceVector::new(1.0, -2.0, 3.0), PI)?;
+    let half = half_turn(0.0)?;
     limits! { report,
         /// gravity has no lever on an axis that is exactly vertical
         "exactly upright below the critical spin, after 1e6 s: tilt in rad":
@@ -29,8 +29,8 @@ pub fn report(p: &Parameters) -> Result<Report> {
     }?;
     report.strip(&flip()?, &asked)?;
     let mut elsewhere = Table::new("findings_elsewhere", ["found", "the test that sees it"])?;
-    for [found, _, test] in findings::ELSEWHERE {
-        elsewhere.push([*found, *test])?;
+    for row in findings::ELSEWHERE {
+        elsewhere.push(row)?;
     }
     report.add(vec![elsewhere, summary(&all)?])?;
     for one in &all {
@@ -46,21 +46,21 @@ fn claims(report: &mut Report, all: &[Arc<Computed>]) -> Result<()> {
     // About the middle axis of moments 1, 2, 2.5 a kick grows as exp(t sqrt(1/5)).
     let rate = 0.2_f64.sqrt();
     // The error of a naive method against the series, and once more against the closed form.
-    let off = |motion: Motion, naive: Option<Attitude>| -> Result<[f64; 2]> {
-        let exact = motion.in_closed_form()?;
-        let again = naive.map_or(f64::NAN, |naive| exact.angle_to(&naive));
-        Ok([motion.off(naive), again])
+    let errors = |motion: Motion, naive: Option<Attitude>| -> Result<[f64; 2]> {
+        Ok([off(motion.truth()?, naive), off(motion.in_closed_form()?, naive)])
     };
     let (locked, molecule) = (locked()?, scaled(1e-46, 1e12)?);
-    let flips = flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?;
-    let late = late(1e12, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?;
-    let a = off(locked, on_yaw_pitch_roll(&locked))?;
-    let b = off(flips, on_quaternion(&flips, 1_000_050))?;
-    let c = off(late, Some(by_modulo(&late)?))?;
-    let d = off(molecule, guarded(&molecule))?;
+    let flips = late(FLIPPED, [1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?;
+    let late = late(TRILLION, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?;
+    let a = errors(locked, on_yaw_pitch_roll(&locked))?;
+    let b = errors(flips, on_quaternion(&flips, 1_000_050))?;
+    let c = errors(late, Some(by_modulo(&late)?))?;
+    let d = errors(molecule, guarded(&molecule))?;
     let total = |n: usize| all.iter().map(|one| one.count()[n]).sum::<usize>() as f64;
     let [cases, cells, holds, refused] = [0, 1, 2, 3].map(total);
-    let due = all.iter().map(|one| one.due()).sum::<usize>() as f64;
+    let due =
+        |one: &Arc<Computed>| one.rows.len() * one.family.methods.len() * one.family.forms.len();
+    let due = all.iter().map(due).sum::<usize>() as f64;
     claims! { report,
         /// condition of 1 - cos x at 1e-6 rad
         function_condition: x * sin(x) / (2.0 * half * half), "-",
@@ -107,9 +107,8 @@ fn flip() -> Result<Problem<()>> {
 fn summary(all: &[Arc<Computed>]) -> Result<Table> {
     let columns = "family, what it is, cases, cells, hold, refused, error/bound, naive";
     Table::of("families", columns.split(", "), all, |one: &Arc<Computed>| {
-        let parts = one.cells().filter_map(|(_, cell)| cell.part());
-        let worst = short(parts.fold(0.0, f64::max), 2);
-        let broken = one.rows.iter().map(Row::broken);
+        let worst = short(one.cells().filter_map(Cell::part).fold(0.0, f64::max), 2);
+        let broken = one.rows.iter().map(|(_, answered)| answered.broken());
         let broken = short(broken.fold(f64::INFINITY, f64::min), 2);
         let (key, title) = (one.family.key.to_owned(), one.family.title.to_owned());
         let [cases, cells, hold, refused] = one.count().map(|n| n.to_string());
@@ -124,42 +123,37 @@ pub fn name_of(error: &Error) -> String {
     name.unwrap_or_default().to_owned()
 }
 
-/// A family's three tables: what goes wrong and the naive method, the cells, and what the
-/// refusals say.
+/// A family's three tables: what goes wrong and the naive method, the cells, and what each kind of
+/// refusal says, once.
 fn tables(one: &Computed) -> Result<Vec<Table>> {
     let Family { key, forms, .. } = one.family;
     let columns = "case, what goes wrong, condition, naive method, its error, over the bound";
-    let mut naive = Table::new(&format!("{key}_naive"), columns.split(", "))?;
+    let number = |x: f64, none: &str| if x.is_finite() { short(x, 2) } else { none.to_owned() };
+    let naive = |(Case(case, wrong, _), answered): &(&Case, Answered)| {
+        let (method, error) = answered.naive;
+        let condition = number(answered.condition, "-");
+        let [error, broken] = [error, answered.broken()].map(|x| number(x, "no number"));
+        Ok([(*case).to_owned(), (*wrong).to_owned(), condition, method.to_owned(), error, broken])
+    };
+    let naive = Table::of(&format!("{key}_naive"), columns.split(", "), &one.rows, naive)?;
     let columns = ["case", "method", "bound"].iter().chain(*forms);
     let mut table = Table::new(key, columns.copied())?;
-    // What each kind of refusal says, once.
     let mut refusals = Table::new(&format!("{key}_refusals"), ["refusal", "says"])?;
-    for row in &one.rows {
-        let number = |x: f64| x.is_finite().then(|| short(x, 2));
-        let condition = number(row.condition).unwrap_or("-".into());
-        let errors = [row.naive.1, row.broken()].map(number);
-        let [error, broken] = errors.map(|error| error.unwrap_or("no number".into()));
-        let (Case(case, wrong, _), (method, _)) = (row.case, row.naive);
-        naive.push([*case, *wrong, &condition, method, &error, &broken])?;
-        for (cells, by) in row.cells.chunks(forms.len()).zip(one.family.methods) {
-            let mut line = [row.case.0, by.0, "-"].map(str::to_owned).to_vec();
+    for (case, answered) in &one.rows {
+        for cells in answered.cells.chunks(forms.len()) {
+            let held = cells.iter().find(|cell| cell.answer.is_ok());
+            let bound = held.map_or("-".to_owned(), |cell| rounded_up(cell.bound));
+            let mut line = vec![case.0.to_owned(), cells[0].method.to_owned(), bound];
             for cell in cells {
-                let printed = match cell {
-                    Cell::Refuses(error) => {
-                        let (name, told) = (name_of(error), error.to_string());
-                        if refusals.rows().iter().all(|told| told[0] != name) {
-                            refusals.push([&name, &told].map(String::as_str))?;
-                        }
-                        name
-                    }
-                    Cell::Holds { bound, .. } => {
-                        if line[2] == "-" {
-                            line[2] = rounded_up(*bound);
-                        }
-                        short(cell.part().unwrap_or_default(), 2)
-                    }
-                };
-                line.push(printed);
+                line.push(match &cell.answer {
+                    Ok(_) => short(cell.part().unwrap_or_default(), 2),
+                    Err(error) => name_of(error),
+                });
+                if let Err(error) = &cell.answer
+                    && refusals.rows().iter().all(|told| told[0] != name_of(error))
+                {
+                    refusals.push([name_of(error), error.to_string()])?;
+                }
             }
             table.push(line)?;
         }
@@ -173,12 +167,12 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let columns = "family, case, method, representation, error, bound";
     let mut rows = Trajectory::new(columns.split(", "))?;
     for (f, one) in computed(p)?.iter().enumerate() {
-        for (r, row) in one.rows.iter().enumerate() {
-            for (c, cell) in row.cells.iter().enumerate() {
-                if let Cell::Holds { measured, bound } = *cell {
+        for (r, (_, answered)) in one.rows.iter().enumerate() {
+            for (c, cell) in answered.cells.iter().enumerate() {
+                if let Ok(measured) = cell.answer {
                     let (method, form) = (c / one.family.forms.len(), c % one.family.forms.len());
                     let [f, r, method, form] = [f, r, method, form].map(|n| (n + 1) as f64);
-                    rows.push(vec![f, r, method, form, measured, bound])?;
+                    rows.push(vec![f, r, method, form, measured, cell.bound])?;
                 }
             }
         }

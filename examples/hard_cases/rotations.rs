@@ -8,18 +8,21 @@ pub fn start() -> Solved<Attitude> {
     turned(0.3, 0.8, 0.2)
 }
 
-/// A rotation about an axis in space.
-fn about(axis: [f64; 3], angle: f64) -> Solved<Attitude> {
-    Attitude::about_space_axis(SpaceVector::from_array(axis), angle)
+/// A body on which nothing acts, from there.
+fn free(moments: [f64; 3], rates: [f64; 3], end: f64) -> Solved<Motion> {
+    Ok(Motion::free(moments, start()?, rates, end))
 }
-
-// Where the axis is vertical, and where two of three angles turn about one line.
 
 /// About its axis (rad/s): a top of this kind sleeps from 4 rad/s on.
 const SPIN: f64 = 2.0;
 
 pub fn at_pole(attitude: Attitude, rates: [f64; 3]) -> Motion {
     Motion::top([1.0, 0.5], 1.0, attitude, rates, 20.0)
+}
+
+/// Exactly upright.
+fn upright() -> Solved<Attitude> {
+    Attitude::about_space_axis(SpaceVector::new(0.0, 0.0, 1.0), 0.7)
 }
 
 /// Nose on the vertical: the pitch is pi/2, and yaw and roll are about one line.
@@ -31,7 +34,7 @@ pub fn locked() -> Solved<Motion> {
 
 family! { POLES, "poles": "Pole passages and gimbal lock", |by| TOP, in NAMES;
     "exactly up, kicked", "precession and spin are one turn: no rate of either is defined":
-        at_pole(about([0.0, 0.0, 1.0], 0.7)?, [0.1, 0.0, SPIN]).against(by, ANGLES);
+        at_pole(upright()?, [0.1, 0.0, SPIN]).against(by, ANGLES);
     "exactly down, kicked", "the same below; pi is no double":
         at_pole(Attitude::from_quaternion([0.0, 1.0, 0.0, 0.0])?, [0.1, 0.2, SPIN]).against(by, ANGLES);
     "1e-8 rad off the top", "the angles turn a hundred million times faster than the body":
@@ -46,18 +49,15 @@ family! { POLES, "poles": "Pole passages and gimbal lock", |by| TOP, in NAMES;
     "pitch of pi/2", "gimbal lock: yaw and roll are one turn": locked()?.against(by, YAW);
     // What turns the vertical axis alone changes nothing of it: the condition is the spin's.
     "exactly up below the critical spin", "any rounding is a kick, and grows as exp(0.87 t)":
-        at_pole(about([0.0, 0.0, 1.0], 0.7)?, [0.0, 0.0, SPIN]).of_condition(by, 2.0 + 20.0 * SPIN, ANGLES);
+        at_pole(upright()?, [0.0, 0.0, SPIN]).of_condition(by, 2.0 + 20.0 * SPIN, ANGLES);
 }
 
-// The sleeping top at the spin at which it falls asleep, and the last digit either side.
-
-/// I3 omega_3 = 2 sqrt(I1 m g l) at 4 rad/s.
+/// I3 omega_3 = 2 sqrt(I1 m g l), and the last digit below.
 const CRITICAL: f64 = 4.0;
 const BELOW: f64 = CRITICAL * (1.0 - f64::EPSILON);
 
 fn at_threshold(theta: f64, kick: f64, spin: f64) -> Solved<Motion> {
-    let (tilted, rates) = (turned(0.3, theta, 0.2)?, [kick, 0.0, spin]);
-    Ok(Motion::top([1.0, 0.5], 1.0, tilted, rates, 15.0))
+    Ok(at_pole(turned(0.3, theta, 0.2)?, [kick, 0.0, spin]).until(15.0))
 }
 
 family! { THRESHOLD, "threshold": "The sleeping top at its threshold", |by| TOP, in NAMES;
@@ -77,28 +77,23 @@ family! { THRESHOLD, "threshold": "The sleeping top at its threshold", |by| TOP,
         at_threshold(0.0, 0.0, BELOW)?.of_condition(by, 2.0 + 15.0 * BELOW, ANGLES);
 }
 
-// Next to the motion that needs for ever: the middle axis, and the top that just gets up.
-
-/// Moments for which a separatrix goes through round numbers: omega_1 = 2 omega_3.
-fn beside_separatrix(rates: [f64; 3], end: f64) -> Solved<Motion> {
-    Ok(Motion::free([3.0, 4.0, 6.0], start()?, rates, end))
-}
+/// A separatrix of these goes through round numbers: omega_1 = 2 omega_3.
+const ROUND: [f64; 3] = [3.0, 4.0, 6.0];
 
 /// From the middle axis, the third rate off: 1 - k^2 = 4.5 of its square. The flip comes when the
 /// small rate, growing as exp(t/3), is of order one.
 pub fn one_flip(complement: f64) -> Solved<Motion> {
     let off: f64 = (complement / 4.5_f64).sqrt();
-    beside_separatrix([0.0, 1.0, off], 3.0 * log(2.0 / off) + 6.0)
+    free(ROUND, [0.0, 1.0, off], 3.0 * log(2.0 / off) + 6.0)
 }
 
 /// A top at the energy and the momentum of the upright one, on its way up and not yet there.
 fn homoclinic(end: f64) -> Solved<Motion> {
-    let (moments, theta, spin) = ([1.0, 0.25], 2.0, 2.0);
-    let across = moments[1] * spin * tan(0.5 * theta);
+    let (theta, spin) = (2.0, 2.0);
+    let across = 0.25 * spin * tan(0.5 * theta);
     let lost = 2.0 * (1.0 - cos(theta));
     let rates = [-(lost - across * across).sqrt(), across, spin];
-    let tilted = turned(0.3, theta, 0.0)?;
-    Ok(Motion::top(moments, 1.0, tilted, rates, end))
+    Ok(Motion::top([1.0, 0.25], 1.0, turned(0.3, theta, 0.0)?, rates, end))
 }
 
 family! { SEPARATRIX, "separatrix": "At the separatrix", |by| FREE, in NAMES;
@@ -106,35 +101,38 @@ family! { SEPARATRIX, "separatrix": "At the separatrix", |by| FREE, in NAMES;
     "1 - k^2 = 1e-12, one flip", "of which a difference from 1 keeps four digits": one_flip(1e-12)?.against(by, LANDAU);
     "1 - k^2 = 1e-16, one flip", "and here none": one_flip(1e-16)?.against(by, LANDAU);
     "exactly about the middle axis", "any rounding is a kick, and grows as exp(t/3)":
-        beside_separatrix([0.0, 1.0, 0.0], 20.0)?.against(by, LANDAU);
+        free(ROUND, [0.0, 1.0, 0.0], 20.0)?.against(by, LANDAU);
     // On the separatrix itself: 3 (4 - 3) omega_1^2 = 6 (6 - 4) omega_3^2 to the last bit.
     "1 - k^2 = 0, between the ends", "K is infinite, and sn, cn, dn are no longer periodic":
-        beside_separatrix([0.5, 1.0, 0.25], 15.0)?.against(by, MEAN);
+        free(ROUND, [0.5, 1.0, 0.25], 15.0)?.against(by, MEAN);
     "1 - k^2 = 0, its other half", "a rate that goes as cn, and changes sign, goes as sech here":
-        beside_separatrix([-0.5, 1.0, 0.25], 15.0)?.against(by, BACK);
+        free(ROUND, [-0.5, 1.0, 0.25], 15.0)?.against(by, BACK);
     "homoclinic top, after 8 s", "it comes to the vertical in an infinite time": homoclinic(8.0)?.against(by, FEWER);
     "homoclinic top, after 16 s", "and the rounding of its start decides on which side it falls":
         homoclinic(16.0)?.against(by, FEWER);
 }
 
-/// Ten thousand flips about the intermediate axis, two a period, and a quarter of a period more.
-pub fn flips(moments: [f64; 3], rates: [f64; 3]) -> Solved<Motion> {
-    let motion = Motion::free(moments, start()?, rates, 0.0);
-    Ok(motion.until(5000.25 * motion.free_body()?.rate_period()))
+/// A free body after so many periods of its rates, and a part of one.
+pub fn late([count, part]: [f64; 2], moments: [f64; 3], rates: [f64; 3]) -> Solved<Motion> {
+    let motion = free(moments, rates, 0.0)?;
+    let period = motion.free_body()?.rate_period();
+    Ok(motion.until(count * period + part * period))
 }
+
+/// Ten thousand flips about the intermediate axis, two a period, and a quarter of a period more.
+pub const FLIPPED: [f64; 2] = [5000.25, 0.0];
 
 family! { FLIPS, "flips": "Ten thousand flips", |by| CLOSED, in NAMES;
     "a thousandth off the middle axis", "a small error of the energy makes each flip late":
-        flips([1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?.against(by, FLIPS_BY_RK4);
+        late(FLIPPED, [1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?.against(by, FLIPS_BY_RK4);
     "the same, the axes in another order", "an odd order of the axes is no rotation":
-        flips([2.0, 1.0, 2.5], [1.0, 0.0, 1e-3])?.against(by, FLIPS_BY_RK4);
+        late(FLIPPED, [2.0, 1.0, 2.5], [1.0, 0.0, 1e-3])?.against(by, FLIPS_BY_RK4);
     "a ten-thousandth off, the other way", "the closer, the later":
-        flips([1.0, 2.0, 2.5], [1e-4, -1.0, 0.0])?.against(by, FLIPS_BY_RK4);
+        late(FLIPPED, [1.0, 2.0, 2.5], [1e-4, -1.0, 0.0])?.against(by, FLIPS_BY_RK4);
 }
 
-/// A body whose moments are equal, nearly equal, or as unequal as can be.
 fn shaped(moments: [f64; 3]) -> Solved<Motion> {
-    Ok(Motion::free(moments, start()?, [0.8, 0.4, 0.9], 30.0))
+    free(moments, [0.8, 0.4, 0.9], 30.0)
 }
 
 family! { SHAPES, "shapes": "Nearly symmetric bodies, needle, disc and sphere", |by| FREE, in NAMES;
@@ -157,8 +155,6 @@ family! { SHAPES, "shapes": "Nearly symmetric bodies, needle, disc and sphere", 
         shaped([1.0, 1.0 + 5e-10, 1e-9])?.until(5.0).against(by, FROM_MOMENTUM);
 }
 
-// Tops at the bottom of their potential, on cusps, very fast and very slow.
-
 const NOTES_TOP: [f64; 3] = [1.5, 1.2, 0.2];
 
 /// The body of the notes' parameters a and c: I1 = 1, I3 = a, m g l = c, omega_3 = 1/sqrt(a).
@@ -178,9 +174,10 @@ fn turning(by: &[By], [a, b, c]: [f64; 3], energy: impl Fn(f64) -> f64) -> Resul
     let reduced = ReducedTop::new(a, b, c)?;
     let energy = energy(reduced.minimum().1);
     let theta = HeavyTop::from_energy(reduced, energy, Start::ThetaMin, 0.0, 0.0)?.theta_min();
-    let error = (turning_point([a, b, c], energy) - theta).abs();
-    let naive = "turning point by the trigonometric formula of the cubic";
-    of_b([a, b, c], theta, 0.0)?.beside(by, (naive, error))
+    let error = (models::naive::turning_point([a, b, c], energy) - theta).abs();
+    let naive = ("turning point by the trigonometric formula of the cubic", error);
+    let motion = of_b([a, b, c], theta, 0.0)?;
+    motion.answered(by, naive, motion.conditions()?, motion.truth()?)
 }
 
 family! { TOPS, "tops": "Steady, cusped, fast and slow tops", |by| TOP, in NAMES;
@@ -197,10 +194,9 @@ family! { TOPS, "tops": "Steady, cusped, fast and slow tops", |by| TOP, in NAMES
         turning(by, [1.9, 0.999, 0.45], |_| 0.05);
 }
 
-// Half turns, antipodal quaternions, and rates from none to very many.
-
-pub fn half_turn() -> Solved<Attitude> {
-    about([1.0, -2.0, 3.0], PI)
+/// By this much less than half a turn (rad), about a skew axis.
+pub fn half_turn(less: f64) -> Solved<Attitude> {
+    Attitude::about_space_axis(SpaceVector::new(1.0, -2.0, 3.0), PI - less)
 }
 
 fn turning_at(attitude: Attitude, rates: [f64; 3], end: f64) -> Motion {
@@ -210,7 +206,7 @@ fn turning_at(attitude: Attitude, rates: [f64; 3], end: f64) -> Motion {
 /// About one axis alone, for ever as good as any.
 fn alone(by: &[By], rate: f64) -> Result<Answered> {
     let end = 1.0 / f64::max(rate, 1e-300);
-    turning_at(half_turn()?, [0.0, 0.0, rate], end).of_condition(by, 3.0, AXIS)
+    turning_at(half_turn(0.0)?, [0.0, 0.0, rate], end).of_condition(by, 3.0, AXIS)
 }
 
 /// An azimuth of 1e32 rad without its whole turns: 1e32 is a whole number, and this its
@@ -229,41 +225,36 @@ fn many_turns(by: &[By]) -> Result<Answered> {
 
 family! { TURNS, "turns": "Half turns, and rates of every size", |by| FREE, in NAMES;
     "started after half a turn", "the scalar part is zero, and is divided by":
-        turning_at(half_turn()?, [0.3, 0.2, 1.0], 10.0).against(by, TRACE);
+        turning_at(half_turn(0.0)?, [0.3, 0.2, 1.0], 10.0).against(by, TRACE);
     "started from the antipodal quaternion", "q and -q are one attitude": turning_at(
-        Attitude::from_quaternion(half_turn()?.quaternion().map(|c| -c))?, [0.3, 0.2, 1.0], 10.0).against(by, COMPARED);
+        Attitude::from_quaternion(half_turn(0.0)?.quaternion().map(|c| -c))?, [0.3, 0.2, 1.0], 10.0).against(by, COMPARED);
     "an azimuth of 1e32 rad", "of its turns doubles know sixteen digits, and thirty-one count": many_turns(by);
-    "at rest", "the axis of no rotation is 0/0": turning_at(half_turn()?, [0.0; 3], 10.0).against(by, AXIS);
+    "at rest", "the axis of no rotation is 0/0": turning_at(half_turn(0.0)?, [0.0; 3], 10.0).against(by, AXIS);
     "rates of 1e-199 rad/s for 1e200 s", "their squares are zero in doubles":
-        turning_at(half_turn()?, [3e-200, 2e-200, 1e-199], 1e200).against(by, AXIS);
+        turning_at(half_turn(0.0)?, [3e-200, 2e-200, 1e-199], 1e200).against(by, AXIS);
     "rates of 1e8 rad/s for 1e-7 s", "a step of any fixed size is too long":
-        turning_at(half_turn()?, [3e7, 2e7, 1e8], 1e-7).against(by, ONE_STEP);
+        turning_at(half_turn(0.0)?, [3e7, 2e7, 1e8], 1e-7).against(by, ONE_STEP);
     "rates of 1e150 rad/s for 1e-149 s", "the square of an angular acceleration is infinite":
-        turning_at(half_turn()?, [3e149, 2e149, 1e150], 1e-149).against(by, FIRST_STEP);
+        turning_at(half_turn(0.0)?, [3e149, 2e149, 1e150], 1e-149).against(by, FIRST_STEP);
     // A rate that is all but nothing, and below the rates of any motion.
     "1e-200 rad/s beside 1 rad/s", "its square is no double, and 1 - k^2 is made of it":
-        Motion::free([1.0, 1.5, 2.0], half_turn()?, [1e-200, 1.0, 0.0], 30.0).against(by, LANDAU_RATES);
+        Motion::free([1.0, 1.5, 2.0], half_turn(0.0)?, [1e-200, 1.0, 0.0], 30.0).against(by, LANDAU_RATES);
     "1e200 rad/s for 1e-200 s", "its square is infinite, and so is its energy": alone(by, 1e200);
     "1e-300 rad/s for 1e300 s", "its square is zero, and its momentum's": alone(by, 1e-300);
     "the least double, 5e-324 rad/s", "nothing smaller to round to": alone(by, 5e-324);
 }
 
-// The same motion from a molecule to the Earth.
-
 /// Moments 1, 1.3, 1.7 and rates 0.3, 0.2, 1 in these units, for 30 units of time.
 pub fn scaled(moment: f64, rate: f64) -> Solved<Motion> {
-    let moments = [1.0, 1.3, 1.7].map(|i| i * moment);
-    let rates = [0.3, 0.2, 1.0].map(|w| w * rate);
-    Ok(Motion::free(moments, start()?, rates, 30.0 / rate))
+    free([1.0, 1.3, 1.7].map(|i| i * moment), [0.3, 0.2, 1.0].map(|w| w * rate), 30.0 / rate)
 }
 
 /// A top of moments 1 and 0.5 in these units, its centre of mass so far from its tip (m), and a
 /// weight that pulls with 1 of what they make: for 10 units of time.
 fn scaled_top(moment: f64, rate: f64, lever: f64) -> Solved<Motion> {
     let (pull, rates) = (moment * rate * rate, [0.3, 0.2, 2.0].map(|w| w * rate));
-    let mut top = Motion::top([moment, 0.5 * moment], pull, start()?, rates, 10.0 / rate);
-    top.gravity = Some([pull / lever, lever]);
-    Ok(top)
+    let top = Motion::top([moment, 0.5 * moment], pull, start()?, rates, 10.0 / rate);
+    Ok(Motion { gravity: [pull / lever, lever], ..top })
 }
 
 family! { SCALES, "scales": "From a molecule to the Earth", |by| FREE, in NAMES;
@@ -280,16 +271,12 @@ family! { SCALES, "scales": "From a molecule to the Earth", |by| FREE, in NAMES;
     "Earth: 1e38 kg m^2, 7.3e-5 rad/s", "the same, and its energy is 5e29 J": scaled(1e38, 7.3e-5)?.against(by, ASLEEP);
 }
 
-/// A free body after so many periods and three tenths of one.
-pub fn late(periods: f64, moments: [f64; 3], rates: [f64; 3]) -> Solved<Motion> {
-    let motion = Motion::free(moments, start()?, rates, 0.0);
-    let period = motion.free_body()?.rate_period();
-    Ok(motion.until(periods * period + 0.3 * period))
-}
+/// Periods, and three tenths of one.
+pub const TRILLION: [f64; 2] = [1e12, 0.3];
 
-/// After a trillion. The inputs are exact: the bound grants a change over one period alone.
+/// The inputs are exact: the bound grants a change over one period alone.
 fn trillion(by: &[By], moments: [f64; 3], rates: [f64; 3]) -> Result<Answered> {
-    let motion = late(1e12, moments, rates)?;
+    let motion = late(TRILLION, moments, rates)?;
     let exact = motion.free_body()?;
     motion.of_condition(by, exact.condition(exact.rate_period())?, MODULO)
 }

@@ -42,11 +42,11 @@ fn about_axis(
         Ok(stepper.advance_as_usual(&scene, [from, to], state)?.0)
     };
     let (condition, end) = (2.0 + size, pieces.last().copied().unwrap_or_default());
-    let [bound, in_pieces] = METHODS.map(|by| by.bound(condition));
-    let asked = in_each_form(start()?, truth, bound, |from| {
-        Ok(scene.solve(&state(from)?, end, bound)?.state.attitude)
+    let (ends, [solve, in_pieces]) = ([start()?, truth], METHODS.map(|by| (by, condition)));
+    let asked = in_each_form(solve, ends, |from| {
+        Ok(scene.solve(&state(from)?, end, SOLVE.bound(condition))?.state.attitude)
     });
-    let in_pieces = in_each_form(start()?, truth, in_pieces, |from| {
+    let in_pieces = in_each_form(in_pieces, ends, |from| {
         let (mut t, mut now) = (0.0, state(from)?);
         for next in pieces {
             let steps = ((next - t) / longest).ceil().max(1.0) as u64;
@@ -57,8 +57,8 @@ fn about_axis(
     });
     let straight: Solved<State> = run(Method::Rk4, steps, [0.0, end], &state(start()?)?);
     let error = straight.map_or(f64::NAN, |end| truth.angle_to(&end.attitude));
-    let answers = [asked, in_pieces].concat();
-    Ok(Answered(condition, (method, error), answers))
+    let cells = asked.into_iter().chain(in_pieces).collect();
+    Ok(Answered { condition, naive: (method, error), cells })
 }
 
 /// A torque of this profile (N m) beside a turn that would go on; it gains an angle, and its
@@ -150,8 +150,7 @@ fn braked(z: f64, steps: u32) -> Result<Answered> {
     let answer = spin.map(|spin| (spin / due - 1.0).abs());
     let off = (exp(-RATE * end) / due - 1.0).abs();
     let naive = ("exp(-lambda t), believed of any step", off);
-    let answers = vec![(answer, FORETOLD.bound(condition))];
-    Ok(Answered(condition, naive, answers))
+    Ok(Answered { condition, naive, cells: vec![FORETOLD.cell(condition, answer)] })
 }
 
 /// Pushed in step with its own nutation: the transverse rate grows as N t/I1.
@@ -175,8 +174,8 @@ fn resonance() -> Result<Answered> {
     // The transverse part of a momentum that is mostly spin, turned with it.
     let condition = (nutation + spin) * end * (I3 * spin / (i1 * grown) + 1.0);
     let naive = ("RK4, 1000 steps", off(Method::Rk4).unwrap_or(f64::NAN));
-    let answers = vec![(off(Method::GaussLegendre16), FORETOLD.bound(condition))];
-    Ok(Answered(condition, naive, answers))
+    let cells = vec![FORETOLD.cell(condition, off(Method::GaussLegendre16))];
+    Ok(Answered { condition, naive, cells })
 }
 
 family! { STABILITY, "stability": "Beyond the stability limit, and at resonance", |_| [FORETOLD], in ["rates"];

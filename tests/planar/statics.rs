@@ -1,6 +1,7 @@
 //! Contacts at rest: forces that are not determined, strings, joints, given forces.
 
 use super::G;
+use models::by_closures::Bodies;
 use rotation_dynamics::Error;
 use rotation_dynamics::math::{atan, cos, sin, sincos};
 use rotation_dynamics::planar::contact::{
@@ -113,25 +114,14 @@ fn a_box_on_two_feet() {
 }
 
 /// A pile: `heavy` on `light` on the floor.
-struct Pile {
-    light: f64,
-    heavy: f64,
-}
-
-impl Mechanism<2, 2> for Pile {
-    fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
-        [[self.light, 0.0], [0.0, self.heavy]]
-    }
-    fn force(&self, _: &MechanismState<2>) -> [f64; 2] {
-        [-self.light * G, -self.heavy * G]
-    }
-    fn contacts(&self, pile: &MechanismState<2>) -> [Contact<2>; 2] {
+fn pile_of(light: f64, heavy: f64) -> impl Mechanism<2, 2> {
+    Bodies([light, heavy], [-light * G, -heavy * G], |pile| {
         let [low, high] = pile.q;
         [
             Contact::new("floor", low, [1.0, 0.0], 0.0),
             Contact::new("between", high - low, [-1.0, 1.0], 0.0),
         ]
-    }
+    })
 }
 
 /// Errors of the forces in a pile, of the largest of them, if the upper mass is off by the
@@ -141,10 +131,10 @@ fn pile(damage: f64) -> (Errors, Errors) {
     let mut speeds = Errors::in_units_of(EPS, "speed of a pile at rest");
     for exponent in -12..=12 {
         let heavy = rotation_dynamics::math::pow(10.0, f64::from(exponent));
-        let pile = Pile { light: 1.0, heavy: heavy * (1.0 + damage) };
+        let pile = pile_of(1.0, heavy * (1.0 + damage));
         let motion = motion_within(&pile, 1e-12, MechanismState::rest([0.0; 2]), 10.0).unwrap();
         let [floor, between] = motion.forces(10.0).unwrap();
-        let weight = (pile.light + heavy) * G;
+        let weight = (1.0 + heavy) * G;
         forces.add(floor.normal, weight, weight);
         // To round-off of the largest force, as linear equations give it.
         forces.add(between.normal, heavy * G, weight);
@@ -166,30 +156,19 @@ fn a_pile_rests_at_any_ratio_of_masses() {
 }
 
 /// A disc that unwinds from a string (exercise 16.4): height below the hand, and angle.
-struct Unwinding {
-    glued: bool,
-}
-
-impl Mechanism<2, 1> for Unwinding {
-    fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
-        [[3.0, 0.0], [0.0, 0.5 * 3.0 * 0.04]]
-    }
-    fn force(&self, _: &MechanismState<2>) -> [f64; 2] {
-        [3.0 * G, 0.0]
-    }
-    fn contacts(&self, disc: &MechanismState<2>) -> [Contact<2>; 1] {
+fn unwinding(glued: bool) -> impl Mechanism<2, 1> {
+    Bodies([3.0, 0.5 * 3.0 * 0.04], [3.0 * G, 0.0], move |disc| {
         let [fallen, angle] = disc.q;
-        let slack = 0.2 * angle - fallen;
-        let string = if self.glued { Contact::joint } else { Contact::new };
-        [string("string", slack, [-1.0, 0.2], 0.0)]
-    }
+        let string = if glued { Contact::joint } else { Contact::new };
+        [string("string", 0.2 * angle - fallen, [-1.0, 0.2], 0.0)]
+    })
 }
 
 /// Taut it falls with 2g/3; spun up it falls freely until the string is taut again; a joint
 /// would hold it back.
 #[test]
 fn a_disc_unwinds_from_its_string() {
-    let disc = Unwinding { glued: false };
+    let disc = unwinding(false);
     let motion = motion_within(&disc, 1e-12, MechanismState::rest([0.0; 2]), 0.5).unwrap();
     let end = motion.at(0.5).unwrap();
     assert_error!(end.v[0], G / 3.0, 1.2 eps);
@@ -202,36 +181,24 @@ fn a_disc_unwinds_from_its_string() {
     assert_error!(jerk.t, 4.0 / G, 1.2 eps);
     assert_error!(jerk.after.v[0], 10.0 / 3.0, 0.0 eps);
     // The damaged twin of a string: it pushes, and has no free fall.
-    let error = motion_within(&Unwinding { glued: true }, 1e-9, spun, 0.5).unwrap_err();
+    let error = motion_within(unwinding(true), 1e-9, spun, 0.5).unwrap_err();
     assert!(matches!(error, Error::CannotHold { name: "string", rate: Some(_), .. }), "{error}");
 }
 
-/// Two discs pressed together (exercise 15.1): inertias 0.03 and 0.05 kg m^2.
-struct Discs {
-    force: f64,
-    /// On the first one, N m.
-    torque: f64,
-}
-
-impl Mechanism<2, 1> for Discs {
-    fn mass(&self, _: &[f64; 2]) -> [[f64; 2]; 2] {
-        [[0.03, 0.0], [0.0, 0.05]]
-    }
-    fn force(&self, _: &MechanismState<2>) -> [f64; 2] {
-        [self.torque, 0.0]
-    }
-    fn contacts(&self, _: &MechanismState<2>) -> [Contact<2>; 1] {
-        // A torque of 0.5 N m by 10 N: a mean radius of 0.1 m, mu = 1/2.
-        let faces = Contact::pressed("faces", self.force);
-        [faces.tangent([0.1, -0.1], 0.0).friction(0.5)]
-    }
+/// Two discs pressed together by this force (exercise 15.1): inertias 0.03 and 0.05 kg m^2; and a
+/// torque on the first one (N m).
+fn discs(force: f64, torque: f64) -> impl Mechanism<2, 1> {
+    // A torque of 0.5 N m by 10 N: a mean radius of 0.1 m, mu = 1/2.
+    Bodies([0.03, 0.05], [torque, 0.0], move |_| {
+        [Contact::pressed("faces", force).tangent([0.1, -0.1], 0.0).friction(0.5)]
+    })
 }
 
 #[test]
 fn pressed_discs_end_at_one_rate() {
     let run = |damage: f64| {
         let start = MechanismState { q: [0.0; 2], v: [40.0, -10.0] };
-        let discs = Discs { force: 10.0 * (1.0 + damage), torque: 0.0 };
+        let discs = discs(10.0 * (1.0 + damage), 0.0);
         let motion = motion_within(discs, 1e-12, start, 3.0).unwrap();
         assert_eq!(motion.events().len(), 1);
         let sticks = motion.event("faces sticks").unwrap().t;
@@ -253,7 +220,7 @@ fn pressed_discs_end_at_one_rate() {
 #[test]
 fn pressed_discs_hold_up_to_their_friction() {
     for (torque, holds) in [(0.799, true), (-0.799, true), (0.801, false), (-0.801, false)] {
-        let discs = Discs { force: 10.0, torque };
+        let discs = discs(10.0, torque);
         let motion = motion_within(discs, 1e-12, MechanismState::rest([0.0; 2]), 1.0).unwrap();
         assert_eq!(motion.modes(1.0).unwrap() == [Mode::Stick], holds, "{torque}");
         assert!(motion.events().is_empty());

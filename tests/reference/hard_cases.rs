@@ -3,6 +3,7 @@
 
 use super::case::{self, Case, EPS};
 use super::top;
+use models::naive::{quarter_period, runge_kutta, turning_point};
 use rotation_dynamics::exact::heavy_top::HeavyTop;
 use rotation_dynamics::math::{acos, cos, sin};
 use support::{Errors, assert_largest, attained};
@@ -74,53 +75,22 @@ fn derived(case: &Case, name: &str) -> (f64, f64) {
     (want, want.abs())
 }
 
-/// K by the arithmetic-geometric mean.
-fn quarter_period(m1: f64) -> f64 {
-    let (mut a, mut b) = (1.0, m1.sqrt());
-    for _ in 0..60 {
-        (a, b) = (0.5 * (a + b), (a * b).sqrt());
-    }
-    core::f64::consts::FRAC_PI_2 / a
-}
-
 /// The smaller turning point from the coefficients of the cubic in cos theta.
 fn theta_min_by_formula(case: &Case, motion: &HeavyTop) -> f64 {
-    let (a, b, c) = (input(case, "a"), input(case, "b"), input(case, "c"));
     let energy = motion.energy_reduced().expect("a dimensionless top");
-    let (p, q, r) = (
-        -(2.0 * energy + 2.0 * c + a) / (2.0 * c),
-        (2.0 * a * b - 2.0 * c) / (2.0 * c),
-        (2.0 * energy + 2.0 * c - a * b * b) / (2.0 * c),
-    );
-    let shift = -p / 3.0;
-    let linear = q - p * p / 3.0;
-    let constant = 2.0 * p * p * p / 27.0 - p * q / 3.0 + r;
-    let size = (-linear / 3.0).sqrt();
-    let angle = acos((-constant / (2.0 * size * size * size)).clamp(-1.0, 1.0)) / 3.0;
-    let third = core::f64::consts::TAU / 3.0;
-    let mut roots = [0.0, 1.0, 2.0].map(|k| shift + 2.0 * size * cos(angle - k * third));
-    roots.sort_by(f64::total_cmp);
-    acos(roots[1])
+    turning_point(["a", "b", "c"].map(|name| input(case, name)), energy)
 }
 
 /// theta by the classical Runge-Kutta method on the notes' equation (4).
 fn theta_by_steps(case: &Case, motion: &HeavyTop, t: f64) -> f64 {
-    let (a, b, c) = (input(case, "a"), input(case, "b"), input(case, "c"));
-    let acceleration = |theta: f64| {
+    let [a, b, c] = ["a", "b", "c"].map(|name| input(case, name));
+    let slope = |&[theta, rate]: &[f64; 2]| {
         let (s, u) = (sin(theta), cos(theta));
-        c * s - a * (b - u) * (1.0 - b * u) / (s * s * s)
+        [rate, c * s - a * (b - u) * (1.0 - b * u) / (s * s * s)]
     };
-    let steps = (2000.0 * t / motion.nutation_period()).ceil();
-    let h = t / steps;
-    let (mut theta, mut rate) = (input(case, "theta0"), input(case, "dtheta0"));
-    for _ in 0..steps as usize {
-        let k1 = (rate, acceleration(theta));
-        let k2 = (rate + 0.5 * h * k1.1, acceleration(theta + 0.5 * h * k1.0));
-        let k3 = (rate + 0.5 * h * k2.1, acceleration(theta + 0.5 * h * k2.0));
-        let k4 = (rate + h * k3.1, acceleration(theta + h * k3.0));
-        theta += h / 6.0 * (k1.0 + 2.0 * k2.0 + 2.0 * k3.0 + k4.0);
-        rate += h / 6.0 * (k1.1 + 2.0 * k2.1 + 2.0 * k3.1 + k4.1);
-    }
+    let steps = (2000.0 * t / motion.nutation_period()).ceil() as u32;
+    let start = ["theta0", "dtheta0"].map(|name| input(case, name));
+    let [theta, _] = runge_kutta(slope, start, t, steps).last().expect("a step");
     theta
 }
 

@@ -2,6 +2,7 @@
 //! the phase is left.
 
 use core::f64::consts::TAU;
+use models::by_closures::{Bodies, Flow};
 use models::gimbals::{Bearings, GimbalMotion, Gimbals};
 use models::ladder::Ladder;
 use models::plank::Plank;
@@ -17,12 +18,12 @@ use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{
     Dop853, GaussLegendre, Integrator, MuntheKaas4, Resisted, Rk4, Scheme, SpinFree, Splitting,
-    second_order, size_or,
+    second_order,
 };
 use rotation_dynamics::math::{DoubleDouble, EPS};
 use rotation_dynamics::motion::Motion;
-use rotation_dynamics::planar::contact::{self, Contact, Mechanism};
-use rotation_dynamics::planar::{Condition, Next, Phased, simulate};
+use rotation_dynamics::planar::contact::{self, Contact};
+use rotation_dynamics::planar::{Condition, Next, simulate};
 use rotation_dynamics::scene::Scene;
 use rotation_dynamics::{Error, Result};
 use std::collections::BTreeSet;
@@ -120,34 +121,14 @@ fn pendulums() -> Result<Vec<Pendulum>> {
 }
 
 /// A ball that falls for ever.
-struct Falling;
-
-impl Phased<2> for Falling {
-    type Phase = ();
-    fn derivative(&self, _: (), [_, speed]: &[f64; 2]) -> [f64; 2] {
-        [*speed, -10.0]
-    }
-    fn conditions(&self, _: ()) -> Vec<Condition<'_, (), 2>> {
+const FALLING: Flow<2, ()> = Flow(
+    |(), [_, speed]| [*speed, -10.0],
+    |()| {
         let rebound = Next::jump((), |[_, v]: &[f64; 2]| [0.0, -v]);
         vec![Condition::gap("height", |y| y[0], rebound)]
-    }
-
-    fn scale(&self, y: &[f64; 2]) -> [f64; 2] {
-        size_or([1.0; 2])(y)
-    }
-}
-
-impl Mechanism<1, 1> for Falling {
-    fn mass(&self, _: &[f64; 1]) -> [[f64; 1]; 1] {
-        [[2.0]]
-    }
-    fn force(&self, _: &contact::MechanismState<1>) -> [f64; 1] {
-        [-20.0]
-    }
-    fn contacts(&self, body: &contact::MechanismState<1>) -> [Contact<1>; 1] {
-        [Contact::new("floor", body.q[0], [1.0], 0.0)]
-    }
-}
+    },
+    [1.0; 2],
+);
 
 /// It slips as time goes by.
 struct Swaying;
@@ -410,10 +391,10 @@ fn of_runs() -> Result<Vec<Row<'static>>> {
     let method = Dop853::new(1e-9)?;
     let spring = second_order(|_, x, _| -x);
     let solution = method.solve(&spring, 0.0, &[1.0, 0.0], 1.0, &[])?;
-    let run = simulate(&Falling, &method, (), [1e3, 0.0], 1.0)?;
+    let run = simulate(&FALLING, &method, (), [1e3, 0.0], 1.0)?;
     let [a, b, c] = [0; 3].map(|_| {
-        let start = contact::MechanismState { q: [1e3], v: [0.0] };
-        contact::motion_within(&Falling, 1e-9, start, 1.0)
+        let ball = Bodies([2.0], [-20.0], |ball| [Contact::new("floor", ball.q[0], [1.0], 0.0)]);
+        contact::motion_within(ball, 1e-9, contact::MechanismState::rest([1e3]), 1.0)
     });
     let (a, b, c) = (a?, b?, c?);
     let shape = Shape::new(0.1, 1e-4, 5e-5, 0.02, 0.005)?;
@@ -557,7 +538,7 @@ fn a_run_to_no_time_is_refused() {
             ("lie", lie.advance(&scene, bad, &start, 1.0).is_ok()),
             ("split", split.advance(&scene, 0.0, &start, bad).is_ok()),
             ("spin-free", dop.advance(&spun, 0.0, &start, bad).is_ok()),
-            ("planar", simulate(&Falling, &dop, (), [1.0, 0.0], bad).is_ok()),
+            ("planar", simulate(&FALLING, &dop, (), [1.0, 0.0], bad).is_ok()),
             ("top", top.simulate(&Throw::spinning(0.3, 150.0), bad, 1e-9).is_ok()),
             ("gimbals", {
                 let start = gimbals.released(1.0, 314.0);

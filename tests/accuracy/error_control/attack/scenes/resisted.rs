@@ -150,7 +150,7 @@ fn to_the_stop(dice: &mut Dice, chosen: &Chosen) -> Result<Case> {
     let t_end = dice.scale(3.0, 60.0) / turning;
     let torque = body.angular_momentum(&start).z().abs() / t_end * dice.scale(0.1, 10.0);
     let bearing = CoulombBearing::new(torque, &body, &start, 0.0)?;
-    let resisting = Resisting { law: Law::Dry(torque), ..Resisting::NOTHING };
+    let resisting = Resisting { rates: [0.0; 3], law: Law::Dry(torque) };
     let exact = resisted(&body, gravity.moment(), &resisting, &start, t_end);
     let scene = Scene::new(body).with(gravity).with(bearing);
     Ok(known("to the stop", scene, start, t_end, exact, chosen))
