@@ -1,12 +1,13 @@
 //! What the table must be: whole, within meaningful bounds, and above every naive method.
 
+use crate::answers::root;
+use crate::sources::rust_files;
 use kit::Error;
 use pages::hard_cases::report::name_of;
 use pages::hard_cases::{Cell, Computed, Parameters, computed, figures, findings, rotations};
 use rotation_dynamics::math::{DoubleDouble, hypot, ldexp, sincos};
 use std::collections::BTreeMap;
-use std::fs::{read_dir, read_to_string};
-use std::path::{Path, PathBuf};
+use std::fs::read_to_string;
 use std::sync::Arc;
 use support::{Errors, assert_table};
 
@@ -177,29 +178,22 @@ fn no_step_keeps_the_book_on_its_axis() {
     assert_eq!(flips, 5);
 }
 
-/// All Rust sources below a directory, one after the other.
-fn sources(directory: &Path) -> String {
-    let entries = read_dir(directory).expect("readable").map(|entry| entry.expect("one").path());
-    let text = |path: PathBuf| match path.extension() {
-        None if path.is_dir() => sources(&path),
-        Some(ending) if ending == "rs" => read_to_string(&path).expect("a source"),
-        _ => String::new(),
-    };
-    entries.map(text).collect()
-}
-
 /// What the table of findings says that a test sees, one does.
 #[test]
 fn findings_of_other_kinds_have_their_tests() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let tests = ["tests", "book/kit/src"].map(|place| sources(&root.join(place))).concat();
-    let declared = |test: &str| tests.contains(&format!("#[test]\nfn {test}("))
-        || tests.contains(&format!("#[test]\n    fn {test}("));
+    let mut files = Vec::new();
+    for place in ["tests", "book/kit/src"] {
+        rust_files(&root().join(place), &mut files);
+    }
+    let tests: String = files.iter().map(|file| read_to_string(file).expect("a text")).collect();
+    let there = |test: &str| {
+        ["", "    "].iter().any(|inside| tests.contains(&format!("#[test]\n{inside}fn {test}(")))
+    };
     for [found, test] in findings::ELSEWHERE {
-        assert!(declared(test), "{found}: no test {test}");
+        assert!(there(test), "{found}: no test {test}");
     }
     // The damaged twin.
-    assert!(!declared("no_test_at_all"));
+    assert!(!there("what_nobody_tests"));
 }
 
 /// The remainder of 1e32 by 2 pi once more: 1e32 is a whole number below 2^53 times 2^54, so

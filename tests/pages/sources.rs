@@ -39,7 +39,8 @@ fn forbidden(source: &str) -> Vec<&'static str> {
         .collect()
 }
 
-fn rust_files(directory: &Path, files: &mut Vec<PathBuf>) {
+/// Adds the Rust files below a directory.
+pub fn rust_files(directory: &Path, files: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(directory).expect("readable") {
         let path = entry.expect("an entry").path();
         if path.is_dir() {
