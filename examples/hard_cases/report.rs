@@ -139,23 +139,21 @@ fn tables(one: &Computed) -> Result<Vec<Table>> {
     let columns = ["case", "method", "bound"].iter().chain(*forms);
     let mut table = Table::new(key, columns.copied())?;
     let mut refusals = Table::new(&format!("{key}_refusals"), ["refusal", "says"])?;
+    let printed = |cell: &Cell| match &cell.answer {
+        Ok(_) => short(cell.part().unwrap_or_default(), 2),
+        Err(error) => name_of(error),
+    };
     for (case, answered) in &one.rows {
         for cells in answered.cells.chunks(forms.len()) {
             let held = cells.iter().find(|cell| cell.answer.is_ok());
             let bound = held.map_or("-".to_owned(), |cell| rounded_up(cell.bound));
-            let mut line = vec![case.0.to_owned(), cells[0].method.to_owned(), bound];
-            for cell in cells {
-                line.push(match &cell.answer {
-                    Ok(_) => short(cell.part().unwrap_or_default(), 2),
-                    Err(error) => name_of(error),
-                });
-                if let Err(error) = &cell.answer
-                    && refusals.rows().iter().all(|told| told[0] != name_of(error))
-                {
-                    refusals.push([name_of(error), error.to_string()])?;
-                }
+            let line = [case.0.to_owned(), cells[0].method.to_owned(), bound];
+            table.push(line.into_iter().chain(cells.iter().map(printed)))?;
+        }
+        for error in answered.cells.iter().filter_map(|cell| cell.answer.as_ref().err()) {
+            if refusals.rows().iter().all(|told| told[0] != name_of(error)) {
+                refusals.push([name_of(error), error.to_string()])?;
             }
-            table.push(line)?;
         }
     }
     let all = [naive, table, refusals];
@@ -167,13 +165,12 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let columns = "family, case, method, representation, error, bound";
     let mut rows = Trajectory::new(columns.split(", "))?;
     for (f, one) in computed(p)?.iter().enumerate() {
+        let forms = one.family.forms.len();
         for (r, (_, answered)) in one.rows.iter().enumerate() {
             for (c, cell) in answered.cells.iter().enumerate() {
-                if let Ok(measured) = cell.answer {
-                    let (method, form) = (c / one.family.forms.len(), c % one.family.forms.len());
-                    let [f, r, method, form] = [f, r, method, form].map(|n| (n + 1) as f64);
-                    rows.push(vec![f, r, method, form, measured, cell.bound])?;
-                }
+                let Ok(measured) = cell.answer else { continue };
+                let [f, r, method, form] = [f, r, c / forms, c % forms].map(|n| (n + 1) as f64);
+                rows.push([f, r, method, form, measured, cell.bound])?;
             }
         }
     }
