@@ -14,12 +14,12 @@ const KINDS: [(&str, usize, usize); 5] = [
     ("_ex", 816, 600),
     ("ch1", 1765, 900),
     // The tables of the whole: accuracy, the hard cases, the library.
-    ("", 2039, 1800),
+    ("", 2036, 1800),
 ];
 
 /// The mean of the exercises, all examples, and all tests of pages: allowed, and wanted.
 const MEAN: [usize; 2] = [659, 450];
-const EXAMPLES: [usize; 2] = [42_590, 33_000];
+const EXAMPLES: [usize; 2] = [42_587, 33_000];
 const TESTS: [usize; 2] = [12_025, 8_000];
 
 /// The lines of every Rust source below a path, by the stem of the page that it belongs to.

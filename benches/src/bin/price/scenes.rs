@@ -259,7 +259,7 @@ fn to_the_stop(dice: &mut Dice) -> Result<Case> {
     let t_end = dice.scale(1.0, 15.0) * TAU / turning;
     let torque = body.angular_momentum(&start).z().abs() / t_end * dice.scale(0.3, 3.0);
     let bearing = CoulombBearing::new(torque, &body, &start, 0.0)?;
-    let resisting = Resisting { law: Law::Dry(torque), ..Resisting::NOTHING };
+    let resisting = Resisting { rates: [0.0; 3], law: Law::Dry(torque) };
     let exact = truth::resisted(&body, gravity.moment(), &resisting, &start, t_end);
     let scene = Scene::new(body).with(gravity).with(bearing);
     known(6, scene, start, t_end, Some(exact))
