@@ -4,7 +4,7 @@
 //! method, which everyone writes first. The methods of its family solve it in several
 //! representations of an attitude. A cell holds if its error is at most K eps times the condition
 //! of the case, with one K for a method on all cases. Or it refuses, by a named error. Nothing
-//! else can be made, and a test demands that every naive method is broken:
+//! else is let through, and a test demands that every naive method is broken:
 //!
 //! ```text
 //! "pitch of pi/2", "gimbal lock: yaw and roll are one turn": locked()?.against(by, YAW);
@@ -121,7 +121,7 @@ pub const FAMILIES: &[Family] = &[
 ];
 
 impl Cell {
-    /// Nothing, if it holds or is refused.
+    /// Lets through what holds and what refuses.
     ///
     /// # Errors
     /// [`kit::Error::Contradicted`] for an error that is not within its bound.
