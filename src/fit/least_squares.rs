@@ -1,9 +1,14 @@
 //! Nonlinear least squares by Levenberg's and Marquardt's method.
 //!
-//! Source: D. W. Marquardt, *J. Soc. Indust. Appl. Math.* 11, 431 (1963): the normal matrix with its
-//! diagonal enlarged, so that a step lies between Gauss and Newton's and that of steepest descent.
+//! The Jacobian is factored, never squared: a valley whose sides are 1e5 times as steep as its floor has a
+//! normal matrix of condition 1e10. In units in which each column has the length 1, the factors are
+//! J = Q U S V^T, and a step with the damping d is V S/(S^2 + d) (Q U)^T r.
+//!
+//! Sources: D. W. Marquardt, *J. Soc. Indust. Appl. Math.* 11, 431 (1963); H. B. Nielsen, *Damping parameter
+//! in Marquardt's method*, IMM-REP-1999-05 (1999), for the damping; M. K. Transtrum, J. P. Sethna,
+//! arXiv:1201.5885 (2012), for the bent steps.
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
 /// The numbers that fit best, and how the residuals depend on them.
@@ -18,87 +23,193 @@ pub(super) struct Fitted {
     pub(super) evaluations: usize,
 }
 
-/// A step in a number, relative to its scale, for a difference quotient: about the square root of
-/// round-off, at which the errors of rounding and of the curvature are alike.
-const STEP: f64 = 1e-7;
-/// The sum of squares is at its least when a step changes it by less than this part. A fit without noise creeps along a
-/// valley: with 1e-9 it stopped at ratios 1 per cent off.
-const SETTLED: f64 = 1e-12;
-const MOST_STEPS: usize = 60;
+/// A step in a number, relative to its scale, for a central difference: about the cube root of round-off, at
+/// which the errors of rounding and of the third derivative are alike, some 1e-10 of a slope.
+const STEP: f64 = 1e-5;
+/// Directions in which the residuals change so little, relative to the steepest, are left alone: their slopes
+/// are errors of the differences.
+pub(super) const FLAT: f64 = 1e-9;
+/// The minimum is reached when Gauss and Newton's step is this part of a standard deviation.
+const SETTLED: f64 = 1e-3;
+/// What a change of one scale makes, times this, is the rounding of residuals that vanish, with a margin.
+const ROUNDING: f64 = 1e-10;
+/// The fits of 500 made flights took at most a third of it.
+const MOST_STEPS: usize = 150;
 
 fn squares(residuals: &[f64]) -> f64 {
     residuals.iter().map(|r| r * r).sum()
 }
 
-/// Fits from these numbers. A step to where `residuals` refuses is shortened.
+/// Fits from these numbers. `scales` are the sizes at which changes of the numbers count. A step to where
+/// `residuals` refuses is shortened. Derivatives are taken from the last number to the first.
+///
+/// # Errors
+/// Those of `residuals` at the start; `Lengths` if there are no more of them than numbers; `OutOfRange` if the minimum is not reached, because it lies where
+/// `residuals` refuses, or nowhere.
 pub(super) fn fit(
     start: &[f64],
     scales: &[f64],
     residuals: &mut dyn FnMut(&[f64]) -> Result<Vec<f64>>,
 ) -> Result<Fitted> {
-    let mut numbers = start.to_vec();
-    let mut now = residuals(&numbers)?;
-    let mut evaluations = 1;
-    let mut sum = squares(&now);
-    let mut damping = 1e-3;
-    let mut jacobian = DMatrix::zeros(now.len(), numbers.len());
-    for _ in 0..MOST_STEPS {
-        slopes(&numbers, scales, &now, residuals, &mut jacobian)?;
-        evaluations += numbers.len();
-        let gradient = jacobian.tr_mul(&DVector::from_column_slice(&now));
-        let normal = jacobian.tr_mul(&jacobian);
-        let mut gained = None;
-        while gained.is_none() && damping < 1e12 {
-            let mut damped = normal.clone();
-            for i in 0..numbers.len() {
-                // What the residuals do not depend on stays where it is.
-                damped[(i, i)] += damping * normal[(i, i)] + f64::MIN_POSITIVE;
-            }
-            let step = damped.cholesky().map(|factors| factors.solve(&gradient));
-            let tried = step.map(|step| {
-                numbers.iter().zip(step.iter()).map(|(x, d)| x - d).collect::<Vec<_>>()
-            });
-            evaluations += 1;
-            let there = tried.and_then(|tried| residuals(&tried).ok().map(|r| (tried, r)));
-            match there {
-                Some((tried, there)) if squares(&there) < sum => {
-                    let new = squares(&there);
-                    gained = Some(1.0 - new / sum);
-                    (numbers, now, sum) = (tried, there, new);
-                    damping = (0.1 * damping).max(1e-12);
-                }
-                _ => damping *= 10.0,
-            }
-        }
-        if gained.is_none_or(|gained| gained < SETTLED) {
-            break;
-        }
-        damping = damping.min(1e3);
+    let mut numbers = DVector::from_column_slice(start);
+    let mut now = residuals(start)?;
+    if now.len() <= start.len() {
+        let expected = start.len() + 1;
+        return Err(Error::Lengths { name: "residuals", found: now.len(), expected });
     }
-    slopes(&numbers, scales, &now, residuals, &mut jacobian)?;
-    evaluations += numbers.len();
-    Ok(Fitted { numbers, residuals: now, jacobian, squares: sum, evaluations })
+    let mut evaluations = 1;
+    let (mut damping, mut harder) = (1e-3, 2.0);
+    let mut off = f64::INFINITY;
+    for _ in 0..MOST_STEPS {
+        let slopes = slopes(&numbers, scales, &now, residuals)?;
+        evaluations += 2 * numbers.len();
+        let linear = Linear::new(&slopes, scales, &now);
+        off = linear.off;
+        if off <= SETTLED {
+            return Ok(Fitted {
+                numbers: numbers.as_slice().to_vec(),
+                squares: squares(&now),
+                residuals: now,
+                jacobian: slopes,
+                evaluations,
+            });
+        }
+        let sum = squares(&now);
+        loop {
+            let (step, promised) = linear.step(damping);
+            let small = step.iter().zip(scales).all(|(step, scale)| step.abs() < 1e-14 * scale);
+            if small || !promised.is_finite() {
+                return Err(unsettled(off));
+            }
+            evaluations += 2;
+            // Along the step the residuals are bent: the second derivative, by a difference over a tenth.
+            let near: DVector<f64> = &numbers - 0.1 * &step;
+            let bend = residuals(near.as_slice()).ok().map(|near| {
+                let along = &slopes * &step;
+                let bent = near.iter().zip(&now).zip(along.iter());
+                let bent = bent.map(|((near, now), slope)| 200.0 * (near - now + 0.1 * slope));
+                linear.bent(damping, &slopes, &DVector::from_iterator(now.len(), bent))
+            });
+            let gentle = |bend: &DVector<f64>| linear.length(bend) < 0.75 * linear.length(&step);
+            let bend = bend.filter(gentle).unwrap_or_else(|| DVector::zeros(step.len()));
+            let tried: DVector<f64> = &numbers - step - 0.5 * bend;
+            let there = residuals(tried.as_slice()).ok();
+            let gain = there.as_ref().map_or(-1.0, |there| (sum - squares(there)) / promised);
+            if let Some(there) = there.filter(|_| gain > 0.0) {
+                (numbers, now) = (tried, there);
+                let trust = 2.0 * gain - 1.0;
+                damping = (damping * (1.0 - trust * trust * trust).max(0.1)).max(1e-14);
+                harder = 2.0;
+                break;
+            }
+            damping *= harder;
+            harder *= 2.0;
+        }
+    }
+    Err(unsettled(off))
 }
 
-/// Derivatives by differences, to the side where the residuals can be had.
+fn unsettled(off: f64) -> Error {
+    let allowed = "0.001 standard deviations: no least sum of squares was found";
+    Error::out_of_range("distance of a fit from the best", off, allowed)
+}
+
+/// The residuals as they depend on small changes of the numbers.
+struct Linear {
+    lengths: Vec<f64>,
+    /// Singular values, and their directions as rows.
+    values: DVector<f64>,
+    directions: DMatrix<f64>,
+    /// The residuals along the columns' own directions.
+    along: DVector<f64>,
+    /// The length of Gauss and Newton's step, in standard deviations.
+    off: f64,
+}
+
+impl Linear {
+    fn new(slopes: &DMatrix<f64>, scales: &[f64], residuals: &[f64]) -> Self {
+        let (count, numbers) = slopes.shape();
+        let lengths: Vec<f64> = slopes.column_iter().map(|column| column.norm()).collect();
+        let mut columns = slopes.clone().insert_column(numbers, 0.0);
+        for (mut column, length) in columns.column_iter_mut().zip(&lengths) {
+            column.unscale_mut(length.max(f64::MIN_POSITIVE));
+        }
+        columns.set_column(numbers, &DVector::from_column_slice(residuals));
+        // The last column of the triangle is Q^T r, and its last number what no change takes away.
+        let triangle = columns.qr().r();
+        let within = triangle.column(numbers).rows(0, numbers).into_owned();
+        let beside = triangle[(numbers, numbers)];
+        let factors = triangle.view((0, 0), (numbers, numbers)).into_owned().svd(true, true);
+        let (left, directions) = (factors.u.unwrap_or_default(), factors.v_t.unwrap_or_default());
+        let mut values = factors.singular_values;
+        let flat = FLAT * values.max();
+        values.iter_mut().filter(|value| **value < flat).for_each(|value| *value = 0.0);
+        let mut along = left.tr_mul(&within);
+        along.iter_mut().zip(&values).filter(|(_, s)| **s == 0.0).for_each(|(c, _)| *c = 0.0);
+        let wholes = lengths.iter().zip(scales).map(|(length, scale)| length * scale);
+        let rounding = ROUNDING * wholes.fold(0.0, f64::max) / (count as f64).sqrt();
+        let deviation = beside.abs() / ((count - numbers) as f64).sqrt();
+        let off = along.norm() / deviation.max(rounding).max(f64::MIN_POSITIVE);
+        Self { lengths, values, directions, along, off }
+    }
+
+    /// The numbers that these lengths along the directions are.
+    fn numbers(&self, lengths: &DVector<f64>) -> DVector<f64> {
+        let mut numbers = self.directions.tr_mul(lengths);
+        for (number, length) in numbers.iter_mut().zip(&self.lengths) {
+            *number /= length.max(f64::MIN_POSITIVE);
+        }
+        numbers
+    }
+
+    /// What to take from the numbers, and by how much the sum of squares then falls.
+    fn step(&self, damping: f64) -> (DVector<f64>, f64) {
+        let step = self.along.zip_map(&self.values, |c, s| c * s / (s * s + damping));
+        let left = self.along.zip_map(&self.values, |c, s| c * damping / (s * s + damping));
+        (self.numbers(&step), self.along.norm_squared() - left.norm_squared())
+    }
+
+    /// What to take from the numbers for these residuals.
+    fn bent(&self, damping: f64, slopes: &DMatrix<f64>, bent: &DVector<f64>) -> DVector<f64> {
+        let mut pull = slopes.tr_mul(bent);
+        for (pull, length) in pull.iter_mut().zip(&self.lengths) {
+            *pull /= length.max(f64::MIN_POSITIVE);
+        }
+        let along = &self.directions * pull;
+        let part = |c: f64, s: f64| if s == 0.0 { 0.0 } else { c / (s * s + damping) };
+        self.numbers(&along.zip_map(&self.values, part))
+    }
+
+    fn length(&self, numbers: &DVector<f64>) -> f64 {
+        let parts = numbers.iter().zip(&self.lengths).map(|(x, length)| x * length);
+        parts.map(|part| part * part).sum::<f64>().sqrt()
+    }
+}
+
+/// Derivatives by central differences; to one side where the other is refused.
 fn slopes(
-    numbers: &[f64],
+    numbers: &DVector<f64>,
     scales: &[f64],
     now: &[f64],
     residuals: &mut dyn FnMut(&[f64]) -> Result<Vec<f64>>,
-    jacobian: &mut DMatrix<f64>,
-) -> Result<()> {
-    for (i, scale) in scales.iter().enumerate() {
+) -> Result<DMatrix<f64>> {
+    let mut slopes = DMatrix::zeros(now.len(), numbers.len());
+    for i in (0..numbers.len()).rev() {
         let mut aside = |step: f64| {
-            let mut aside = numbers.to_vec();
+            let mut aside = numbers.clone();
             aside[i] += step;
-            let step = aside[i] - numbers[i];
-            residuals(&aside).map(|there| (there, step))
+            residuals(aside.as_slice()).map(|there| (aside[i], there))
         };
-        let (there, step) = aside(STEP * scale).or_else(|_| aside(-STEP * scale))?;
-        for (slope, (there, now)) in jacobian.column_mut(i).iter_mut().zip(there.iter().zip(now)) {
-            *slope = (there - now) / step;
-        }
+        let here = || (numbers[i], now.to_vec());
+        let (below, above) = (aside(-STEP * scales[i]), aside(STEP * scales[i]));
+        let ((from, below), (to, above)) = match (below, above) {
+            (Err(error), Err(_)) => return Err(error),
+            (below, above) => {
+                (below.unwrap_or_else(|_| here()), above.unwrap_or_else(|_| here()))
+            }
+        };
+        let pairs = above.iter().zip(&below).map(|(above, below)| (above - below) / (to - from));
+        slopes.column_mut(i).copy_from_slice(&pairs.collect::<Vec<_>>());
     }
-    Ok(())
+    Ok(slopes)
 }

@@ -32,205 +32,32 @@
 //!
 //! Source: M. S. Wheatland and others, *Am. J. Phys.* 89, 342 (2021), for the experiment with a phone.
 
+mod choice;
+mod flight;
 mod least_squares;
 mod model;
 mod spread;
 mod start;
 
-use crate::error::{Error, Result};
+use crate::attitude::Attitude;
+use crate::error::Result;
 use crate::exact::free_body::FreeBody;
 use crate::frame::{BodyVector, DesignVector};
-use crate::inertia::PrincipalMoments;
 use crate::math::{exp, log};
+pub use choice::Decision;
+use choice::Other;
+pub use flight::Flight;
 use least_squares::Fitted;
 pub use model::Correction;
-use model::Model;
+use model::{Model, slowed_clock};
 use nalgebra::{DMatrix, DVector};
 
-/// The fewest samples of a flight: as many as all corrections leave numbers open, three rates for each.
-const FEWEST: usize = 13;
-
-/// A correction is needed if chance would improve the fit as much once in a thousand flights.
-/// Distribution of chi squared for 1, 2 and 3 numbers.
-const BY_CHANCE: [f64; 3] = [10.83, 13.82, 16.27];
-
-/// What a number costs in the weights of the combinations. Akaike's 2 made the intervals hold the truth
-/// in 99 of 100 flights, 6 in 88 of those that need all corrections; with 4 it is 94 to 98 (`tests/fit`).
-const PER_NUMBER: f64 = 4.0;
-
-fn threshold(correction: Correction) -> f64 {
-    BY_CHANCE[correction.numbers() - 1]
-}
-
-/// Half an interval of 95 per cent, in standard deviations.
-const CONFIDENCE: f64 = 1.96;
+/// Half an interval of 95 per cent, in standard deviations that are known.
+const NORMAL: f64 = 1.96;
 
 /// A ratio of moments is not determined if its interval spans more than this factor up or down: a phone
 /// then looks like a cube.
 const OPEN: f64 = 2.0;
-
-/// The rates of one flight, as a sensor that is fixed to the body recorded them.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Flight {
-    /// In s after the first.
-    times: Vec<f64>,
-    begin: f64,
-    rates: Vec<[f64; 3]>,
-}
-
-impl Flight {
-    /// A flight: `times` (s), ascending, and the rates (rad/s) on the sensor's axes.
-    ///
-    /// # Errors
-    /// `Lengths` if there are not as many rates as times, or fewer than 13; `AtIndex` for a time or
-    /// rate that is not finite and a time that is not later than the one before; `OutOfRange` if
-    /// nothing turns.
-    pub fn new(times: Vec<f64>, rates: Vec<DesignVector>) -> Result<Self> {
-        if rates.len() != times.len() {
-            return Err(Error::Lengths {
-                name: "rates",
-                found: rates.len(),
-                expected: times.len(),
-            });
-        }
-        if times.len() < FEWEST {
-            return Err(Error::Lengths { name: "samples", found: times.len(), expected: FEWEST });
-        }
-        let at = |name, index, value| Error::AtIndex {
-            name,
-            index,
-            reason: Box::new(Error::NotFinite { name, value }),
-        };
-        for (index, (t, rate)) in times.iter().zip(&rates).enumerate() {
-            if !t.is_finite() {
-                return Err(at("times", index, *t));
-            }
-            if let Some(value) = rate.to_array().into_iter().find(|w| !w.is_finite()) {
-                return Err(at("rates", index, value));
-            }
-            if index > 0 && *t <= times[index - 1] {
-                let reason =
-                    Error::out_of_range("time", *t, format!("later than {} s", times[index - 1]));
-                return Err(Error::AtIndex { name: "times", index, reason: Box::new(reason) });
-            }
-        }
-        let begin = times[0];
-        let times = times.iter().map(|t| t - begin).collect();
-        let rates: Vec<[f64; 3]> = rates.iter().map(|rate| rate.to_array()).collect();
-        let flight = Self { times, begin, rates };
-        if flight.fastest() == 0.0 {
-            return Err(Error::out_of_range(
-                "fastest rate",
-                0.0,
-                "above 0: what does not turn shows no moments",
-            ));
-        }
-        Ok(flight)
-    }
-
-    /// The times as they were given (s).
-    pub fn times(&self) -> impl Iterator<Item = f64> {
-        self.times.iter().map(|t| t + self.begin)
-    }
-
-    /// The rates as they were given (rad/s).
-    pub fn rates(&self) -> impl Iterator<Item = DesignVector> {
-        self.rates.iter().map(|rate| DesignVector::from(*rate))
-    }
-
-    fn fastest(&self) -> f64 {
-        self.rates.iter().flatten().fold(0.0, |most, w| most.max(w.abs()))
-    }
-
-    /// The free body that shows these rates best, with those of the corrections that the rates need.
-    ///
-    /// Two ratios of moments and three rates at the start are fitted by least squares, with every
-    /// combination of the corrections that are `allowed`. Chosen is the one with the least n ln S + sum of
-    /// the thresholds: a correction is needed if it lowers n ln S by more than chance does once in a
-    /// thousand flights. S is the sum of squares, n the number of independent samples, from the
-    /// correlation of the residuals.
-    ///
-    /// The interval of a ratio allows for the other combinations, each with a weight as of Akaike's: K. P.
-    /// Burnham, D. R. Anderson, *Model Selection and Multimodel Inference*, 4.3.
-    ///
-    /// # Errors
-    /// Those of [`FreeBody::new`], if every combination is refused.
-    pub fn fit(&self, allowed: &[Correction]) -> Result<Fit> {
-        let mut candidates: Vec<Candidate> = Vec::new();
-        let mut refused = None;
-        for model in Model::combinations(allowed) {
-            // From what the best simpler one found, too.
-            let simpler = candidates.iter().filter(|other| other.model.is_part_of(&model));
-            let simpler = simpler.min_by(|a, b| a.fitted.squares.total_cmp(&b.fitted.squares));
-            let carried = simpler.map(|other| model.carried(&other.model, &other.fitted.numbers));
-            match self.fitted(&model, carried) {
-                Ok(fitted) => candidates.push(Candidate { model, fitted }),
-                Err(error) => refused = Some(error),
-            }
-        }
-        match (candidates.is_empty(), refused) {
-            (true, Some(refused)) => Err(refused),
-            _ => Fit::chosen(&candidates, self),
-        }
-    }
-
-    /// The best numbers of a model: from these, or from linear algebra with and without what the model
-    /// may have, whichever fits best.
-    fn fitted(&self, model: &Model, carried: Option<Vec<f64>>) -> Result<Fitted> {
-        let resists = model.has(Correction::Offset) || model.has(Correction::Drag);
-        let turns = model.has(Correction::Axes);
-        let ways = [(false, false), (turns, resists), (turns, false), (false, resists)];
-        let ways = ways.into_iter().enumerate().filter(|(n, way)| !ways[..*n].contains(way));
-        let starts = ways
-            .filter_map(|(_, (turned, resisted))| start::numbers(self, model, turned, resisted));
-        let found = starts.map(|numbers| self.lengthened(model, numbers));
-        let carried = carried.map(|numbers| self.refined(model, &numbers, self.times.len()));
-        let squares =
-            |fitted: &Result<Fitted>| fitted.as_ref().map_or(f64::INFINITY, |f| f.squares);
-        let best = found.chain(carried).min_by(|a, b| squares(a).total_cmp(&squares(b)));
-        best.unwrap_or_else(|| {
-            Err(Error::out_of_range(
-                "fastest rate",
-                self.fastest(),
-                "that of a body in free flight",
-            ))
-        })
-    }
-
-    /// The best numbers for an eighth of the flight, from there for a quarter, and so on.
-    fn lengthened(&self, model: &Model, mut numbers: Vec<f64>) -> Result<Fitted> {
-        let count = self.times.len();
-        for part in [count / 8, count / 4, count / 2] {
-            if 3 * part >= 4 * model.numbers() {
-                numbers = self.refined(model, &numbers, part)?.numbers;
-            }
-        }
-        self.refined(model, &numbers, count)
-    }
-
-    /// The best numbers near these, for the first samples.
-    fn refined(&self, model: &Model, numbers: &[f64], samples: usize) -> Result<Fitted> {
-        let mut residuals = |numbers: &[f64]| {
-            let shown = model.rates(numbers, &self.times[..samples])?;
-            let pairs = shown.iter().zip(&self.rates);
-            Ok(pairs.flat_map(|(shown, seen)| [0, 1, 2].map(|i| shown[i] - seen[i])).collect())
-        };
-        least_squares::fit(numbers, &model.scales(self.fastest()), &mut residuals)
-    }
-}
-
-/// Whether a correction is needed, and by how much the fit is better with it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Decision {
-    /// Which.
-    pub correction: Correction,
-    /// n ln(S/S'), with the sums S and S' of squares without and with it, as of [`Flight::fit`].
-    pub improvement: f64,
-    /// What chance reaches once in a thousand flights.
-    pub threshold: f64,
-    /// Whether the fit has it.
-    pub needed: bool,
-}
 
 /// A number with its interval of 95 per cent.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -248,99 +75,45 @@ impl Estimate {
     pub fn holds(&self, value: f64) -> bool {
         (self.from..=self.to).contains(&value)
     }
+
+    /// Of a logarithm and half its interval.
+    fn of_log(log: f64, half: f64) -> Self {
+        let [value, from, to] = [log, log - half, log + half].map(exp);
+        Self { value, from, to }
+    }
 }
 
-/// A combination of corrections, fitted.
-struct Candidate {
-    model: Model,
-    fitted: Fitted,
-}
-
-/// What another combination of corrections says of the ratios.
-#[derive(Debug, Clone)]
-struct Other {
-    weight: f64,
-    /// ln(I1/I3) and ln(I2/I3).
-    log_ratios: [f64; 2],
-    /// Their covariance.
-    covariance: [[f64; 2]; 2],
+/// How a number that a free body keeps went by the recorded rates, relative to its mean.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Course {
+    /// Its change from the beginning to the end, by the straight line that fits best.
+    pub change: f64,
+    /// The root of the mean square of what is beside that line.
+    pub scatter: f64,
 }
 
 /// The free body that fits a flight.
 #[derive(Debug, Clone)]
 pub struct Fit {
+    flight: Flight,
     model: Model,
     fitted: Fitted,
-    covariance: Option<DMatrix<f64>>,
+    covariance: DMatrix<f64>,
+    /// Half an interval of 95 per cent, in standard deviations.
+    confidence: f64,
     decisions: Vec<Decision>,
+    /// Other combinations of corrections; none if the rates do not vary beyond noise.
     others: Vec<Other>,
     moments: [f64; 3],
     motion: FreeBody,
-    begin: f64,
+    shown: Vec<[f64; 3]>,
 }
 
 impl Fit {
-    /// The best of all combinations, which are in the order of what they leave open.
-    fn chosen(candidates: &[Candidate], flight: &Flight) -> Result<Self> {
-        let richest = &candidates[candidates.len() - 1];
-        let residuals = &richest.fitted.residuals;
-        let independent = residuals.len() as f64 / spread::inflation(residuals);
-        let misfit = |of: &Candidate| independent * log(of.fitted.squares.max(f64::MIN_POSITIVE));
-        let price = |of: &Candidate| {
-            let corrections = of.model.corrections();
-            misfit(of) + corrections.iter().map(|c| threshold(*c)).sum::<f64>()
-        };
-        let best = candidates.iter().min_by(|a, b| price(a).total_cmp(&price(b)));
-        let best = best.unwrap_or(richest);
-        let decide = |correction: Correction| {
-            let needed = best.model.has(correction);
-            let other =
-                if needed { best.model.without(correction) } else { best.model.with(correction) };
-            let other = candidates.iter().find(|candidate| candidate.model == other)?;
-            let worse = misfit(other) - misfit(best);
-            let improvement = if needed { worse } else { (-worse).max(0.0) };
-            Some(Decision { correction, improvement, threshold: threshold(correction), needed })
-        };
-        let akaike = |of: &Candidate| misfit(of) + PER_NUMBER * of.model.numbers() as f64;
-        let least = candidates.iter().map(akaike).fold(f64::INFINITY, f64::min);
-        // A weight below a thousandth changes no digit that is told.
-        let weight = |of: &Candidate| exp(0.5 * (least - akaike(of)));
-        let others = candidates.iter().filter(|other| weight(other) > 1e-3).filter_map(|other| {
-            let covariance = spread::covariance(&other.fitted)?;
-            Some(Other {
-                weight: weight(other),
-                log_ratios: [other.fitted.numbers[0], other.fitted.numbers[1]],
-                covariance: [0, 1].map(|i| [0, 1].map(|j| covariance[(i, j)])),
-            })
-        });
-        let named = best.model.named(&best.fitted.numbers)?;
-        let moments = PrincipalMoments::of_any(named.moments)?;
-        Ok(Self {
-            covariance: spread::covariance(&best.fitted),
-            decisions: richest.model.corrections().into_iter().filter_map(decide).collect(),
-            others: others.collect(),
-            moments: named.moments,
-            motion: FreeBody::new(moments, named.turn, named.start)?,
-            begin: flight.begin,
-            model: best.model.clone(),
-            fitted: best.fitted.clone(),
-        })
-    }
-
-    /// The estimate of f = a . numbers, and its standard deviation.
-    fn linear(&self, weights: &[(usize, f64)]) -> Option<(f64, f64)> {
-        let covariance = self.covariance.as_ref()?;
-        let mut vector = DVector::zeros(self.fitted.numbers.len());
-        for (i, weight) in weights {
-            vector[*i] += *weight;
-        }
-        let value = vector.iter().zip(&self.fitted.numbers).map(|(a, x)| a * x).sum();
-        let variance = vector.dot(&(covariance * &vector));
-        variance.is_finite().then(|| (value, variance.max(0.0).sqrt()))
-    }
-
-    /// The ratio I_i/I_j of the moments about the principal axes `i` and `j` (0, 1, 2); `None` if the
-    /// flight does not determine it: its interval would reach beyond twice or half the value.
+    /// The ratio I_i/I_j of the moments about the principal axes `i` and `j` (0, 1, 2).
+    ///
+    /// `None` if the flight does not determine it: if its interval would reach beyond twice or half the
+    /// value, or if the rates vary no more than noise does about a steady spin.
     ///
     /// # Panics
     /// For an axis above 2.
@@ -349,7 +122,7 @@ impl Fit {
         // I3 is 1, and its logarithm 0.
         let weight = |axis: usize| f64::from(u8::from(i == axis)) - f64::from(u8::from(j == axis));
         let weights = [weight(0), weight(1)];
-        let (value, deviation) = self.linear(&[(0, weights[0]), (1, weights[1])])?;
+        let value = weights[0] * self.fitted.numbers[0] + weights[1] * self.fitted.numbers[1];
         let (mut whole, mut sum) = (0.0, 0.0);
         for other in &self.others {
             let dot = |v: &[f64; 2]| weights[0] * v[0] + weights[1] * v[1];
@@ -358,20 +131,27 @@ impl Fit {
             whole += other.weight;
             sum += other.weight * (own + apart * apart);
         }
-        let half = CONFIDENCE * (sum / whole).max(deviation * deviation).sqrt();
-        let [value, from, to] = [value, value - half, value + half].map(exp);
-        (half <= log(OPEN)).then_some(Estimate { value, from, to })
+        let own = self.variance(&[weights[0], weights[1]]);
+        let half = self.confidence * (sum / whole).max(own).sqrt();
+        (half <= log(OPEN)).then(|| Estimate::of_log(value, half))
+    }
+
+    /// The variance of a sum of the first numbers with these weights.
+    fn variance(&self, weights: &[f64]) -> f64 {
+        let mut vector = DVector::zeros(self.fitted.numbers.len());
+        vector.rows_mut(0, weights.len()).copy_from_slice(weights);
+        vector.dot(&(&self.covariance * &vector)).max(0.0)
     }
 
     /// The values of a correction that is needed, with their intervals; none if it is not.
     pub fn correction(&self, correction: Correction) -> Vec<Estimate> {
         let Some(at) = self.model.place(correction) else { return Vec::new() };
         let estimate = |i: usize| {
-            let (value, deviation) = self.linear(&[(i, 1.0)])?;
-            let half = CONFIDENCE * deviation;
-            Some(Estimate { value, from: value - half, to: value + half })
+            let value = self.fitted.numbers[i];
+            let half = self.confidence * self.covariance[(i, i)].sqrt();
+            Estimate { value, from: value - half, to: value + half }
         };
-        (at..at + correction.numbers()).filter_map(estimate).collect()
+        (at..at + correction.numbers()).map(estimate).collect()
     }
 
     /// What was tried, and whether it was needed, in the order of [`Correction`].
@@ -379,57 +159,154 @@ impl Fit {
         &self.decisions
     }
 
-    /// The moments, with I3 = 1. Those that a flat body's noisy rates fit best may exceed the sum of the
-    /// other two by a little.
-    pub fn moments(&self) -> [f64; 3] {
-        self.moments
+    /// The moments, with I3 = 1; `None` if [`Self::ratio`] does not tell I1/I3 and I2/I3. Those that a
+    /// flat body's noisy rates fit best may exceed the sum of the other two by a little.
+    pub fn moments(&self) -> Option<[f64; 3]> {
+        self.ratio(0, 2).and(self.ratio(1, 2)).and(Some(self.moments))
     }
 
-    /// The principal axis (0, 1, 2) with the middle moment.
-    pub fn middle_axis(&self) -> usize {
-        crate::math::order_of_three(self.moments)[1]
+    /// The principal axis (0, 1, 2) with the middle moment; `None` if there are no [`Self::moments`], or if
+    /// the interval of a ratio of this moment to another holds 1.
+    pub fn middle_axis(&self) -> Option<usize> {
+        let [first, middle, last] = crate::math::order_of_three(self.moments()?);
+        let told = [first, last].iter().all(|other| {
+            self.ratio(middle, *other).is_some_and(|ratio| !ratio.holds(1.0))
+        });
+        told.then_some(middle)
     }
 
     /// 2 E I_mid/L^2: 1 on the separatrix; below 1 the momentum circles the axis of the largest moment, above
-    /// 1 that of the least.
-    pub fn separatrix(&self) -> f64 {
-        let momentum = self.motion.angular_momentum();
-        let middle = self.moments[self.middle_axis()];
-        2.0 * self.motion.kinetic_energy() * middle / momentum.dot(&momentum)
+    /// 1 that of the least. `None` if there is no [`Self::middle_axis`]. The interval is that of the curvature,
+    /// without the other combinations of corrections.
+    pub fn separatrix(&self) -> Option<Estimate> {
+        let middle = self.middle_axis()?;
+        let value = |numbers: &[f64]| {
+            let moments = [exp(numbers[0]), exp(numbers[1]), 1.0];
+            let [energy, momentum] = kept(&moments, &[numbers[2], numbers[3], numbers[4]]);
+            log(2.0 * energy * moments[middle] / (momentum * momentum))
+        };
+        let numbers = &self.fitted.numbers[..model::BASE];
+        let scales = self.model.scales(self.flight.fastest());
+        let slope = |i: usize| {
+            let [above, below] = [1e-5, -1e-5].map(|step| {
+                let mut aside = numbers.to_vec();
+                aside[i] += step * scales[i];
+                value(&aside)
+            });
+            (above - below) / (2e-5 * scales[i])
+        };
+        let slopes: Vec<f64> = (0..model::BASE).map(slope).collect();
+        Some(Estimate::of_log(value(numbers), self.confidence * self.variance(&slopes).sqrt()))
     }
 
-    /// The free body, at t = 0 at the first sample: its attitude there is that of its principal axes on
-    /// the sensor's.
+    /// The free body, at t = 0 at the first sample: it turns its principal axes into the sensor's axes at
+    /// the first sample. A drag slows its clock besides: [`Self::attitude`] allows for that.
     pub const fn motion(&self) -> &FreeBody {
         &self.motion
     }
 
-    /// The rates at the start, on the principal axes (rad/s).
+    /// The rates at the first sample, on the principal axes (rad/s).
     pub fn start(&self) -> BodyVector {
         self.motion.angular_velocity(0.0)
     }
 
-    /// What the sensor shows at this time by the fit (rad/s).
+    /// What the sensor shows by the fit at a time `t` of the recording (s) (rad/s).
     ///
     /// # Errors
     /// Those of [`FreeBody::kinematics_at`].
     pub fn rates(&self, t: f64) -> Result<DesignVector> {
-        let shown = self.model.rates(&self.fitted.numbers, &[t - self.begin])?;
+        let shown = self.model.rates(&self.fitted.numbers, &[t - self.flight.begin])?;
         Ok(DesignVector::from(shown[0]))
+    }
+
+    /// How the sensor is turned at a time `t` of the recording (s): from its axes to those that it had at the
+    /// first sample.
+    ///
+    /// # Errors
+    /// Those of [`FreeBody::try_attitude`].
+    pub fn attitude(&self, t: f64) -> Result<Attitude> {
+        let drag = self.model.place(Correction::Drag).map_or(0.0, |at| self.fitted.numbers[at]);
+        let (own, _) = slowed_clock(t - self.flight.begin, drag);
+        Ok(self.motion.try_attitude(own)? * self.motion.attitude(0.0).inverse())
     }
 
     /// The fit less the recorded rates, sample by sample (rad/s).
     pub fn residuals(&self) -> impl Iterator<Item = DesignVector> {
-        self.fitted.residuals.chunks(3).map(|r| DesignVector::new(r[0], r[1], r[2]))
+        let pairs = self.shown.iter().zip(&self.flight.rates);
+        pairs.map(|(shown, seen)| DesignVector::from([0, 1, 2].map(|i| shown[i] - seen[i])))
     }
 
     /// The root of the mean square of the residuals (rad/s).
     pub fn misfit(&self) -> f64 {
-        (self.fitted.squares / self.fitted.residuals.len() as f64).sqrt()
+        let squares: f64 = self.residuals().map(|r| r.dot(&r)).sum();
+        (squares / (3 * self.shown.len()) as f64).sqrt()
+    }
+
+    /// The recorded rates on the principal axes, without the offset (rad/s).
+    fn recorded(&self) -> Result<Vec<[f64; 3]>> {
+        let named = self.model.named(&self.fitted.numbers)?;
+        let own = |seen: &[f64; 3]| {
+            let seen = [0, 1, 2].map(|i| seen[i] - named.offset[i]);
+            named.turn.to_body(seen.into()).to_array()
+        };
+        Ok(self.flight.rates.iter().map(own).collect())
+    }
+
+    /// How the kinetic energy and |L| went by the recorded rates with the [`Self::moments`]; `None`
+    /// without them. A drag gamma changes them by -2 gamma and -gamma a second.
+    pub fn kept(&self) -> Option<[Course; 2]> {
+        let moments = self.moments()?;
+        let rates = self.recorded().ok()?;
+        let [energies, momenta] =
+            [0, 1].map(|n| rates.iter().map(|w| kept(&moments, w)[n]).collect::<Vec<_>>());
+        Some([course(&self.flight.times, &energies), course(&self.flight.times, &momenta)])
+    }
+
+    /// The period (s) of the rates, in which the body flips twice, as counted: twice the mean time between
+    /// changes of the sign of the recorded rate about the [`Self::middle_axis`]. `None` without that axis or
+    /// with fewer than two changes. By the closed form it is [`FreeBody::rate_period`] of the
+    /// [`Self::motion`].
+    pub fn counted_period(&self) -> Option<f64> {
+        let middle = self.middle_axis()?;
+        let rates = self.recorded().ok()?;
+        // Noise changes signs as well: what counts lies three deviations beside 0.
+        let clear = 3.0 * self.misfit();
+        let mut crossings = Vec::new();
+        let mut before: Option<(f64, f64)> = None;
+        for (t, w) in self.flight.times.iter().zip(rates).map(|(t, w)| (*t, w[middle])) {
+            if w.abs() <= clear {
+                continue;
+            }
+            if let Some((from, rate)) = before.filter(|(_, rate)| rate * w < 0.0) {
+                crossings.push(from + (t - from) * rate / (rate - w));
+            }
+            before = Some((t, w));
+        }
+        let (first, last) = (crossings.first()?, crossings.last()?);
+        (crossings.len() > 1).then(|| 2.0 * (last - first) / (crossings.len() - 1) as f64)
     }
 
     /// How often the rates of the whole flight were computed for the last fit.
     pub fn evaluations(&self) -> usize {
         self.fitted.evaluations
     }
+}
+
+/// The kinetic energy and |L|.
+fn kept(moments: &[f64; 3], rates: &[f64; 3]) -> [f64; 2] {
+    let momentum = [0, 1, 2].map(|i| moments[i] * rates[i]);
+    let energy = (0..3).map(|i| 0.5 * momentum[i] * rates[i]).sum();
+    [energy, momentum.iter().map(|l| l * l).sum::<f64>().sqrt()]
+}
+
+/// The straight line through these values over the times.
+fn course(times: &[f64], values: &[f64]) -> Course {
+    let count = values.len() as f64;
+    let mean = |values: &mut dyn Iterator<Item = f64>| values.sum::<f64>() / count;
+    let (middle, level) = (mean(&mut times.iter().copied()), mean(&mut values.iter().copied()));
+    let pairs = || times.iter().zip(values).map(|(t, value)| (t - middle, value - level));
+    let slope = mean(&mut pairs().map(|(t, v)| t * v)) / mean(&mut pairs().map(|(t, _)| t * t));
+    let beside = mean(&mut pairs().map(|(t, v)| (v - slope * t) * (v - slope * t)));
+    let whole = times[times.len() - 1] - times[0];
+    Course { change: slope * whole / level, scatter: beside.sqrt() / level }
 }

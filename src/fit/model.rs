@@ -1,5 +1,6 @@
 //! What a gyroscope shows of a body in free flight, as a function of a few numbers.
 
+use super::least_squares::{self, Fitted};
 use crate::attitude::Attitude;
 use crate::body::Kinematics;
 use crate::error::{Error, Result};
@@ -50,9 +51,22 @@ const FILTER: [(f64, f64); 4] = [
     (9.395070912301133, 0.000539294705561327),
 ];
 
+/// Samples of a flight, or means of neighbours.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Samples {
+    /// In s after the first sample.
+    pub(super) times: Vec<f64>,
+    /// Standard deviations of the times whose mean is taken (s).
+    pub(super) spreads: Vec<f64>,
+    pub(super) rates: Vec<[f64; 3]>,
+    /// Roots of the numbers of samples, relative to the largest.
+    pub(super) weights: Vec<f64>,
+}
+
 /// A free body seen by a sensor, with some corrections.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Model {
+    /// Those that act in the body's motion come first, those of the sensor's axes last.
     corrections: Vec<Correction>,
 }
 
@@ -69,7 +83,7 @@ pub(super) struct Named {
 impl Model {
     pub(super) fn new(corrections: &[Correction]) -> Self {
         let mut corrections = corrections.to_vec();
-        corrections.sort_unstable();
+        corrections.sort_unstable_by_key(|c| (c.numbers(), *c));
         corrections.dedup();
         Self { corrections }
     }
@@ -156,20 +170,21 @@ impl Model {
         scales
     }
 
-    /// What the sensor shows at these times (s) after the start.
+    /// How many of the numbers the rates on the body's own axes depend on.
+    fn inner(&self) -> usize {
+        BASE + self.corrections.iter().filter(|c| c.numbers() == 1).count()
+    }
+
+    /// The rates on the principal axes, as the filter shows them, at these times (s) after the start.
     ///
     /// With drag, L keeps its direction and L(t) = L(0) e^(-gamma t), so that the body goes the way of
     /// the free one, more and more slowly: omega(t) = e^(-gamma t) omega_free((1 - e^(-gamma t))/gamma).
     /// The filter shows the integral of e^-x omega(t - tau x) over x from 0 to infinity; less the delay
     /// tau that is omega + tau^2/2 d2 omega/dt2 + ..., so that tau^2 is the number to be fitted. One
-    /// below 0, which noise may ask for, mirrors the change.
-    pub(super) fn rates(&self, numbers: &[f64], times: &[f64]) -> Result<Vec<[f64; 3]>> {
+    /// below 0, which noise may ask for, mirrors the change. The mean over times of a standard
+    /// deviation s is that at t - s and t + s: exact for cubics.
+    fn body_rates(&self, numbers: &[f64], times: &[f64], spreads: &[f64]) -> Result<Vec<BodyVector>> {
         let named = self.named(numbers)?;
-        let turned = named.turn.rotation_vector().norm();
-        if turned > MOST_TURNED {
-            let allowed = "at most 0.7 rad: farther on, an axis has another's number";
-            return Err(Error::out_of_range("turn of the principal axes", turned, allowed));
-        }
         let moments = PrincipalMoments::of_any(named.moments)?;
         let body = FreeBody::new(moments, Attitude::IDENTITY, named.start)?;
         let filter = named.filter.abs().sqrt();
@@ -182,30 +197,85 @@ impl Model {
                 shown.into_iter().chain(own).collect()
             }
         };
-        let mut clock = Vec::with_capacity(times.len() * nodes.len());
-        let mut slowed = Vec::with_capacity(times.len() * nodes.len());
-        for &t in times {
-            for (later, weight) in &nodes {
-                let (own, slow) = slowed_clock(t + later, named.drag);
-                clock.push(own);
-                slowed.push(weight * slow);
+        let sides: &[f64] = if spreads.iter().any(|s| *s > 0.0) { &[-1.0, 1.0] } else { &[0.0] };
+        let each = nodes.len() * sides.len();
+        let mut clock = Vec::with_capacity(times.len() * each);
+        let mut slowed = Vec::with_capacity(times.len() * each);
+        for (t, spread) in times.iter().zip(spreads) {
+            for side in sides {
+                for (later, weight) in &nodes {
+                    let (own, slow) = slowed_clock(t + side * spread + later, named.drag);
+                    clock.push(own);
+                    slowed.push(weight * slow / sides.len() as f64);
+                }
             }
         }
         let mut samples = vec![Kinematics::REST; clock.len()];
         body.kinematics_at(&clock, &mut samples)?;
-        let mut rates = Vec::with_capacity(times.len());
-        for (samples, slowed) in samples.chunks(nodes.len()).zip(slowed.chunks(nodes.len())) {
+        let shown = samples.chunks(each).zip(slowed.chunks(each)).map(|(samples, slowed)| {
             let seen = samples.iter().zip(slowed);
-            let body = seen.fold(BodyVector::zero(), |sum, (s, w)| sum + s.angular_velocity * *w);
-            let sensor = named.turn.to_space(body).to_array();
-            rates.push([0, 1, 2].map(|i| sensor[i] + named.offset[i]));
+            seen.fold(BodyVector::zero(), |sum, (s, w)| sum + s.angular_velocity * *w)
+        });
+        Ok(shown.collect())
+    }
+
+    /// These rates as the sensor shows them.
+    fn on_sensor(&self, numbers: &[f64], body: &[BodyVector]) -> Result<Vec<[f64; 3]>> {
+        let named = self.named(numbers)?;
+        let turned = named.turn.rotation_vector().norm();
+        if turned > MOST_TURNED {
+            let allowed = "at most 0.7 rad: farther on, an axis has another's number";
+            return Err(Error::out_of_range("turn of the principal axes", turned, allowed));
         }
-        Ok(rates)
+        let shown = |rate: &BodyVector| {
+            let sensor = named.turn.to_space(*rate).to_array();
+            [0, 1, 2].map(|i| sensor[i] + named.offset[i])
+        };
+        Ok(body.iter().map(shown).collect())
+    }
+
+    /// What the sensor shows at these times (s) after the start.
+    pub(super) fn rates(&self, numbers: &[f64], times: &[f64]) -> Result<Vec<[f64; 3]>> {
+        self.on_sensor(numbers, &self.body_rates(numbers, times, &vec![0.0; times.len()])?)
+    }
+
+    /// The sum of the squares of what is left of these samples.
+    pub(super) fn squares(&self, numbers: &[f64], samples: &Samples) -> f64 {
+        let left = self.residuals(numbers, samples, samples.times.len(), &mut None);
+        left.map_or(f64::INFINITY, |left| left.iter().map(|r| r * r).sum())
+    }
+
+    /// The best numbers near these, for the first `count` samples.
+    pub(super) fn refined(&self, numbers: &[f64], samples: &Samples, count: usize) -> Result<Fitted> {
+        let fastest = samples.rates.iter().flatten().fold(0.0_f64, |most, w| most.max(w.abs()));
+        let mut last = None;
+        least_squares::fit(numbers, &self.scales(fastest), &mut |numbers| {
+            self.residuals(numbers, samples, count, &mut last)
+        })
+    }
+
+    /// Rates on the body's axes are computed anew only if numbers change on which they depend.
+    fn residuals(
+        &self,
+        numbers: &[f64],
+        samples: &Samples,
+        count: usize,
+        last: &mut Option<(Vec<f64>, Vec<BodyVector>)>,
+    ) -> Result<Vec<f64>> {
+        let inner = &numbers[..self.inner()];
+        if last.as_ref().is_none_or(|(of, _)| of != inner) {
+            let body = self.body_rates(numbers, &samples.times[..count], &samples.spreads[..count])?;
+            *last = Some((inner.to_vec(), body));
+        }
+        let body = last.as_ref().map_or(&[][..], |(_, body)| body);
+        let shown = self.on_sensor(numbers, body)?;
+        let triples = shown.iter().zip(&samples.rates).zip(&samples.weights);
+        Ok(triples.flat_map(|((a, b), w)| [0, 1, 2].map(|i| w * (a[i] - b[i]))).collect())
     }
 }
 
 /// The time of the free body that is where the one with drag is at `t`, and how much slower that is.
-fn slowed_clock(t: f64, drag: f64) -> (f64, f64) {
+pub(super) fn slowed_clock(t: f64, drag: f64) -> (f64, f64) {
     let x = drag * t;
     if x == 0.0 {
         return (t, 1.0);

@@ -5,7 +5,7 @@
 //! counts: that of the curvature, with as many samples as the correlation of the residuals leaves, and
 //! that of fits to residuals that were drawn again in blocks.
 
-use super::least_squares::Fitted;
+use super::least_squares::{FLAT, Fitted};
 use nalgebra::{DMatrix, DVector};
 
 /// How many times residuals are drawn again: the standard deviation of a number is then known within
@@ -40,26 +40,31 @@ pub(super) fn inflation(residuals: &[f64]) -> f64 {
     sum
 }
 
-/// The covariance of the numbers; `None` if the residuals leave one of them open.
-pub(super) fn covariance(fitted: &Fitted) -> Option<DMatrix<f64>> {
+/// The covariance of the numbers; what the residuals leave open has a variance beyond all sizes.
+pub(super) fn covariance(fitted: &Fitted) -> DMatrix<f64> {
     let (count, numbers) = fitted.jacobian.shape();
     // In units in which each column has the length 1, so that numbers of all sizes are treated alike.
-    let lengths: Vec<f64> = fitted.jacobian.column_iter().map(|column| column.norm()).collect();
-    if lengths.contains(&0.0) || count <= numbers {
-        return None;
-    }
+    let length = |norm: f64| if norm > 0.0 { norm } else { 1.0 };
+    let lengths: Vec<f64> = fitted.jacobian.column_iter().map(|c| length(c.norm())).collect();
     let mut columns = fitted.jacobian.clone();
     for (mut column, length) in columns.column_iter_mut().zip(&lengths) {
         column /= *length;
     }
-    let inverse = columns.tr_mul(&columns).cholesky()?.inverse();
+    let factors = columns.clone().qr().r().svd(false, true);
+    let values = factors.singular_values.map(|value| value.max(FLAT));
+    let mut directions = factors.v_t.unwrap_or_default();
+    for (mut row, value) in directions.row_iter_mut().zip(&values) {
+        row /= *value;
+    }
+    let inverse = directions.tr_mul(&directions);
     let inflation = inflation(&fitted.residuals);
     let variance = fitted.squares / (count - numbers) as f64 * inflation;
     let mut covariance = &inverse * variance;
     let drawn = drawn(fitted, &columns, &inverse, inflation);
     for i in 0..numbers {
         // The correlations of the curvature, the larger of the two variances.
-        let factor = (drawn[i] / covariance[(i, i)]).max(1.0).sqrt();
+        let least = covariance[(i, i)].max(f64::MIN_POSITIVE);
+        let factor = (drawn[i] / least).max(1.0).sqrt();
         covariance.row_mut(i).scale_mut(factor);
         covariance.column_mut(i).scale_mut(factor);
     }
@@ -67,7 +72,7 @@ pub(super) fn covariance(fitted: &Fitted) -> Option<DMatrix<f64>> {
         covariance.row_mut(i).unscale_mut(*length);
         covariance.column_mut(i).unscale_mut(*length);
     }
-    Some(covariance)
+    covariance
 }
 
 /// Variances of the numbers of fits to residuals drawn again, in blocks as long as four times their

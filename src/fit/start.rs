@@ -4,10 +4,10 @@
 //! J (w(t) - w(0)) + S(t) = 0, where S is the integral of w x J w: linear in the six elements of the tensor
 //! J. So the elements, up to a factor, are the vector that makes the sum of the squares of the left
 //! side least: the eigenvector of a matrix of six by six, or of three by three if J is diagonal. No
-//! rate is differentiated.
+//! rate is differentiated. In a long flight the integral begins anew after each `window` of time, before the
+//! errors of an offset or of wide steps add up.
 
-use super::Flight;
-use super::model::{Correction, Model};
+use super::model::{Correction, Model, Samples};
 use crate::attitude::Attitude;
 use crate::math::log;
 use nalgebra::{DMatrix, Matrix3, SymmetricEigen};
@@ -21,12 +21,13 @@ const LEAST: f64 = 0.02;
 /// The numbers of `model` from which a fit of this flight begins, with the axes turned or not, and with
 /// or without terms of an offset and a drag; `None` if they are not determined.
 pub(super) fn numbers(
-    flight: &Flight,
+    samples: &Samples,
+    window: f64,
     model: &Model,
     turned: bool,
     resisted: bool,
 ) -> Option<Vec<f64>> {
-    let elements = least(flight, if turned { 6 } else { 3 }, resisted)?;
+    let elements = least(samples, window, if turned { 6 } else { 3 }, resisted)?;
     let mut tensor = Matrix3::zeros();
     for (value, (i, j)) in elements.iter().zip(ELEMENTS) {
         tensor[(i, j)] = *value;
@@ -51,7 +52,7 @@ pub(super) fn numbers(
     let mut numbers = vec![0.0; model.numbers()];
     numbers[0] = log(moments[0] / moments[2]);
     numbers[1] = log(moments[1] / moments[2]);
-    let first = flight.rates[0];
+    let first = samples.rates[0];
     for (number, axis) in numbers[2..].iter_mut().zip(&axes) {
         *number = (0..3).map(|k| axis[k] * first[k]).sum();
     }
@@ -65,15 +66,19 @@ pub(super) fn numbers(
 /// The elements, of length 1, that make the left side least; of positive trace. With `resisted` the left
 /// side has terms A s + c t besides, with any matrix A and vector c, and s the integral of w: so an offset
 /// and a drag enter, which are then left aside.
-fn least(flight: &Flight, count: usize, resisted: bool) -> Option<Vec<f64>> {
+fn least(samples: &Samples, window: f64, count: usize, resisted: bool) -> Option<Vec<f64>> {
     let all = count + if resisted { 12 } else { 0 };
     let mut products = vec![[0.0; 3]; count];
     let mut turned = [0.0; 3];
     let mut matrix = DMatrix::<f64>::zeros(all, all);
-    let first = flight.rates[0];
-    for k in 1..flight.times.len() {
-        let (before, now) = (flight.rates[k - 1], flight.rates[k]);
-        let half = 0.5 * (flight.times[k] - flight.times[k - 1]);
+    let (mut first, mut from) = (samples.rates[0], 0.0);
+    for k in 1..samples.times.len() {
+        if samples.times[k - 1] - from > window {
+            (first, from) = (samples.rates[k - 1], samples.times[k - 1]);
+            (products, turned) = (vec![[0.0; 3]; count], [0.0; 3]);
+        }
+        let (before, now) = (samples.rates[k - 1], samples.rates[k]);
+        let half = 0.5 * (samples.times[k] - samples.times[k - 1]);
         let change = [0, 1, 2].map(|i| now[i] - first[i]);
         let mut sides: Vec<[f64; 3]> = Vec::with_capacity(all);
         for (element, sum) in ELEMENTS.iter().zip(&mut products) {
@@ -88,7 +93,7 @@ fn least(flight: &Flight, count: usize, resisted: bool) -> Option<Vec<f64>> {
             turned[i] += half * (before[i] + now[i]);
         }
         if resisted {
-            for length in turned.into_iter().chain([flight.times[k]]) {
+            for length in turned.into_iter().chain([samples.times[k] - from]) {
                 sides.extend(
                     (0..3).map(|row| [0, 1, 2].map(|i| if i == row { length } else { 0.0 })),
                 );
