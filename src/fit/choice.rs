@@ -19,11 +19,25 @@ const BY_CHANCE: [f64; 3] = [10.83, 13.82, 16.27];
 /// in 99 of 100 flights, 6 in 88 of those that need all corrections; with 4 it is 94 to 98 (`tests/fit`).
 const PER_NUMBER: f64 = 4.0;
 
+/// A combination is left out if n ln S + sum of the thresholds cannot be less than that of another by so
+/// much. Its weight beside the other is below e^-20.
+const HOPELESS: f64 = 60.0;
+
 /// Pieces of a flight that are fitted first, and the pieces of an integral of the start (turns).
 const PIECE: f64 = 2.0;
 
 fn threshold(correction: Correction) -> f64 {
     BY_CHANCE[correction.numbers() - 1]
+}
+
+/// What the corrections of a model have to bring.
+fn price(model: &Model) -> f64 {
+    Correction::ALL.into_iter().filter(|c| model.has(*c)).map(threshold).sum()
+}
+
+/// The number of independent residuals, less that of the numbers that were fitted to them.
+fn free(fitted: &Fitted) -> f64 {
+    (fitted.residuals.len() - fitted.numbers.len()) as f64 / spread::inflation(&fitted.residuals)
 }
 
 /// Whether a correction is needed, and by how much the fit is better with it.
@@ -55,6 +69,18 @@ struct Candidate {
     fitted: Fitted,
 }
 
+impl Candidate {
+    /// Whether it may be chosen: at its minimum, and with a filter whose tau^2 is not below 0, which is best
+    /// without.
+    fn stands(&self) -> bool {
+        self.fitted.settled() && self.filters()
+    }
+
+    fn filters(&self) -> bool {
+        self.model.place(Correction::Filter).is_none_or(|at| self.fitted.numbers[at] >= 0.0)
+    }
+}
+
 impl Flight {
     /// The free body that shows these rates best, with those of the corrections that the rates need.
     ///
@@ -74,41 +100,69 @@ impl Flight {
         let samples = self.samples();
         let mut candidates: Vec<Candidate> = Vec::new();
         let mut refused = None;
-        for model in Model::combinations(allowed) {
-            // From what the best simpler one found, too.
-            let simpler = candidates.iter().filter(|other| other.model.is_part_of(&model));
-            let simpler = simpler.min_by(|a, b| a.fitted.squares.total_cmp(&b.fitted.squares));
-            let carried = simpler.map(|other| model.carried(&other.model, &other.fitted.numbers));
-            match self.fitted(&samples, &model, carried) {
-                Ok(fitted) => candidates.push(Candidate { model, fitted }),
+        let mut bound = f64::INFINITY;
+        let mut independent = None;
+        for model in Model::combinations(allowed).into_iter().rev() {
+            let richer = candidates.iter().filter(|other| model.is_part_of(&other.model));
+            let richer = richer.max_by(|a, b| a.fitted.squares.total_cmp(&b.fitted.squares));
+            // No sum of squares is less than that of a richer combination.
+            let most = independent.map_or(f64::INFINITY, |independent| {
+                exp((bound + HOPELESS - price(&model)) / independent)
+            });
+            if richer.is_some_and(|richer| richer.fitted.squares > most) {
+                continue;
+            }
+            let carried = richer.map(|other| model.carried(&other.model, &other.fitted.numbers));
+            match self.fitted(&samples, &model, carried, most) {
+                Ok(fitted) => {
+                    let n = *independent.get_or_insert_with(|| free(&fitted));
+                    if fitted.settled() {
+                        bound = bound.min(n * log(fitted.squares) + price(&model));
+                    }
+                    candidates.push(Candidate { model, fitted });
+                }
                 Err(error) => refused = Some(error),
             }
         }
-        // A filter whose tau^2 is best below 0 is best without.
-        candidates.retain(|of| {
-            of.model.place(Correction::Filter).is_none_or(|at| of.fitted.numbers[at] >= 0.0)
-        });
-        match (candidates.is_empty(), refused) {
-            (true, Some(refused)) => Err(refused),
-            _ => self.chosen(&samples, &candidates),
+        // A richer combination fits no worse: from the numbers of a simpler one, if those are better.
+        for k in (0..candidates.len()).rev() {
+            let model = candidates[k].model.clone();
+            let simpler = candidates[k..].iter().filter(|other| other.model.is_part_of(&model));
+            let Some(least) = simpler.min_by(|a, b| a.fitted.squares.total_cmp(&b.fitted.squares))
+            else {
+                continue;
+            };
+            if least.fitted.squares < candidates[k].fitted.squares {
+                let carried = model.carried(&least.model, &least.fitted.numbers);
+                let all = samples.times.len();
+                candidates[k].fitted = model.refined(&carried, &samples, all, f64::INFINITY)?;
+            }
+        }
+        candidates.reverse();
+        match refused {
+            Some(refused) if candidates.is_empty() => Err(refused),
+            _ => {
+                self.chosen(&samples, &candidates, Model::new(allowed), independent.unwrap_or(1.0))
+            }
         }
     }
 
-    /// The best numbers of a model: from those of a simpler one, or from linear algebra and pieces of the
+    /// The best numbers of a model: from those of a richer one, or from linear algebra and pieces of the
     /// flight that grow, whichever begins better.
-    fn fitted(&self, samples: &Samples, model: &Model, carried: Option<Vec<f64>>) -> Result<Fitted> {
+    fn fitted(
+        &self,
+        samples: &Samples,
+        model: &Model,
+        carried: Option<Vec<f64>>,
+        hopeless: f64,
+    ) -> Result<Fitted> {
         let count = samples.times.len();
         let piece = PIECE * TAU / self.fastest();
-        let resists = model.has(Correction::Offset) || model.has(Correction::Drag);
-        let turns = model.has(Correction::Axes);
         let mut starts: Vec<Vec<f64>> = carried.into_iter().collect();
-        for resisted in [false, true].into_iter().take(1 + usize::from(resists)) {
-            let Some(mut numbers) = start::numbers(samples, piece, model, turns, resisted) else {
-                continue;
-            };
+        if let Some(mut numbers) = start::numbers(samples, piece, model) {
             let mut part = samples.times.partition_point(|t| *t < piece).max(2 * model.numbers());
             while part < count {
-                if let Ok(fitted) = model.refined(&numbers, samples, part) {
+                if let Ok(fitted) = model.refined(&numbers, samples, part, hopeless) {
                     numbers = fitted.numbers;
                 }
                 part *= 2;
@@ -116,50 +170,61 @@ impl Flight {
             starts.push(numbers);
         }
         starts.sort_by_cached_key(|numbers| model.squares(numbers, samples).to_bits());
-        let mut refused = Error::out_of_range(
+        let mut best = Err(Error::out_of_range(
             "fastest rate",
             self.fastest(),
             "that of a body in free flight: its moments are not to be found",
-        );
+        ));
         for numbers in starts {
-            match model.refined(&numbers, samples, count) {
-                Ok(fitted) => return Ok(fitted),
-                Err(error) => refused = error,
+            match model.refined(&numbers, samples, count, hopeless) {
+                Ok(fitted) if fitted.settled() || fitted.squares > hopeless => return Ok(fitted),
+                other if best.is_err() => best = other,
+                _ => {}
             }
         }
-        Err(refused)
+        best
     }
 
-    /// The best of all combinations, which are in the order of what they leave open.
-    fn chosen(&self, samples: &Samples, candidates: &[Candidate]) -> Result<Fit> {
-        let richest = &candidates[candidates.len() - 1];
-        let residuals = &richest.fitted.residuals;
-        let freedom = (residuals.len() - richest.model.numbers()) as f64;
-        let independent = freedom / spread::inflation(residuals);
+    /// The best of the combinations, which are in the order of what they leave open.
+    fn chosen(
+        &self,
+        samples: &Samples,
+        candidates: &[Candidate],
+        allowed: Model,
+        independent: f64,
+    ) -> Result<Fit> {
         // Digits beyond the twelfth are those of arithmetic.
-        let least = 1e-24 * self.fastest() * self.fastest() * residuals.len() as f64;
+        let least = 1e-24 * self.fastest() * self.fastest() * 3.0 * samples.times.len() as f64;
         let lack = |squares: f64| independent * log(squares.max(least));
         let misfit = |of: &Candidate| lack(of.fitted.squares);
-        let corrections = |of: &Candidate| {
-            Correction::ALL.into_iter().filter(|c| of.model.has(*c)).collect::<Vec<_>>()
+        let cost = |of: &Candidate| misfit(of) + price(&of.model);
+        let standing = candidates.iter().filter(|of| of.stands());
+        let Some(best) = standing.min_by(|a, b| cost(a).total_cmp(&cost(b))) else {
+            let least = candidates.iter().map(|of| of.fitted.off).fold(f64::INFINITY, f64::min);
+            let allowed = "0.001 standard deviations: no least sum of squares was found";
+            return Err(Error::out_of_range("distance of a fit from the best", least, allowed));
         };
-        let price =
-            |of: &Candidate| misfit(of) + corrections(of).into_iter().map(threshold).sum::<f64>();
-        let best = candidates.iter().min_by(|a, b| price(a).total_cmp(&price(b)));
-        let best = best.unwrap_or(richest);
         let decide = |correction: Correction| {
             let needed = best.model.has(correction);
             let beside = |of: &&Candidate| {
                 let (more, less) = if needed { (best, *of) } else { (*of, best) };
                 !less.model.has(correction) && more.model == less.model.with(correction)
             };
-            let change = candidates.iter().find(beside).map(|of| (misfit(of) - misfit(best)).abs());
-            let improvement = change.unwrap_or(if needed { f64::MAX } else { 0.0 });
+            let change =
+                |of: &Candidate| if of.filters() { (misfit(of) - misfit(best)).abs() } else { 0.0 };
+            let without = candidates.iter().filter(|of| needed && !of.model.has(correction));
+            let without = without.map(|of| misfit(of) - misfit(best)).fold(f64::INFINITY, f64::min);
+            let nearest = candidates.iter().find(beside).map(change);
+            let improvement = nearest.unwrap_or(if needed { without } else { 0.0 });
             Decision { correction, improvement, threshold: threshold(correction), needed }
         };
         let akaike = |of: &Candidate| misfit(of) + PER_NUMBER * of.model.numbers() as f64;
-        let least = candidates.iter().map(akaike).fold(f64::INFINITY, f64::min);
-        let weight = |of: &Candidate| exp(0.5 * (least - akaike(of)));
+        let least =
+            candidates.iter().filter(|of| of.stands()).map(akaike).fold(f64::INFINITY, f64::min);
+        let weight = |of: &Candidate| {
+            let near = of.fitted.off < 1.0 && of.filters();
+            if near { exp(0.5 * (least - akaike(of))) } else { 0.0 }
+        };
         let other = |other: &Candidate| {
             let covariance = spread::covariance(&other.fitted);
             Other {
@@ -178,7 +243,11 @@ impl Flight {
             covariance: spread::covariance(&best.fitted),
             // Student's t of so many degrees of freedom, to first order in their inverse.
             confidence: NORMAL * (1.0 + (1.0 + NORMAL * NORMAL) / (4.0 * independent)),
-            decisions: corrections(richest).into_iter().map(decide).collect(),
+            decisions: Correction::ALL
+                .into_iter()
+                .filter(|c| allowed.has(*c))
+                .map(decide)
+                .collect(),
             others: weighty.map(other).collect(),
             moments: named.moments,
             motion: FreeBody::new(moments, named.turn, named.start)?,
@@ -209,7 +278,8 @@ impl Flight {
         }
         let Some(inverse) = normal.try_inverse() else { return f64::INFINITY };
         let left = |axis: usize| {
-            let seen = (0..samples.times.len()).map(|k| samples.weights[k] * samples.rates[k][axis]);
+            let seen =
+                (0..samples.times.len()).map(|k| samples.weights[k] * samples.rates[k][axis]);
             let (mut first, mut second) = (0.0, 0.0);
             for ([a, b], w) in pairs.clone().zip(seen.clone()) {
                 first += a * w;

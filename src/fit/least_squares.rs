@@ -19,6 +19,8 @@ pub(super) struct Fitted {
     /// Derivatives of the residuals: a row for each of them, a column for each number.
     pub(super) jacobian: DMatrix<f64>,
     pub(super) squares: f64,
+    /// The length of Gauss and Newton's next step, in standard deviations.
+    pub(super) off: f64,
     /// How often the residuals were computed.
     pub(super) evaluations: usize,
 }
@@ -35,83 +37,107 @@ const SETTLED: f64 = 1e-3;
 const ROUNDING: f64 = 1e-10;
 /// The fits of 500 made flights took at most a third of it.
 const MOST_STEPS: usize = 150;
+/// After so many, where a fit began is forgotten.
+const FEW_STEPS: usize = 12;
 
 fn squares(residuals: &[f64]) -> f64 {
     residuals.iter().map(|r| r * r).sum()
+}
+
+impl Fitted {
+    /// Whether the sum of squares is the least near these numbers.
+    pub(super) fn settled(&self) -> bool {
+        self.off <= SETTLED
+    }
 }
 
 /// Fits from these numbers. `scales` are the sizes at which changes of the numbers count. A step to where
 /// `residuals` refuses is shortened. Derivatives are taken from the last number to the first.
 ///
 /// # Errors
-/// Those of `residuals` at the start; `Lengths` if there are no more of them than numbers; `OutOfRange` if the minimum is not reached, because it lies where
-/// `residuals` refuses, or nowhere.
+/// Those of `residuals` at the start; `Lengths` if there are no more of them than numbers; `OutOfRange`
+/// if the minimum is not reached, because it lies where `residuals` refuses, or nowhere.
 pub(super) fn fit(
     start: &[f64],
     scales: &[f64],
     residuals: &mut dyn FnMut(&[f64]) -> Result<Vec<f64>>,
 ) -> Result<Fitted> {
-    let mut numbers = DVector::from_column_slice(start);
-    let mut now = residuals(start)?;
-    if now.len() <= start.len() {
-        let expected = start.len() + 1;
-        return Err(Error::Lengths { name: "residuals", found: now.len(), expected });
+    let fitted = descend(start, scales, f64::INFINITY, residuals)?;
+    if fitted.settled() {
+        return Ok(fitted);
     }
-    let mut evaluations = 1;
+    let allowed = "0.001 standard deviations: no least sum of squares was found";
+    Err(Error::out_of_range("distance of a fit from the best", fitted.off, allowed))
+}
+
+/// The same, with what is reached if it is no minimum. A sum of squares above `hopeless` is given up early.
+///
+/// # Errors
+/// Those of `residuals` at the start; `Lengths` as above.
+pub(super) fn descend(
+    start: &[f64],
+    scales: &[f64],
+    hopeless: f64,
+    residuals: &mut dyn FnMut(&[f64]) -> Result<Vec<f64>>,
+) -> Result<Fitted> {
+    let first = residuals(start)?;
+    if first.len() <= start.len() {
+        let expected = start.len() + 1;
+        return Err(Error::Lengths { name: "residuals", found: first.len(), expected });
+    }
+    let mut numbers = DVector::from_column_slice(start);
+    let mut now = Fitted {
+        numbers: start.to_vec(),
+        squares: squares(&first),
+        residuals: first,
+        jacobian: DMatrix::zeros(0, 0),
+        off: f64::INFINITY,
+        evaluations: 1,
+    };
     let (mut damping, mut harder) = (1e-3, 2.0);
-    let mut off = f64::INFINITY;
-    for _ in 0..MOST_STEPS {
-        let slopes = slopes(&numbers, scales, &now, residuals)?;
-        evaluations += 2 * numbers.len();
-        let linear = Linear::new(&slopes, scales, &now);
-        off = linear.off;
-        if off <= SETTLED {
-            return Ok(Fitted {
-                numbers: numbers.as_slice().to_vec(),
-                squares: squares(&now),
-                residuals: now,
-                jacobian: slopes,
-                evaluations,
-            });
+    for steps in 0..MOST_STEPS {
+        now.jacobian = slopes(&numbers, scales, &now.residuals, residuals)?;
+        now.evaluations += 2 * numbers.len();
+        let linear = Linear::new(&now.jacobian, scales, &now.residuals);
+        now.off = linear.off;
+        if now.settled() || (steps >= FEW_STEPS && now.squares > hopeless) {
+            break;
         }
-        let sum = squares(&now);
-        loop {
+        let reached = loop {
             let (step, promised) = linear.step(damping);
             let small = step.iter().zip(scales).all(|(step, scale)| step.abs() < 1e-14 * scale);
             if small || !promised.is_finite() {
-                return Err(unsettled(off));
+                break None;
             }
-            evaluations += 2;
+            now.evaluations += 2;
             // Along the step the residuals are bent: the second derivative, by a difference over a tenth.
             let near: DVector<f64> = &numbers - 0.1 * &step;
             let bend = residuals(near.as_slice()).ok().map(|near| {
-                let along = &slopes * &step;
-                let bent = near.iter().zip(&now).zip(along.iter());
+                let along = &now.jacobian * &step;
+                let bent = near.iter().zip(&now.residuals).zip(along.iter());
                 let bent = bent.map(|((near, now), slope)| 200.0 * (near - now + 0.1 * slope));
-                linear.bent(damping, &slopes, &DVector::from_iterator(now.len(), bent))
+                linear.bent(damping, &now.jacobian, &DVector::from_iterator(along.len(), bent))
             });
             let gentle = |bend: &DVector<f64>| linear.length(bend) < 0.75 * linear.length(&step);
             let bend = bend.filter(gentle).unwrap_or_else(|| DVector::zeros(step.len()));
             let tried: DVector<f64> = &numbers - step - 0.5 * bend;
             let there = residuals(tried.as_slice()).ok();
-            let gain = there.as_ref().map_or(-1.0, |there| (sum - squares(there)) / promised);
+            let gain = there.as_ref().map_or(-1.0, |r| (now.squares - squares(r)) / promised);
             if let Some(there) = there.filter(|_| gain > 0.0) {
-                (numbers, now) = (tried, there);
                 let trust = 2.0 * gain - 1.0;
                 damping = (damping * (1.0 - trust * trust * trust).max(0.1)).max(1e-14);
                 harder = 2.0;
-                break;
+                break Some((tried, there));
             }
             damping *= harder;
             harder *= 2.0;
-        }
+        };
+        let Some((tried, there)) = reached else { break };
+        numbers = tried;
+        now.numbers = numbers.as_slice().to_vec();
+        (now.squares, now.residuals) = (squares(&there), there);
     }
-    Err(unsettled(off))
-}
-
-fn unsettled(off: f64) -> Error {
-    let allowed = "0.001 standard deviations: no least sum of squares was found";
-    Error::out_of_range("distance of a fit from the best", off, allowed)
+    Ok(now)
 }
 
 /// The residuals as they depend on small changes of the numbers.
@@ -204,9 +230,7 @@ fn slopes(
         let (below, above) = (aside(-STEP * scales[i]), aside(STEP * scales[i]));
         let ((from, below), (to, above)) = match (below, above) {
             (Err(error), Err(_)) => return Err(error),
-            (below, above) => {
-                (below.unwrap_or_else(|_| here()), above.unwrap_or_else(|_| here()))
-            }
+            (below, above) => (below.unwrap_or_else(|_| here()), above.unwrap_or_else(|_| here())),
         };
         let pairs = above.iter().zip(&below).map(|(above, below)| (above - below) / (to - from));
         slopes.column_mut(i).copy_from_slice(&pairs.collect::<Vec<_>>());

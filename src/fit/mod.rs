@@ -169,9 +169,9 @@ impl Fit {
     /// the interval of a ratio of this moment to another holds 1.
     pub fn middle_axis(&self) -> Option<usize> {
         let [first, middle, last] = crate::math::order_of_three(self.moments()?);
-        let told = [first, last].iter().all(|other| {
-            self.ratio(middle, *other).is_some_and(|ratio| !ratio.holds(1.0))
-        });
+        let told = [first, last]
+            .iter()
+            .all(|other| self.ratio(middle, *other).is_some_and(|ratio| !ratio.holds(1.0)));
         told.then_some(middle)
     }
 

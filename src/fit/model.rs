@@ -102,17 +102,8 @@ impl Model {
         self.corrections.iter().all(|correction| other.has(*correction))
     }
 
-    pub(super) fn corrections(&self) -> Vec<Correction> {
-        self.corrections.clone()
-    }
-
     pub(super) fn with(&self, correction: Correction) -> Self {
         Self::new(&[self.corrections.as_slice(), &[correction]].concat())
-    }
-
-    pub(super) fn without(&self, correction: Correction) -> Self {
-        let rest = self.corrections.iter().copied().filter(|c| *c != correction);
-        Self { corrections: rest.collect() }
     }
 
     pub(super) fn has(&self, correction: Correction) -> bool {
@@ -183,7 +174,12 @@ impl Model {
     /// tau that is omega + tau^2/2 d2 omega/dt2 + ..., so that tau^2 is the number to be fitted. One
     /// below 0, which noise may ask for, mirrors the change. The mean over times of a standard
     /// deviation s is that at t - s and t + s: exact for cubics.
-    fn body_rates(&self, numbers: &[f64], times: &[f64], spreads: &[f64]) -> Result<Vec<BodyVector>> {
+    fn body_rates(
+        &self,
+        numbers: &[f64],
+        times: &[f64],
+        spreads: &[f64],
+    ) -> Result<Vec<BodyVector>> {
         let named = self.named(numbers)?;
         let moments = PrincipalMoments::of_any(named.moments)?;
         let body = FreeBody::new(moments, Attitude::IDENTITY, named.start)?;
@@ -245,11 +241,17 @@ impl Model {
         left.map_or(f64::INFINITY, |left| left.iter().map(|r| r * r).sum())
     }
 
-    /// The best numbers near these, for the first `count` samples.
-    pub(super) fn refined(&self, numbers: &[f64], samples: &Samples, count: usize) -> Result<Fitted> {
+    /// The best numbers near these, for the first `count` samples; less than that if it is `hopeless`.
+    pub(super) fn refined(
+        &self,
+        numbers: &[f64],
+        samples: &Samples,
+        count: usize,
+        hopeless: f64,
+    ) -> Result<Fitted> {
         let fastest = samples.rates.iter().flatten().fold(0.0_f64, |most, w| most.max(w.abs()));
         let mut last = None;
-        least_squares::fit(numbers, &self.scales(fastest), &mut |numbers| {
+        least_squares::descend(numbers, &self.scales(fastest), hopeless, &mut |numbers| {
             self.residuals(numbers, samples, count, &mut last)
         })
     }
@@ -264,7 +266,8 @@ impl Model {
     ) -> Result<Vec<f64>> {
         let inner = &numbers[..self.inner()];
         if last.as_ref().is_none_or(|(of, _)| of != inner) {
-            let body = self.body_rates(numbers, &samples.times[..count], &samples.spreads[..count])?;
+            let body =
+                self.body_rates(numbers, &samples.times[..count], &samples.spreads[..count])?;
             *last = Some((inner.to_vec(), body));
         }
         let body = last.as_ref().map_or(&[][..], |(_, body)| body);

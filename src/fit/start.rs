@@ -1,39 +1,29 @@
 //! Where a fit begins: moments from the rates themselves, by linear algebra.
 //!
 //! On the sensor's axes a free body has d(J w)/dt + w x J w = 0. Integrated from the start this is
-//! J (w(t) - w(0)) + S(t) = 0, where S is the integral of w x J w: linear in the six elements of the tensor
-//! J. So the elements, up to a factor, are the vector that makes the sum of the squares of the left
-//! side least: the eigenvector of a matrix of six by six, or of three by three if J is diagonal. No
-//! rate is differentiated. In a long flight the integral begins anew after each `window` of time, before the
-//! errors of an offset or of wide steps add up.
+//! J (w(t) - w(0)) + S(t) = 0, where S is the integral of w x J w: linear in the tensor J, whose trace is set
+//! to 1. So J is a problem of linear least squares, and no rate is differentiated. An offset and a drag
+//! add terms A s(t) + c t, with the integral s of w, a small matrix A and a small vector c. What the rates
+//! leave open is drawn to usual sizes (ridge regression: A. E. Hoerl, R. W. Kennard, *Technometrics* 12, 55
+//! (1970)). In a long flight the integrals begin anew after each `window` of time, before errors add up.
 
 use super::model::{Correction, Model, Samples};
 use crate::attitude::Attitude;
 use crate::math::log;
-use nalgebra::{DMatrix, Matrix3, SymmetricEigen};
-
-/// The elements of a symmetric tensor: their rows and columns.
-const ELEMENTS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
+use nalgebra::{DMatrix, DVector, Matrix3, SymmetricEigen, Vector3};
 
 /// The least moment, in units of the largest, with which a fit begins: noise may show none.
 const LEAST: f64 = 0.02;
 
-/// The numbers of `model` from which a fit of this flight begins, with the axes turned or not, and with
-/// or without terms of an offset and a drag; `None` if they are not determined.
-pub(super) fn numbers(
-    samples: &Samples,
-    window: f64,
-    model: &Model,
-    turned: bool,
-    resisted: bool,
-) -> Option<Vec<f64>> {
-    let elements = least(samples, window, if turned { 6 } else { 3 }, resisted)?;
-    let mut tensor = Matrix3::zeros();
-    for (value, (i, j)) in elements.iter().zip(ELEMENTS) {
-        tensor[(i, j)] = *value;
-        tensor[(j, i)] = *value;
-    }
-    let principal = SymmetricEigen::new(tensor);
+/// Usual sizes of what is added to a third of the unit tensor, of A and c: a brick of 4:2:1 that is turned by
+/// 20 degrees; offsets and drags of a tenth (rad/s, 1/s).
+const USUAL: [f64; 3] = [0.2, 0.05, 0.02];
+
+/// The numbers of `model` from which a fit of this flight begins; `None` if they are not determined.
+pub(super) fn numbers(samples: &Samples, window: f64, model: &Model) -> Option<Vec<f64>> {
+    let turned = model.has(Correction::Axes);
+    let resisted = model.has(Correction::Offset) || model.has(Correction::Drag);
+    let principal = SymmetricEigen::new(tensor(samples, window, turned, resisted)?);
     let mut moments: [f64; 3] = principal.eigenvalues.into();
     let mut axes: [[f64; 3]; 3] = principal.eigenvectors.into();
     // Each principal axis gets the number of the sensor's axis that it is nearest to.
@@ -56,78 +46,72 @@ pub(super) fn numbers(
     for (number, axis) in numbers[2..].iter_mut().zip(&axes) {
         *number = (0..3).map(|k| axis[k] * first[k]).sum();
     }
-    if let Some(at) = model.place(Correction::Axes).filter(|_| turned) {
+    if let Some(at) = model.place(Correction::Axes) {
         let turn = Attitude::from_matrix([0, 1, 2].map(|row| axes.map(|axis| axis[row]))).ok()?;
         numbers[at..at + 3].copy_from_slice(&turn.rotation_vector().to_array());
     }
     Some(numbers)
 }
 
-/// The elements, of length 1, that make the left side least; of positive trace. With `resisted` the left
-/// side has terms A s + c t besides, with any matrix A and vector c, and s the integral of w: so an offset
-/// and a drag enter, which are then left aside.
-fn least(samples: &Samples, window: f64, count: usize, resisted: bool) -> Option<Vec<f64>> {
-    let all = count + if resisted { 12 } else { 0 };
-    let mut products = vec![[0.0; 3]; count];
-    let mut turned = [0.0; 3];
-    let mut matrix = DMatrix::<f64>::zeros(all, all);
-    let (mut first, mut from) = (samples.rates[0], 0.0);
-    for k in 1..samples.times.len() {
-        if samples.times[k - 1] - from > window {
-            (first, from) = (samples.rates[k - 1], samples.times[k - 1]);
-            (products, turned) = (vec![[0.0; 3]; count], [0.0; 3]);
-        }
-        let (before, now) = (samples.rates[k - 1], samples.rates[k]);
-        let half = 0.5 * (samples.times[k] - samples.times[k - 1]);
-        let change = [0, 1, 2].map(|i| now[i] - first[i]);
-        let mut sides: Vec<[f64; 3]> = Vec::with_capacity(all);
-        for (element, sum) in ELEMENTS.iter().zip(&mut products) {
-            let [a, b] = [before, now].map(|w| cross(w, momentum(w, *element)));
-            let own = momentum(change, *element);
-            for i in 0..3 {
-                sum[i] += half * (a[i] + b[i]);
-            }
-            sides.push([0, 1, 2].map(|i| own[i] + sum[i]));
-        }
-        for i in 0..3 {
-            turned[i] += half * (before[i] + now[i]);
-        }
-        if resisted {
-            for length in turned.into_iter().chain([samples.times[k] - from]) {
-                sides.extend(
-                    (0..3).map(|row| [0, 1, 2].map(|i| if i == row { length } else { 0.0 })),
-                );
-            }
-        }
-        for (i, a) in sides.iter().enumerate() {
-            for (j, b) in sides.iter().enumerate() {
-                matrix[(i, j)] += (0..3).map(|n| a[n] * b[n]).sum::<f64>();
-            }
-        }
+/// The tensor of trace 1 that makes the left side least: diagonal if it is not `turned`, with the terms of
+/// offset and drag if it is `resisted`.
+fn tensor(samples: &Samples, window: f64, turned: bool, resisted: bool) -> Option<Matrix3<f64>> {
+    let third = 1.0 / 3.0;
+    let off =
+        |i, j| Matrix3::from_fn(|a, b| f64::from(u8::from((a, b) == (i, j) || (a, b) == (j, i))));
+    let diagonal = |x, y, z| Matrix3::from_diagonal(&Vector3::new(x, y, z));
+    let mut parts = vec![diagonal(third, third, third)];
+    parts.extend([diagonal(1.0, -1.0, 0.0), diagonal(-0.5, -0.5, 1.0)]);
+    if turned {
+        parts.extend([off(0, 1), off(1, 2), off(2, 0)]);
     }
-    let mut own = matrix.view((0, 0), (count, count)).into_owned();
+    let mut usual = vec![USUAL[0]; parts.len() - 1];
     if resisted {
-        // The others take what values make the rest least.
-        let across = matrix.view((count, 0), (12, count)).into_owned();
-        let others = matrix.view((count, count), (12, 12)).into_owned().cholesky()?;
-        own -= across.tr_mul(&others.solve(&across));
+        usual.extend([USUAL[1]; 9].into_iter().chain([USUAL[2]; 3]));
     }
-    let eigen = SymmetricEigen::new(own);
-    let vector = eigen.eigenvectors.column(eigen.eigenvalues.imin());
-    let sign = (0..3).map(|i| vector[i]).sum::<f64>().signum();
-    Some(vector.iter().map(|x| sign * x).collect())
-}
-
-/// The angular momentum of these rates with a tensor that has this element alone.
-fn momentum(w: [f64; 3], (i, j): (usize, usize)) -> [f64; 3] {
-    let mut momentum = [0.0; 3];
-    momentum[i] += w[j];
-    if i != j {
-        momentum[j] += w[i];
+    let mut products = DMatrix::<f64>::zeros(usual.len() + 1, usual.len() + 1);
+    let rate = |k: usize| Vector3::from(samples.rates[k]);
+    let (mut from, mut torques, mut turns) =
+        (0, vec![Vector3::zeros(); parts.len()], Vector3::zeros());
+    for k in 1..samples.times.len() {
+        if samples.times[k - 1] - samples.times[from] > window {
+            from = k - 1;
+            torques.fill(Vector3::zeros());
+            turns = Vector3::zeros();
+        }
+        let half = 0.5 * (samples.times[k] - samples.times[k - 1]);
+        let (before, now) = (rate(k - 1), rate(k));
+        let mut sides = DMatrix::zeros(3, usual.len() + 1);
+        for (n, (part, torque)) in parts.iter().zip(&mut torques).enumerate() {
+            *torque += half * (before.cross(&(part * before)) + now.cross(&(part * now)));
+            sides.set_column(n, &(part * (now - rate(from)) + *torque));
+        }
+        turns += half * (before + now);
+        if resisted {
+            let lengths = [turns.x, turns.y, turns.z, samples.times[k] - samples.times[from]];
+            for (n, length) in lengths.into_iter().enumerate() {
+                for row in 0..3 {
+                    sides[(row, parts.len() + 3 * n + row)] = length;
+                }
+            }
+        }
+        products += sides.tr_mul(&sides);
     }
-    momentum
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    let count = usual.len();
+    let known: DVector<f64> = products.view((1, 0), (count, 1)).column(0).into();
+    let equations = (3 * (samples.times.len() - 1)) as f64;
+    let mut found = DVector::zeros(count);
+    let mut left = products[(0, 0)];
+    // The noise is what is left; it is less each time, and a few times are enough for a start.
+    for _ in 0..6 {
+        let mut normal = products.view((1, 1), (count, count)).into_owned();
+        for (i, usual) in usual.iter().enumerate() {
+            normal[(i, i)] += (left / equations).max(f64::MIN_POSITIVE) / (usual * usual);
+        }
+        found = -normal.cholesky()?.solve(&known);
+        let full = found.clone().insert_row(0, 1.0);
+        left = full.dot(&(&products * &full)).max(0.0);
+    }
+    let added = parts[1..].iter().zip(&found).map(|(part, x)| part * *x);
+    Some(parts[0] + added.sum::<Matrix3<f64>>())
 }
