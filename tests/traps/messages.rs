@@ -113,6 +113,7 @@ fn of_pages(x: f64, y: f64, z: f64) -> Vec<kit::Error> {
         Error::Text { text: text(), allowed },
         Error::UnknownKey { key: text(), known: text() },
         Error::File { path: text(), reason: text() },
+        Error::Recording { line: Some(7), column: Some(text()), reason: text() },
     ]
 }
 

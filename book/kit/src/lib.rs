@@ -68,6 +68,7 @@ mod numeric;
 mod parameters;
 pub mod prelude;
 mod prepared;
+pub mod recording;
 mod sampling;
 mod sections;
 mod seen;
