@@ -141,14 +141,21 @@ fn the_interval_holds_what_is_true_in_95_of_100_swings() {
     // Of each damping: present, called for; absent, called for.
     let mut called = [[0; 4]; 2];
     let began = std::time::Instant::now();
-    let mut spent = 0.0; let mut z2 = [0.0; 5];
+    let mut spent = 0.0;
+    let mut z2 = [0.0; 5];
     for n in 0..swings {
         let rod = Rod::drawn(&mut random);
         let (times, rates) = rod.recorded(&mut random);
         let t0 = began.elapsed().as_secs_f64();
         let fit = Swing::new(times, rates).expect("a swing").fit();
         spent += began.elapsed().as_secs_f64() - t0;
-        let fit = match fit { Ok(f) => f, Err(e) => { println!("{n}: {e} A {} L {} s {}", rod.amplitude(), rod.length, rod.seconds); continue } };
+        let fit = match fit {
+            Ok(f) => f,
+            Err(e) => {
+                println!("{n}: {e} A {} L {} s {}", rod.amplitude(), rod.length, rod.seconds);
+                continue;
+            }
+        };
         let length = fit.length(GRAVITY).expect("gravity");
         damaged += u32::from(length.holds(1.005 * rod.length));
         let estimates = [
@@ -159,7 +166,9 @@ fn the_interval_holds_what_is_true_in_95_of_100_swings() {
             (fit.quadratic(), rod.quadratic),
         ];
         for (k, (estimate, value)) in estimates.into_iter().enumerate() {
-            if let Some(e) = estimate { z2[k] += (1.96 * 2.0 * (e.value - value) / (e.to - e.from)).powi(2); }
+            if let Some(e) = estimate {
+                z2[k] += (1.96 * 2.0 * (e.value - value) / (e.to - e.from)).powi(2);
+            }
             told[k] += u32::from(estimate.is_some());
             held[k] += u32::from(estimate.is_some_and(|estimate| estimate.holds(value)));
         }
@@ -170,7 +179,14 @@ fn the_interval_holds_what_is_true_in_95_of_100_swings() {
             called[at] += 1;
             called[at + 1] += u32::from(decision.needed);
             if decision.needed != (value > 0.0) {
-                println!("{n}: {decision:?} lin {} quad {} A {} f {} noise {}", rod.linear, rod.quadratic, rod.amplitude(), rod.frequency(), rod.noise);
+                println!(
+                    "{n}: {decision:?} lin {} quad {} A {} f {} noise {}",
+                    rod.linear,
+                    rod.quadratic,
+                    rod.amplitude(),
+                    rod.frequency(),
+                    rod.noise
+                );
             }
         }
     }

@@ -23,6 +23,8 @@ pub enum Error {
     File { path: String, reason: String },
     /// A recording cannot be read or used; in which line (from 1) and column, if it is one place.
     Recording { line: Option<usize>, column: Option<String>, reason: String },
+    /// A file cannot be read.
+    Unread { path: String, reason: String },
 }
 
 /// `Result` with this crate's [`Error`].
@@ -61,6 +63,7 @@ impl fmt::Display for Error {
                 }
                 f.write_str(reason)
             }
+            Self::Unread { path, reason } => write!(f, "{path} cannot be read: {reason}"),
         }
     }
 }

@@ -6,6 +6,8 @@
 //! | [`heavy_top`] | `ch16_2_gyroscope`, `ch16_2_top_and_wheel`, `effects` | a heavy symmetric top: its numbers by three routes, its figures |
 //! | [`ladder`] | `ch16_ex6_ladder` | the sliding ladder, in closed form |
 //! | [`plank`] | `ch15_3_plank` | a plank that falls over on a smooth floor, in closed form |
+//! | [`swings`] | `ch16_ex7_rod_and_disc` | a phone's recording of a swing: the pendulum that fits it |
+//! | [`throws`] | `further_1_phone` | a phone's recording of a throw: the free body that fits it, its table, its figures |
 //! | [`tops`] | `effects_2_top` | tops on a rounded tip that slides, creeps and rolls, from throw to fall |
 //! | [`wedge`] | `ch16_1_incline` | a cylinder on the slope of a wedge, drawn |
 
@@ -13,5 +15,7 @@ pub mod gimbals;
 pub mod heavy_top;
 pub mod ladder;
 pub mod plank;
+pub mod swings;
+pub mod throws;
 pub mod tops;
 pub mod wedge;

@@ -1,0 +1,292 @@
+//! A thing that was thrown with a gyroscope on it: which free body it was, by its recording.
+//!
+//! The sensor's axes are those of a phone: x along the short edge, y along the long one, z out of the
+//! screen. A principal axis is named by the axis of the sensor that it is nearest to.
+
+mod coarse;
+mod figures;
+pub mod made;
+mod phone;
+
+use kit::recording::Recording;
+use kit::{Asked, Found, Recorded, Report, Result, Table, Trajectory, short, with_interval};
+pub use phone::{camera, phone};
+use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::fit::{Correction, Estimate, Fit, Flight};
+use rotation_dynamics::frame::{DesignVector, SpaceVector};
+use rotation_dynamics::inertia::solids;
+use rotation_dynamics::math::hypot;
+
+/// The names of the axes.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// The pairs of moments whose ratios are told.
+const PAIRS: [(&str, usize, usize); 3] = [("I_x/I_z", 0, 2), ("I_y/I_z", 1, 2), ("I_x/I_y", 0, 1)];
+
+/// A flight of a recording, fitted.
+pub struct Thrown {
+    /// What was found in the file.
+    notes: Vec<String>,
+    /// The flights that were found: first and last sample, and how many.
+    flights: Vec<([f64; 2], usize)>,
+    /// Which of them this is, from 1; `None` for a piece that the reader chose.
+    number: Option<usize>,
+    times: Vec<f64>,
+    /// As the sensor shows them, rad/s.
+    rates: Vec<[f64; 3]>,
+    /// The body that fits them.
+    pub fit: Fit,
+}
+
+/// A uniform box: its lengths along the sensor's axes (m).
+pub type Lengths = [f64; 3];
+
+const fn triple(estimate: Estimate) -> [f64; 3] {
+    [estimate.value, estimate.from, estimate.to]
+}
+
+impl Thrown {
+    /// The flight that is asked for, of a file with this name: if none is, the first of those that are nearly as long
+    /// as the longest.
+    ///
+    /// # Errors
+    /// Those of [`Recording::read`] and its parts, and of [`Flight::fit`]; a number that no flight has.
+    pub fn read(name: &str, bytes: &[u8], asked: &Asked) -> Result<Self> {
+        let recording = Recording::read(name, bytes)?;
+        let times = recording.times();
+        let found = recording.flights();
+        let by_hand = asked.from.is_some() || asked.to.is_some();
+        let pieces = found.as_deref().unwrap_or_default().iter();
+        let pieces: Vec<_> = pieces.map(|flight| flight.samples.clone()).collect();
+        let (samples, number) = if by_hand {
+            (recording.between(asked.from, asked.to)?, None)
+        } else {
+            let pieces = found.map(|_| &pieces)?;
+            let longest = pieces.iter().map(|piece| piece.len()).max().unwrap_or(0);
+            // Of flights of nearly the same length the first.
+            let first = pieces.iter().position(|piece| 10 * piece.len() >= 9 * longest);
+            let number = asked.throw.unwrap_or(first.unwrap_or(0) + 1);
+            let piece = number.checked_sub(1).and_then(|at| pieces.get(at));
+            let known = pieces.len();
+            let none = || kit::Error::UnknownKey {
+                key: format!("throw {number}"),
+                known: if known == 1 { "throw 1".into() } else { format!("throws 1 to {known}") },
+            };
+            (piece.cloned().ok_or_else(none)?, Some(number))
+        };
+        let span = |samples: &core::ops::Range<usize>| {
+            ([times[samples.start], times[samples.end - 1]], samples.len())
+        };
+        let (times, rates) = (times[samples.clone()].to_vec(), &recording.rates()[samples]);
+        let vectors = rates.iter().map(|rates| DesignVector::from(*rates)).collect();
+        Ok(Self {
+            notes: recording.notes().to_vec(),
+            flights: pieces.iter().map(span).collect(),
+            number,
+            fit: Flight::new(times.clone(), vectors)?.fit(&Correction::ALL)?,
+            times,
+            rates: rates.to_vec(),
+        })
+    }
+
+    /// From the first sample to the last (s).
+    pub fn duration(&self) -> f64 {
+        self.times[self.times.len() - 1] - self.times[0]
+    }
+
+    /// How the sensor has turned in space since the first sample, `t` later (s).
+    ///
+    /// # Errors
+    /// Those of [`Fit::attitude`].
+    pub fn turned(&self, t: f64) -> Result<Attitude> {
+        Ok(self.fit.attitude((self.times[0] + t).min(self.times[self.times.len() - 1]))?)
+    }
+
+    /// Where L points, on the sensor's axes at the first sample.
+    pub fn momentum(&self) -> SpaceVector {
+        let momentum = self.fit.motion().angular_momentum();
+        momentum / momentum.norm()
+    }
+
+    /// Rates of the sensor on the principal axes, without its offset.
+    fn principal(&self, rates: [f64; 3]) -> [f64; 3] {
+        let offset = self.fit.correction(Correction::Offset);
+        let shown = |i: usize| rates[i] - offset.get(i).map_or(0.0, |offset| offset.value);
+        let axes = self.fit.motion().attitude(0.0);
+        axes.to_body(SpaceVector::from([0, 1, 2].map(shown))).to_array()
+    }
+
+    fn found(&self, compared: Option<Lengths>) -> Result<Vec<Found>> {
+        let (fit, count) = (&self.fit, self.times.len());
+        let speed = |w: &[f64; 3]| hypot(hypot(w[0], w[1]), w[2]);
+        let mean = self.rates.iter().map(speed).sum::<f64>() / count as f64;
+        let per_second = (count - 1) as f64 / self.duration();
+        let turn = core::f64::consts::TAU / mean;
+        let mut found = vec![
+            Found::number("from", "first sample, as the file counts time", "s", self.times[0], 6),
+            Found::number("to", "last sample", "s", self.times[count - 1], 6),
+            Found::number("samples", "how many are fitted", "-", count as f64, 6),
+            Found::number("turns", "turns a second, in the mean", "1/s", turn.recip(), 3),
+            Found::number("per_turn", "samples a turn", "-", per_second * turn, 3),
+        ];
+        for (name, i, j) in PAIRS {
+            let meaning =
+                format!("ratio of the moments about the axes {} and {}", AXES[i], AXES[j]);
+            found.push(match fit.ratio(i, j) {
+                Some(ratio) => Found::estimate(name, meaning, "-", triple(ratio)),
+                None => Found::open(name, meaning, "another value fits as well"),
+            });
+        }
+        if let Some(lengths) = compared {
+            let [a, b, c] = lengths;
+            let solid = solids::cuboid(1.0, a, b, c)?.about_centre_of_mass();
+            let moment = |i: usize| solid.matrix()[i][i];
+            let size = format!("a uniform box of {a} by {b} by {c} m");
+            for (key, i, j) in [("box I_x/I_z", 0, 2), ("box I_y/I_z", 1, 2)] {
+                found.push(Found::number(key, size.clone(), "-", moment(i) / moment(j), 4));
+            }
+        }
+        self.motion(&mut found);
+        found.push(Found::number(
+            "misfit",
+            "root of the mean square of the residuals",
+            "rad/s",
+            fit.misfit(),
+            2,
+        ));
+        if let Some(kept) = fit.kept() {
+            let keys = [["energy: change", "energy: scatter"], ["|L|: change", "|L|: scatter"]];
+            for (([change_key, scatter_key], what), course) in
+                keys.into_iter().zip(["energy", "size of L"]).zip(kept)
+            {
+                let [change, scatter] = [course.change, course.scatter].map(|part| 100.0 * part);
+                let words = format!("{what} by the samples, from the first to the last");
+                found.push(Found::number(change_key, words, "%", change, 2));
+                let words = format!("{what} by the samples, scatter about that");
+                found.push(Found::number(scatter_key, words, "%", scatter, 2));
+            }
+        }
+        Ok(found)
+    }
+
+    /// Which axis is the middle one, on which side of the separatrix it turns, and its flips.
+    fn motion(&self, found: &mut Vec<Found>) {
+        let (fit, axis) = (&self.fit, self.fit.middle_axis());
+        let meaning = "axis of the middle moment";
+        let Some((axis, side)) = axis.zip(fit.separatrix()) else {
+            found.push(Found::open("middle axis", meaning, "two moments may be equal"));
+            return;
+        };
+        found.push(Found::word("middle axis", meaning, AXES[axis]));
+        let about = if side.value < 1.0 { "largest" } else { "least" };
+        let words = match side.holds(1.0) {
+            true => "1 on the separatrix, which is within the interval".into(),
+            false => format!("1 on the separatrix; L circles the axis of the {about} moment"),
+        };
+        found.push(Found::estimate("2 E I_mid/L^2", words, "-", triple(side)));
+        let half = 0.5 * fit.motion().rate_period();
+        let meaning = "from one flip to the next, closed form";
+        if half.is_finite() {
+            found.push(Found::number("flips every", meaning, "s", half, 4));
+        }
+        let meaning = "the same, counted among the samples";
+        found.push(match fit.counted_period() {
+            Some(period) => Found::number("counted", meaning, "s", 0.5 * period, 4),
+            None => Found::open("counted", meaning, "fewer than two flips in this flight"),
+        });
+    }
+
+    fn recording_table(&self) -> Result<Table> {
+        Table::of("recording", ["the file"], &self.notes, |note| Ok([note.clone()]))
+    }
+
+    fn flights_table(&self) -> Result<Table> {
+        let columns = ["throw", "from", "to", "samples", "here"];
+        Table::of("throws", columns, (1..).zip(&self.flights), |(n, ([from, to], samples))| {
+            let here = if self.number == Some(n) { "fitted" } else { "-" };
+            let seconds = |t: &f64| format!("{t:.3} s");
+            Ok([n.to_string(), seconds(from), seconds(to), samples.to_string(), here.into()])
+        })
+    }
+
+    /// What was tried, whether the recording calls for it, and what it came to.
+    fn corrections_table(&self) -> Result<Table> {
+        let columns = ["correction", "here", "improvement", "threshold", "what it comes to"];
+        Table::of("corrections", columns, self.fit.decisions(), |decision| {
+            let (name, unit) = match decision.correction {
+                Correction::Axes => {
+                    ("principal axes turned against the phone's", "rad about x, y, z")
+                }
+                Correction::Offset => ("offset of the sensor", "rad/s on x, y, z"),
+                Correction::Filter => ("filter of the sensor: its time, squared", "s^2"),
+                Correction::Drag => ("drag of the air", "1/s"),
+            };
+            let values = self.fit.correction(decision.correction).into_iter();
+            let values: Vec<String> = values.map(|value| with_interval(triple(value))).collect();
+            let told = if values.is_empty() {
+                "-".into()
+            } else {
+                format!("{}, {unit}", values.join("; "))
+            };
+            let here = if decision.needed { "called for" } else { "not called for" };
+            let [gain, least] = [decision.improvement, decision.threshold].map(|x| short(x, 3));
+            Ok([name.to_owned(), here.into(), gain, least, told])
+        })
+    }
+
+    /// What was measured, what was fitted.
+    fn trajectory(&self) -> Result<Trajectory> {
+        let measured = AXES.map(|axis| format!("omega_{axis} [rad/s]"));
+        let fitted = AXES.map(|axis| format!("fitted omega_{axis} [rad/s]"));
+        let columns = ["t [s]".to_owned()].into_iter().chain(measured).chain(fitted);
+        let mut samples = Trajectory::new(columns)?;
+        for (t, rates) in self.times.iter().zip(&self.rates) {
+            let fitted = self.fit.rates(*t)?.to_array();
+            samples.push([&[*t], rates.as_slice(), fitted.as_slice()].concat())?;
+        }
+        Ok(samples)
+    }
+
+    /// All that the flight says, compared with a uniform box if one is given.
+    ///
+    /// # Errors
+    /// Those of the library and of the drawings.
+    pub fn recorded(&self, compared: Option<Lengths>) -> Result<Recorded> {
+        let found = self.found(compared)?;
+        let which = self.number.map_or("a piece of it".into(), |n| format!("throw {n}"));
+        let mut report =
+            Report::new("Your own recording", format!("a free body fitted to {which}"))?;
+        for table in [
+            self.recording_table()?,
+            self.flights_table()?,
+            Found::table(&found)?,
+            self.corrections_table()?,
+        ] {
+            report.add(table)?;
+        }
+        Ok(Recorded {
+            report,
+            found,
+            figures: vec![self.rates_figure()?],
+            trajectory: self.trajectory()?,
+            pictures: vec![("recorded_polhode", self.polhode()?)],
+            captions: vec![
+                (
+                    "recorded_rates",
+                    "The rates that were recorded (dots) and those of the free body that fits them \
+                    best (lines), on the axes of the phone; below, what the fit leaves.",
+                ),
+                (
+                    "recorded_polhode",
+                    "The polhode: the path of the angular velocity on the ellipsoid of energy. \
+                    Dots: recorded.",
+                ),
+                (
+                    "recorded_throw",
+                    "The throw once more, by the fit. Which way was up is not recorded, so the \
+                    phone begins flat; heights are drawn much reduced.",
+                ),
+            ],
+        })
+    }
+}
