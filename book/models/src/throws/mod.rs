@@ -127,7 +127,7 @@ impl Thrown {
             Found::number("to", "last sample", "s", self.times[count - 1], 6),
             Found::number("samples", "how many are fitted", "-", count as f64, 6),
             Found::number("turns", "turns a second, in the mean", "1/s", turn.recip(), 3),
-            Found::number("per_turn", "samples a turn", "-", per_second * turn, 3),
+            Found::number("sampling", "samples a turn", "-", per_second * turn, 3),
         ];
         for (name, i, j) in PAIRS {
             let meaning =
