@@ -169,6 +169,15 @@ fn other_tables_are_read_too() {
                 .replace("23:59:00", "00:00:00")
         }),
         table("Timestamp,X,Y,Z", |t, [x, y, z]| format!("{t} sec,{x},{y},{z}")),
+        // Names in a comment.
+        table("# time (s),x (deg/s),y (deg/s),z (deg/s)", |t, w| {
+            let [x, y, z] = w.map(degrees);
+            format!("{t},{x},{y},{z}")
+        }),
+        table("# made by hand\n#  t   wz   wy   wx", |t, [x, y, z]| format!("{t}  {z} {y} {x}")),
+        table("% t (s) wx (rad/s) wy (rad/s) wz (rad/s)", |t, [x, y, z]| {
+            format!("{t} {x} {y} {z}")
+        }),
     ];
     let mut tried = 0;
     for text in &tables {
@@ -185,7 +194,7 @@ fn other_tables_are_read_too() {
         }
         tried += 1;
     }
-    assert_eq!(tried, 13);
+    assert_eq!(tried, 16);
 }
 
 #[test]

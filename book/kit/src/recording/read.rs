@@ -46,7 +46,7 @@ pub(super) fn recording(name: &str, bytes: &[u8]) -> Result<Recording> {
         .flexible(true)
         .comment(Some(b'#'))
         .from_reader(text.as_bytes());
-    let mut lines = Lines { text: &text, reader, record: StringRecord::new() };
+    let mut lines = Lines { text: &text, delimiter, reader, record: StringRecord::new() };
     let (header, layout, at_numbers) = header(name, &mut lines)?;
     let mut table = Table {
         rates: Series::new(&layout.rates),
@@ -74,16 +74,21 @@ fn header(name: &str, lines: &mut Lines) -> Result<(Vec<String>, Layout, bool)> 
         }
         let cells = lines.record.len();
         if lines.record.iter().filter(|cell| number(cell).is_some()).count() >= 2 {
-            return match last {
-                None if matches!(cells, 4 | 5) => Ok((Vec::new(), columns::bare(), true)),
-                None => {
+            // Some programs write the names into a comment.
+            let comments = lines.text.lines().take_while(|line| line.starts_with('#'));
+            let comment = comments.last().unwrap_or("").split(char::from(lines.delimiter));
+            let names = names(comment);
+            return match (last, columns::layout(&names, name)) {
+                (Some((line, missing)), _) => Err(at(Some(line), None, missing)),
+                (None, Ok(layout)) => Ok((names, layout, true)),
+                (None, Err(_)) if cells == 4 => Ok((Vec::new(), columns::bare(), true)),
+                (None, Err(_)) => {
                     let reason = format!("there are {cells} columns and no header; {EXPECTED}");
                     Err(at(Some(lines.line()), None, reason))
                 }
-                Some((line, missing)) => Err(at(Some(line), None, missing)),
             };
         }
-        let cells: Vec<String> = lines.record.iter().map(|cell| cell.trim().to_string()).collect();
+        let cells = names(lines.record.iter());
         match columns::layout(&cells, name) {
             Ok(layout) => return Ok((cells, layout, false)),
             Err(missing) => last = Some((lines.line(), missing)),
@@ -92,9 +97,23 @@ fn header(name: &str, lines: &mut Lines) -> Result<(Vec<String>, Layout, bool)> 
     Err(at(None, None, format!("the file has no table of numbers; {EXPECTED}")))
 }
 
+/// The names in a header, without the mark of a comment before them.
+fn names<'a>(cells: impl Iterator<Item = &'a str>) -> Vec<String> {
+    let mut names: Vec<String> = cells.map(|cell| cell.trim().to_string()).collect();
+    if let Some(first) = names.first_mut() {
+        let bare = first.trim_start_matches(['#', '%']).trim().to_string();
+        match bare.is_empty() && !first.is_empty() {
+            true => drop(names.remove(0)),
+            false => *first = bare,
+        }
+    }
+    names
+}
+
 /// The lines of a table.
 struct Lines<'a> {
     text: &'a str,
+    delimiter: u8,
     reader: Reader<&'a [u8]>,
     record: StringRecord,
 }
