@@ -122,8 +122,8 @@ fn bad_files_are_refused_in_words() {
     a clock backwards: line 2, column 1: the time 10:20:39 is before that of a line above: times must ascend
     a clock that is none: line 8, column 1 (Time (s)): "10:xx:12" is neither a number nor a time
     constant: column 3 (wy): it shows 0.25 in every line; expected a rate that changes
-    few: there are 8 samples of the rates; expected 13 or more
-    header alone: there are 0 samples of the rates; expected 13 or more
+    few: samples of the rates: 8; expected 13 or more
+    header alone: samples of the rates: 0; expected 13 or more
     impossible: line 8, column 3 (Gyroscope y (rad/s)): 20000 would be 20000 rad/s, more than 10000: if these are degrees per second, the header must say so, as in "Gyroscope x (deg/s)"
     degrees: line 8, column 3 (Gyroscope y): -743.5 would be -743.5 rad/s, more than 100: if these are degrees per second, the header must say so, as in "Gyroscope x (deg/s)"
     "#);

@@ -231,6 +231,18 @@ fn repeated_times_are_averaged_and_gaps_told() {
 }
 
 #[test]
+fn a_sensor_at_its_limit_is_told() {
+    let header = "time (s),wx (deg/s),wy (deg/s),wz (deg/s)";
+    let text = |limit: f64| {
+        table(header, |t, [x, y, z]| format!("{t},{x},{y},{}", (1000.0 * z).min(limit)))
+    };
+    let notes =
+        |limit| Recording::read("", text(limit).as_bytes()).expect("read").notes().join(" ");
+    assert!(notes(2000.0).contains("A rate stays at 34.91 rad/s"), "{}", notes(2000.0));
+    assert!(!notes(4000.0).contains("stays"));
+}
+
+#[test]
 fn pieces_by_hand() {
     let text = table("time (s),wx,wy,wz", |t, [x, y, z]| format!("{t},{x},{y},{z}"));
     let recording = Recording::read("", text.as_bytes()).expect("read");

@@ -4,6 +4,7 @@ use super::columns::{self, EXPECTED, Layout};
 use super::series::{Series, Wrong, number};
 use super::{FEWEST, Recording, middle};
 use crate::error::{Error, Result};
+use crate::number::short;
 use csv::{Reader, ReaderBuilder, StringRecord};
 use std::borrow::Cow;
 
@@ -16,6 +17,9 @@ const FASTEST_UNSTATED: f64 = 100.0;
 
 /// A step is a gap where it is longer than this many usual ones: two samples are missing, not one.
 pub(super) const GAP: f64 = 2.5;
+
+/// A turn passes its largest rate; a sensor at its limit shows the same number for so many samples.
+const LEVEL: usize = 5;
 
 /// How many lines of other text may stand above the header.
 const PREAMBLE: usize = 100;
@@ -232,8 +236,7 @@ impl Table {
         let Self { rates: series, left_out, .. } = &self;
         let count = series.times.len();
         if count < FEWEST {
-            let reason =
-                format!("there are {count} samples of the rates; expected {FEWEST} or more");
+            let reason = format!("samples of the rates: {count}; expected {FEWEST} or more");
             return Err(at(None, None, reason));
         }
         for (k, n) in series.sensor.axes.into_iter().enumerate() {
@@ -272,6 +275,16 @@ impl Table {
                 gaps.count(),
                 first[0],
                 first[1]
+            ));
+        }
+        let largest = series.values.iter().flatten().fold(0.0, |most: f64, w| most.max(w.abs()));
+        let ends = |k: usize| {
+            series.values.windows(LEVEL).any(|w| w.iter().all(|w| w[k].abs() == largest))
+        };
+        if (0..3).any(ends) {
+            let largest = short(largest * series.sensor.unit.unwrap_or(1.0), 4);
+            notes.push(format!(
+                "A rate stays at {largest} rad/s, the largest: the sensor may end there."
             ));
         }
         let accelerations = self.accelerations.as_ref().and_then(|series| {
