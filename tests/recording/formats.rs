@@ -169,6 +169,15 @@ fn other_tables_are_read_too() {
                 .replace("23:59:00", "00:00:00")
         }),
         table("Timestamp,X,Y,Z", |t, [x, y, z]| format!("{t} sec,{x},{y},{z}")),
+        // Names in a comment.
+        table("# time (s),x (deg/s),y (deg/s),z (deg/s)", |t, w| {
+            let [x, y, z] = w.map(degrees);
+            format!("{t},{x},{y},{z}")
+        }),
+        table("# made by hand\n#  t   wz   wy   wx", |t, [x, y, z]| format!("{t}  {z} {y} {x}")),
+        table("% t (s) wx (rad/s) wy (rad/s) wz (rad/s)", |t, [x, y, z]| {
+            format!("{t} {x} {y} {z}")
+        }),
     ];
     let mut tried = 0;
     for text in &tables {
@@ -185,7 +194,7 @@ fn other_tables_are_read_too() {
         }
         tried += 1;
     }
-    assert_eq!(tried, 13);
+    assert_eq!(tried, 16);
 }
 
 #[test]
@@ -219,6 +228,18 @@ fn repeated_times_are_averaged_and_gaps_told() {
     let notes = recording.notes().join("\n");
     assert!(notes.contains("200 lines repeat the time of the line before"), "{notes}");
     assert!(notes.contains("1; the first is from 0.9950 s to 1.5000 s"), "{notes}");
+}
+
+#[test]
+fn a_sensor_at_its_limit_is_told() {
+    let header = "time (s),wx (deg/s),wy (deg/s),wz (deg/s)";
+    let text = |limit: f64| {
+        table(header, |t, [x, y, z]| format!("{t},{x},{y},{}", (1000.0 * z).min(limit)))
+    };
+    let notes =
+        |limit| Recording::read("", text(limit).as_bytes()).expect("read").notes().join(" ");
+    assert!(notes(2000.0).contains("A rate stays at 34.91 rad/s"), "{}", notes(2000.0));
+    assert!(!notes(4000.0).contains("stays"));
 }
 
 #[test]

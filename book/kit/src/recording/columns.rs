@@ -53,7 +53,7 @@ pub(super) struct Layout {
     pub(super) app: &'static str,
 }
 
-/// Four columns without a header, or a fifth with the total.
+/// Four columns without a header.
 pub(super) fn bare() -> Layout {
     let rates = Sensor { time: 0, time_unit: None, axes: [1, 2, 3], unit: None };
     Layout { rates, acceleration: None, app: "a table without a header" }
@@ -71,8 +71,9 @@ pub(super) fn layout(header: &[String], file: &str) -> Result<Layout, String> {
     if axes.iter().all(Option::is_none) {
         axes = three(&columns, Quantity::Bare);
         kind = Quantity::Bare;
-        let file = file.to_lowercase();
+        let file = file.rsplit(['/', '\\']).next().unwrap_or(file).to_lowercase();
         let others = ["acc", "magn", "grav", "orient"].iter().any(|word| file.contains(word));
+        let others = others && !file.contains("gyr");
         if others && axes.iter().all(Option::is_some) {
             return Err(
                 "by the file's name its columns x, y, z are not the rates of a gyroscope: \

@@ -33,6 +33,9 @@ const SEED: usize = 6;
 /// The shortest flight (s): with 10 ms cut from both ends of 0.17 s, which is a fall of 4 cm.
 const SHORTEST: f64 = 0.15;
 
+/// The longest (s): a throw 11 m high. What turns on a table may turn longer.
+const LONGEST: f64 = 3.0;
+
 /// The most torque of a flight, |torque|/|L| (1/s). A hand that takes a second to give or take L
 /// has as much; noise of 0.1 rad/s at 10 rad/s has 0.7.
 const MOST: f64 = 1.0;
@@ -63,10 +66,12 @@ struct Sums {
 }
 
 impl Sums {
-    fn add(&mut self, other: &Self) {
-        self.torque += other.torque;
-        self.momentum += other.momentum;
-        self.count += other.count;
+    fn with(&self, other: &Self) -> Self {
+        Self {
+            torque: self.torque + other.torque,
+            momentum: self.momentum + other.momentum,
+            count: self.count + other.count,
+        }
     }
 
     /// The tensor of least torque.
@@ -146,70 +151,58 @@ impl Fast<'_> {
     }
 
     fn sums(&self, equations: Range<usize>) -> Sums {
-        equations.fold(Sums::default(), |mut sums, k| {
-            sums.add(&self.equation(k));
-            sums
-        })
+        equations.fold(Sums::default(), |sums, k| sums.with(&self.equation(k)))
+    }
+
+    /// The torque of these sums with their own tensor, or of noise if that has more; none if a hand is in it.
+    fn unforced(&self, sums: &Sums) -> Option<(f64, Vector6<f64>)> {
+        let tensor = sums.tensor().filter(|tensor| !sums.is_forced(tensor, self.noise))?;
+        Some((sums.size(&tensor).max(sums.by_noise(&tensor, self.noise)), tensor))
     }
 
     /// The flights in these samples.
     fn flights(&self, felt: Option<&[[f64; 3]]>, found: &mut Vec<Flight>) {
-        let blocks: Vec<Sums> = (0..self.equations() / self.lag)
-            .map(|n| self.sums(n * self.lag..(n + 1) * self.lag))
-            .collect();
-        let over = |range: Range<usize>| {
-            blocks[range].iter().fold(Sums::default(), |mut sums, block| {
-                sums.add(block);
-                sums
-            })
+        let count = self.equations() / self.lag;
+        let block = |n: usize| n * self.lag..(n + 1) * self.lag;
+        let blocks: Vec<Sums> = (0..count).map(|n| self.sums(block(n))).collect();
+        let seed = |n: usize| {
+            let sums = blocks[n..n + SEED].iter().fold(Sums::default(), |sums, own| sums.with(own));
+            Some((self.unforced(&sums)?.0, n, sums))
         };
-        // The usual torque of these blocks, and their tensor.
-        let usual = |range: &Range<usize>| {
-            let sums = over(range.clone());
-            let tensor = sums.tensor().filter(|tensor| !sums.is_forced(tensor, self.noise))?;
-            Some((sums.size(&tensor).max(sums.by_noise(&tensor, self.noise)), tensor))
-        };
-        let mut seeds: Vec<(f64, usize)> = (0..(blocks.len() + 1).saturating_sub(SEED))
-            .step_by(2)
-            .filter_map(|n| Some((usual(&(n..n + SEED))?.0, n)))
-            .collect();
+        let mut seeds: Vec<_> =
+            (0..(count + 1).saturating_sub(SEED)).step_by(2).filter_map(seed).collect();
         seeds.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut taken: Vec<Range<usize>> = Vec::new();
-        for (_, seed) in seeds {
-            let free = |range: &Range<usize>| {
-                taken.iter().all(|other| range.end <= other.start || other.end <= range.start)
-            };
+        let mut taken = vec![false; count];
+        for (mut torque, seed, mut sums) in seeds {
             let mut piece = seed..seed + SEED;
-            if !free(&piece) {
+            if taken[piece.clone()].contains(&true) {
                 continue;
             }
-            let Some((mut torque, _)) = usual(&piece) else { continue };
             // One block more at either end, as long as one tensor explains it all as well as before.
-            let ways = |piece: &Range<usize>| {
-                let later =
-                    (piece.end < blocks.len()).then(|| (piece.end, piece.start..piece.end + 1));
-                let earlier = piece.start.checked_sub(1).map(|block| (block, block..piece.end));
-                later.into_iter().chain(earlier)
-            };
-            while let Some((wider, more)) =
-                ways(&piece).filter(|(_, wider)| free(wider)).find_map(|(block, wider)| {
-                    let (more, tensor) = usual(&wider)?;
-                    let fits = more <= 2.0 * torque && blocks[block].size(&tensor) <= ENDS * torque;
-                    fits.then_some((wider, more))
-                })
-            {
-                (piece, torque) = (wider, more);
+            loop {
+                let earlier = piece.start.checked_sub(1).map(|n| (n, n..piece.end));
+                let ways = [Some((piece.end, piece.start..piece.end + 1)), earlier];
+                let fitting = |(n, wider): (usize, Range<usize>)| {
+                    let own = blocks.get(n).filter(|_| !taken[n])?;
+                    let all = sums.with(own);
+                    let (more, tensor) = self.unforced(&all)?;
+                    let fits = more <= 2.0 * torque && own.size(&tensor) <= ENDS * torque;
+                    fits.then_some((more, wider, all))
+                };
+                let Some(wider) = ways.into_iter().flatten().find_map(fitting) else { break };
+                (torque, piece, sums) = wider;
             }
-            let equations = piece.start * self.lag..piece.end * self.lag;
-            taken.push(piece);
-            let Some(flight) = self.ends(equations, felt) else { continue };
-            let Range { start, end } = flight.samples;
-            let samples = self.first + start..self.first + end;
-            if found.iter().all(|other| {
+            taken[piece.clone()].fill(true);
+            let flight = self.ends(block(piece.start).start..block(piece.end).start, felt);
+            let Some(Flight { samples, torque }) = flight else { continue };
+            let end = samples.end.div_ceil(self.lag).min(count);
+            taken[(samples.start / self.lag).min(end)..end].fill(true);
+            let samples = self.first + samples.start..self.first + samples.end;
+            let apart = |other: &Flight| {
                 other.samples.end <= samples.start || samples.end <= other.samples.start
-            }) {
-                taken.push(start / self.lag..end.div_ceil(self.lag));
-                found.push(Flight { samples, ..flight });
+            };
+            if found.iter().all(apart) {
+                found.push(Flight { samples, torque });
             }
         }
     }
@@ -242,8 +235,8 @@ impl Fast<'_> {
             samples = self.carried_by_none(samples, felt)?;
         }
         let duration = self.times[samples.end.checked_sub(1)?] - self.times[samples.start];
-        let long = samples.len() >= FEWEST && duration >= SHORTEST;
-        (long && !forced).then_some(Flight { samples, torque })
+        let thrown = samples.len() >= FEWEST && (SHORTEST..=LONGEST).contains(&duration);
+        (thrown && !forced).then_some(Flight { samples, torque })
     }
 
     /// The samples whose accelerations come from turning alone, around the middle of these.
@@ -290,7 +283,7 @@ pub(super) fn find(recording: &Recording) -> Result<Vec<Flight>> {
     let fastest = (0..times.len()).max_by(|a, b| speed(&rates[*a]).total_cmp(&speed(&rates[*b])));
     let fastest = fastest.unwrap_or(0);
     Err(refused(format!(
-        "no free flight was found: looked for {SHORTEST} s or longer, faster than {SLOWEST} rad/s, in which \
+        "no free flight was found: looked for {SHORTEST} s to {LONGEST} s, faster than {SLOWEST} rad/s, in which \
          the angular momentum changes by less than {MOST} of itself a second; the fastest rate is \
          {:.3} rad/s, at {:.3} s. A piece can be set by hand, from one time to another",
         speed(&rates[fastest]),
@@ -325,11 +318,13 @@ fn flights(recording: &Recording, lag: f64) -> Vec<Flight> {
     };
     let rates: Vec<[f64; 3]> = (0..rates.len()).map(mean).collect();
     let noise = raw / ((2 * around + 1) as f64).sqrt();
+    // Straight lines bridge a gap as long as that of an equation.
+    let longest = (GAP * step).max(LAG);
     let mut found = Vec::new();
     let mut first = 0;
     while first < times.len() {
         let joined = |k: &usize| {
-            speed(&rates[*k]) >= SLOWEST && (*k == first || times[*k] - times[k - 1] <= GAP * step)
+            speed(&rates[*k]) >= SLOWEST && (*k == first || times[*k] - times[k - 1] <= longest)
         };
         let end = (first..times.len()).find(|k| !joined(k)).unwrap_or(times.len());
         let run = first..end;

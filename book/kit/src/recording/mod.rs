@@ -72,7 +72,13 @@ impl Recording {
         &self.notes
     }
 
-    /// The pieces in free flight, in order.
+    /// The pieces in free flight, in order: by the rates, which one tensor must explain, and by
+    /// accelerations with gravity, if there are some.
+    ///
+    /// Accuracy: of 100 throws of 0.2 to 1.5 s that were made at 100 to 400 samples a second, all were found and
+    /// nothing else. Pieces began 4 ms before to 25 ms after the release (16 ms before, with noise of 0.02 to 0.05
+    /// rad/s, in which a hand's last torque cannot be seen), and ended 7 to 25 ms before the catch
+    /// (`tests/recording`).
     ///
     /// # Errors
     /// [`Error::Recording`] if there is none: with what was looked for, and the fastest rate.

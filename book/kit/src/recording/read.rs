@@ -4,6 +4,7 @@ use super::columns::{self, EXPECTED, Layout};
 use super::series::{Series, Wrong, number};
 use super::{FEWEST, Recording, middle};
 use crate::error::{Error, Result};
+use crate::number::short;
 use csv::{Reader, ReaderBuilder, StringRecord};
 use std::borrow::Cow;
 
@@ -16,6 +17,9 @@ const FASTEST_UNSTATED: f64 = 100.0;
 
 /// A step is a gap where it is longer than this many usual ones: two samples are missing, not one.
 pub(super) const GAP: f64 = 2.5;
+
+/// A turn passes its largest rate; a sensor at its limit shows the same number for so many samples.
+const LEVEL: usize = 5;
 
 /// How many lines of other text may stand above the header.
 const PREAMBLE: usize = 100;
@@ -46,7 +50,7 @@ pub(super) fn recording(name: &str, bytes: &[u8]) -> Result<Recording> {
         .flexible(true)
         .comment(Some(b'#'))
         .from_reader(text.as_bytes());
-    let mut lines = Lines { text: &text, reader, record: StringRecord::new() };
+    let mut lines = Lines { text: &text, delimiter, reader, record: StringRecord::new() };
     let (header, layout, at_numbers) = header(name, &mut lines)?;
     let mut table = Table {
         rates: Series::new(&layout.rates),
@@ -74,16 +78,21 @@ fn header(name: &str, lines: &mut Lines) -> Result<(Vec<String>, Layout, bool)> 
         }
         let cells = lines.record.len();
         if lines.record.iter().filter(|cell| number(cell).is_some()).count() >= 2 {
-            return match last {
-                None if matches!(cells, 4 | 5) => Ok((Vec::new(), columns::bare(), true)),
-                None => {
+            // Some programs write the names into a comment.
+            let comments = lines.text.lines().take_while(|line| line.starts_with('#'));
+            let comment = comments.last().unwrap_or("").split(char::from(lines.delimiter));
+            let names = names(comment);
+            return match (last, columns::layout(&names, name)) {
+                (Some((line, missing)), _) => Err(at(Some(line), None, missing)),
+                (None, Ok(layout)) => Ok((names, layout, true)),
+                (None, Err(_)) if cells == 4 => Ok((Vec::new(), columns::bare(), true)),
+                (None, Err(_)) => {
                     let reason = format!("there are {cells} columns and no header; {EXPECTED}");
                     Err(at(Some(lines.line()), None, reason))
                 }
-                Some((line, missing)) => Err(at(Some(line), None, missing)),
             };
         }
-        let cells: Vec<String> = lines.record.iter().map(|cell| cell.trim().to_string()).collect();
+        let cells = names(lines.record.iter());
         match columns::layout(&cells, name) {
             Ok(layout) => return Ok((cells, layout, false)),
             Err(missing) => last = Some((lines.line(), missing)),
@@ -92,9 +101,23 @@ fn header(name: &str, lines: &mut Lines) -> Result<(Vec<String>, Layout, bool)> 
     Err(at(None, None, format!("the file has no table of numbers; {EXPECTED}")))
 }
 
+/// The names in a header, without the mark of a comment before them.
+fn names<'a>(cells: impl Iterator<Item = &'a str>) -> Vec<String> {
+    let mut names: Vec<String> = cells.map(|cell| cell.trim().to_string()).collect();
+    if let Some(first) = names.first_mut() {
+        let bare = first.trim_start_matches(['#', '%']).trim().to_string();
+        match bare.is_empty() && !first.is_empty() {
+            true => drop(names.remove(0)),
+            false => *first = bare,
+        }
+    }
+    names
+}
+
 /// The lines of a table.
 struct Lines<'a> {
     text: &'a str,
+    delimiter: u8,
     reader: Reader<&'a [u8]>,
     record: StringRecord,
 }
@@ -213,8 +236,7 @@ impl Table {
         let Self { rates: series, left_out, .. } = &self;
         let count = series.times.len();
         if count < FEWEST {
-            let reason =
-                format!("there are {count} samples of the rates; expected {FEWEST} or more");
+            let reason = format!("samples of the rates: {count}; expected {FEWEST} or more");
             return Err(at(None, None, reason));
         }
         for (k, n) in series.sensor.axes.into_iter().enumerate() {
@@ -253,6 +275,16 @@ impl Table {
                 gaps.count(),
                 first[0],
                 first[1]
+            ));
+        }
+        let largest = series.values.iter().flatten().fold(0.0, |most: f64, w| most.max(w.abs()));
+        let ends = |k: usize| {
+            series.values.windows(LEVEL).any(|w| w.iter().all(|w| w[k].abs() == largest))
+        };
+        if (0..3).any(ends) {
+            let largest = short(largest * series.sensor.unit.unwrap_or(1.0), 4);
+            notes.push(format!(
+                "A rate stays at {largest} rad/s, the largest: the sensor may end there."
             ));
         }
         let accelerations = self.accelerations.as_ref().and_then(|series| {
