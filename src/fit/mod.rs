@@ -38,6 +38,7 @@ mod least_squares;
 mod model;
 mod spread;
 mod start;
+mod swing;
 
 use crate::attitude::Attitude;
 use crate::error::Result;
@@ -51,6 +52,7 @@ use least_squares::Fitted;
 pub use model::Correction;
 use model::{Model, slowed_clock};
 use nalgebra::{DMatrix, DVector};
+pub use swing::{Damping, Hinge, Swing, SwingDecision, SwingFit};
 
 /// Half an interval of 95 per cent, in standard deviations that are known.
 const NORMAL: f64 = 1.96;
