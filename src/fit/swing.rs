@@ -29,20 +29,20 @@
 
 mod course;
 
-use super::{BY_CHANCE, CONFIDENCE, Estimate, Flight, OPEN, PER_NUMBER, least_squares, spread};
-use crate::error::{Error, Result};
+use super::{Estimate, Flight, NORMAL, OPEN, least_squares, spread};
+use crate::error::{Error, Result, positive};
+use crate::exact::carlson::rf;
 use crate::frame::DesignVector;
 use crate::math::{asin, exp, log, sin};
-use course::{Course, Numbers};
+use course::{Numbers, STEP};
 use nalgebra::{DMatrix, DVector, Matrix3, SymmetricEigen, Vector3};
-
-/// Samples are averaged over this time, in units of 1/W: 31 means in a small swing. What changes fastest
-/// is the rate near the upright position, as sech(W t); of its mean over a time h the fit leaves out the
-/// fourth derivative, 5 W^4 h^4/1920, which is 4e-6.
-const AVERAGED: f64 = 0.2;
 
 /// Below this part of the rates residuals count as none: averages and the integrator leave as much.
 const FLOOR: f64 = 1e-5;
+
+/// A damping is needed if chance would improve the fit as much once in a thousand swings: chi squared of
+/// one number.
+const BY_CHANCE: f64 = 10.83;
 
 /// The rate about a hinge, as a gyroscope recorded it.
 #[derive(Debug, Clone, PartialEq)]
@@ -182,25 +182,27 @@ impl Swing {
         let best = starts.into_iter().flatten().min_by(|a, b| a.1.total_cmp(&b.1));
         let none = || Error::out_of_range("deviation of the rates", deviation, "that of a swing");
         let (mut numbers, _) = best.ok_or_else(none)?;
-        let averaged = self.averaged(AVERAGED * exp(-0.5 * numbers[0]));
+        let averaged = self.averaged(STEP * exp(-0.5 * numbers[0]));
         // Linear damping serves for any, while ever more swings are fitted.
         let mut part = averaged.iter().take_while(|a| a.time <= self.times[window - 1]).count();
         part = part.max(8);
         while part < averaged.len() {
-            numbers = Candidate::new([true, false], numbers, &averaged[..part])?.numbers;
-            part *= 2;
+            let fitted = Candidate::new([true, false], numbers, &averaged[..part]);
+            numbers = fitted.map_or(numbers, |fitted| fitted.numbers);
+            part *= 3;
         }
         let linear = Candidate::new([true, false], numbers, &averaged)?;
         // What loses as much energy: beta |rate|^3 for gamma rate^2.
         let power = |n| self.rates.iter().map(|rate| (rate - mean).abs().powi(n)).sum::<f64>();
-        let mut other = linear.numbers;
-        other[5] = other[4] * power(2) / power(3);
-        let quadratic = Candidate::new([false, true], other, &averaged)?;
-        let better = if linear.squares < quadratic.squares { &linear } else { &quadratic };
-        let both = Candidate::new([true; 2], better.numbers, &averaged)?;
-        let free = Candidate::new([false; 2], linear.numbers, &averaged)?;
+        numbers = linear.numbers;
+        numbers[5] = numbers[4] * power(2) / power(3);
+        let quadratic = Candidate::new([false, true], numbers, &averaged);
+        let better = quadratic.iter().find(|of| of.squares < linear.squares).unwrap_or(&linear);
+        let both = Candidate::new([true; 2], better.numbers, &averaged);
+        let free = Candidate::new([false; 2], linear.numbers, &averaged);
+        let candidates = [free, Ok(linear), quadratic, both].into_iter().flatten().collect();
         let square = |a: &Averaged| f64::powi(a.weight * (a.rate - mean), 2);
-        SwingFit::chosen([free, linear, quadratic, both], averaged.iter().map(square).sum(), self)
+        SwingFit::chosen(candidates, averaged.iter().map(square).sum(), self)
     }
 
     /// How many samples a swing and a half takes, from the times when the rate has risen from below its
@@ -261,17 +263,25 @@ impl Candidate {
             open.iter().zip(values).for_each(|(i, value)| numbers[*i] = *value);
             numbers
         };
-        let end = averaged.last().map_or(0.0, |a| a.time);
-        let mut residuals = |values: &[f64]| {
-            let course = Course::new(all(values), end)?;
-            let one = |a: &Averaged| Ok(a.weight * (course.shown(a.time, a.variance)? - a.rate));
-            averaged.iter().map(one).collect()
-        };
         let fastest = averaged.iter().fold(0.0, |most: f64, a| most.max(a.rate.abs()));
         let frequency = exp(0.5 * numbers[0]);
         let scales = [1.0, 1.0, fastest, fastest, frequency, frequency / fastest];
         let [start, scales] = [&numbers, &scales].map(|x| open.iter().map(|i| x[*i]).collect());
         let (start, scales): (Vec<f64>, Vec<f64>) = (start, scales);
+        let mut residuals = |values: &[f64]| {
+            let numbers = all(values);
+            // Beyond a factor of e the start has missed the frequency, and a step takes too long.
+            if !((values[0] - start[0]).abs() <= 2.0) {
+                let allowed = format!("within 2 of {}", start[0]);
+                return Err(Error::out_of_range("ln W^2", values[0], allowed));
+            }
+            let states = course::states(&numbers, averaged.iter().map(|a| a.time))?;
+            let one = |(a, state): (&Averaged, [f64; 2])| {
+                let bent = 0.5 * a.variance * course::second_derivative(&numbers, state);
+                a.weight * (state[1] + bent + numbers[3] - a.rate)
+            };
+            Ok(averaged.iter().zip(states).map(one).collect())
+        };
         let fitted = least_squares::fit(&start, &scales, &mut residuals)?;
         numbers = all(&fitted.numbers);
         let scaled = DMatrix::from_diagonal(&DVector::from_vec(scales));
@@ -299,64 +309,55 @@ impl Candidate {
 /// The pendulum that fits a swing. Times are those of the recording (s).
 #[derive(Debug, Clone)]
 pub struct SwingFit {
+    swing: Swing,
     best: Candidate,
     /// All, with the weight of each.
     candidates: Vec<(Candidate, f64)>,
     decisions: [SwingDecision; 2],
-    course: Course,
-    begin: f64,
-    residuals: Vec<f64>,
-    end: f64,
+    /// Angle and rate at each sample.
+    states: Vec<[f64; 2]>,
 }
 
 impl SwingFit {
-    /// The best of four; `whole`: the squares that a rate without change leaves.
-    fn chosen(mut candidates: [Candidate; 4], whole: f64, swing: &Swing) -> Result<Self> {
+    /// The best of those that were found; `whole`: the squares that a rate without change leaves.
+    fn chosen(mut candidates: Vec<Candidate>, whole: f64, swing: &Swing) -> Result<Self> {
         let samples = swing.times.len() as f64;
-        let both = &candidates[3].residuals;
-        let count = both.len();
+        let richest = &candidates[candidates.len() - 1].residuals;
+        let count = richest.len();
         // Of one axis, as the first of three.
-        let alone: Vec<f64> = both.iter().flat_map(|r| [*r, 0.0, 0.0]).collect();
+        let alone: Vec<f64> = richest.iter().flat_map(|r| [*r, 0.0, 0.0]).collect();
         let inflation = spread::inflation(&alone);
         let floor = samples * f64::powi(FLOOR * swing.mean().1, 2);
         for candidate in &mut candidates {
-            let degrees = count.saturating_sub(4 + candidate.dampings()) as f64;
+            let degrees = (count - 4 - candidate.dampings()) as f64;
             let variance = (candidate.squares + floor) / degrees * inflation;
-            candidate.covariance =
-                candidate.covariance.take().filter(|_| degrees > 0.0).map(|c| c * variance);
+            candidate.covariance = candidate.covariance.take().map(|c| c * variance);
         }
         let misfit = |of: &Candidate| count as f64 / inflation * log(of.squares + floor);
-        let price = |of: &Candidate| misfit(of) + BY_CHANCE[0] * of.dampings() as f64;
-        let [free, linear, quadratic, full] = &candidates;
-        let best = [free, linear, quadratic, full].into_iter();
-        let best = best.min_by(|a, b| price(a).total_cmp(&price(b))).unwrap_or(free);
+        let price = |of: &Candidate| misfit(of) + BY_CHANCE * of.dampings() as f64;
+        let best = candidates.iter().min_by(|a, b| price(a).total_cmp(&price(b)));
+        let best = best.unwrap_or(&candidates[0]);
         let decisions = [(Damping::Linear, 0), (Damping::Quadratic, 1)].map(|(damping, i)| {
             let needed = best.damped[i];
             let mut twin = best.damped;
             twin[i] = !needed;
-            let twin = candidates.iter().find(|other| other.damped == twin).unwrap_or(best);
-            let worse = misfit(twin) - misfit(best);
-            let improvement = if needed { worse } else { (-worse).max(0.0) };
-            SwingDecision { damping, improvement, threshold: BY_CHANCE[0], needed }
+            let twin = candidates.iter().find(|other| other.damped == twin);
+            let change = twin.map(|twin| (misfit(twin) - misfit(best)).abs());
+            let improvement = change.unwrap_or(if needed { f64::MAX } else { 0.0 });
+            SwingDecision { damping, improvement, threshold: BY_CHANCE, needed }
         });
-        let akaike = |of: &Candidate| misfit(of) + PER_NUMBER * of.dampings() as f64;
+        let akaike = |of: &Candidate| misfit(of) + 4.0 * of.dampings() as f64;
         let least = candidates.iter().map(akaike).fold(f64::INFINITY, f64::min);
         let weighed = |of: &Candidate| (of.clone(), exp(0.5 * (least - akaike(of))));
-        let end = swing.times[swing.times.len() - 1];
-        let course = Course::new(best.numbers, end)?;
-        let pairs = swing.times.iter().zip(&swing.rates);
-        let residuals = pairs.map(|(t, rate)| Ok(course.shown(*t, 0.0)? - rate));
         let fit = Self {
-            residuals: residuals.collect::<Result<_>>()?,
+            states: course::states(&best.numbers, swing.times.iter().copied())?,
             best: best.clone(),
             candidates: candidates.iter().map(weighed).collect(),
             decisions,
-            course,
-            begin: swing.begin,
-            end,
+            swing: swing.clone(),
         };
         let unexplained = fit.best.squares / whole;
-        fit.checked(unexplained, end / (samples - 1.0))
+        fit.checked(unexplained, swing.times[swing.times.len() - 1] / (samples - 1.0))
     }
 
     /// Refuses what is no swing, or an open one.
@@ -413,7 +414,7 @@ impl SwingFit {
             whole += weight;
             sum += weight * (own(candidate) + f64::powi(of(&candidate.numbers) - value, 2));
         }
-        let half = CONFIDENCE * own(&self.best).max(sum / whole).sqrt();
+        let half = NORMAL * own(&self.best).max(sum / whole).sqrt();
         Estimate { value, from: value - half, to: value + half }
     }
 
@@ -428,7 +429,7 @@ impl SwingFit {
     /// # Errors
     /// `OutOfRange` unless gravity is positive and finite.
     pub fn length(&self, gravity: f64) -> Result<Estimate> {
-        crate::error::positive("gravity", gravity)?;
+        positive("gravity", gravity)?;
         Ok(self.positive(|numbers| gravity * exp(-numbers[0])))
     }
 
@@ -438,9 +439,11 @@ impl SwingFit {
         self.estimate(|numbers| 2.0 * asin(energy(numbers).min(1.0).sqrt()))
     }
 
-    /// The period (s) at that amplitude without damping.
+    /// The period (s) at that amplitude without damping: 4 K(k)/W.
     pub fn period(&self) -> Estimate {
-        self.positive(|numbers| course::free(numbers).map_or(f64::INFINITY, |free| free.period()))
+        let quarter =
+            |numbers: &Numbers| rf(0.0, 1.0 - energy(numbers), 1.0).unwrap_or(f64::INFINITY);
+        self.positive(|numbers| 4.0 * quarter(numbers) * exp(-0.5 * numbers[0]))
     }
 
     /// The period 2 pi/W of the smallest swings (s).
@@ -473,7 +476,7 @@ impl SwingFit {
     /// # Errors
     /// `OutsideRun` outside the recording.
     pub fn rate(&self, t: f64) -> Result<f64> {
-        self.course.shown(self.since(t)?, 0.0)
+        Ok(self.state(t)?[1] + self.best.numbers[3])
     }
 
     /// The angle from the hanging position at this time by the fit (rad).
@@ -481,27 +484,32 @@ impl SwingFit {
     /// # Errors
     /// As of [`SwingFit::rate`].
     pub fn angle(&self, t: f64) -> Result<f64> {
-        Ok(self.course.state(self.since(t)?)?[0])
+        Ok(self.state(t)?[0])
     }
 
-    fn since(&self, t: f64) -> Result<f64> {
-        let (start, end) = (self.begin, self.begin + self.end);
-        if (start..=end).contains(&t) {
-            return Ok((t - start).min(self.end));
+    /// Angle and rate, from those at the sample before.
+    fn state(&self, t: f64) -> Result<[f64; 2]> {
+        let Swing { times, begin, .. } = &self.swing;
+        let (since, end) = (t - begin, begin + times[times.len() - 1]);
+        let before = times.partition_point(|sample| *sample <= since);
+        if before == 0 || !(t <= end) {
+            crate::error::finite("t", t)?;
+            return Err(Error::OutsideRun { t, start: *begin, end });
         }
-        crate::error::finite("t", t)?;
-        Err(Error::OutsideRun { t, start, end })
+        let (from, state) = (times[before - 1], self.states[before - 1]);
+        Ok(course::advanced(&self.best.numbers, state, since - from))
     }
 
     /// The fit less the recorded rate, sample by sample (rad/s).
     pub fn residuals(&self) -> impl Iterator<Item = f64> {
-        self.residuals.iter().copied()
+        let pairs = self.states.iter().zip(&self.swing.rates);
+        pairs.map(|([_, shown], rate)| shown + self.best.numbers[3] - rate)
     }
 
     /// The root of the mean square of the residuals (rad/s).
     pub fn misfit(&self) -> f64 {
-        let squares: f64 = self.residuals.iter().map(|r| r * r).sum();
-        (squares / self.residuals.len() as f64).sqrt()
+        let squares: f64 = self.residuals().map(|r| r * r).sum();
+        (squares / self.states.len() as f64).sqrt()
     }
 }
 

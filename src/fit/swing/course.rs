@@ -1,82 +1,102 @@
 //! The motion of a pendulum that is slowed, and numbers from which its fit begins.
 
-use crate::error::Result;
-use crate::exact::pendulum::{Pendulum, Suspension};
-use crate::integrators::{Dop853, Solution, second_order};
-use crate::math::{atan2, exp, log, sin, sincos};
+use crate::error::{Error, Result};
+use crate::math::{atan2, exp, log, sincos};
 use nalgebra::{Matrix4, Vector4};
 
 /// ln W^2, angle and rate at the start, the sensor's offset, gamma, beta (s, rad).
 pub(super) type Numbers = [f64; 6];
 
-/// Error of a step of the integrator. Differences of runs with numbers 1e-7 apart, from which the fit
-/// has its slopes, must not see it.
-const TOLERANCE: f64 = 1e-11;
+/// The longest step, in units of 1/W, and the order of the series in time by which it is made. The nearest
+/// pole of sech(W t), the steepest swing, is pi/2 away: the first term left out is (0.4/pi)^11 = 1.4e-10.
+pub(super) const STEP: f64 = 0.2;
+const ORDER: usize = 10;
 
-/// The motion from the first sample on.
-#[derive(Debug, Clone)]
-pub(super) struct Course {
-    numbers: Numbers,
-    frequency: f64,
-    motion: Motion,
-}
-
-#[derive(Debug, Clone)]
-enum Motion {
-    Free(Box<Pendulum>),
-    /// In units of time of 1/W.
-    Slowed(Solution<2>),
-}
-
-/// The pendulum without damping.
-pub(super) fn free(&[log_square, angle, rate, ..]: &Numbers) -> Result<Pendulum> {
-    let unit = Suspension { moment: 1.0, mass: 1.0, gravity: exp(log_square), lever: 1.0 };
-    Pendulum::new(unit, angle, rate)
-}
-
-impl Course {
-    /// As far as to `end` (s).
-    pub(super) fn new(numbers: Numbers, end: f64) -> Result<Self> {
-        let [log_square, angle, rate, _, linear, quadratic] = numbers;
-        let frequency = exp(0.5 * log_square);
-        let motion = if [linear, quadratic] == [0.0; 2] {
-            Motion::Free(Box::new(free(&numbers)?))
-        } else {
-            let linear = linear / frequency;
-            let slowed = second_order(move |_, x, v| -sin(x) - (linear + quadratic * v.abs()) * v);
-            let phase = frequency * end;
-            // About three steps a radian are taken; numbers that need many more fit nothing.
-            let method = Dop853::new(TOLERANCE)?.with_step_limit(1000 + (100.0 * phase) as u64)?;
-            Motion::Slowed(method.solve(&slowed, 0.0, &[angle, rate / frequency], phase, &[])?)
-        };
-        Ok(Self { numbers, frequency, motion })
-    }
-
-    /// Angle and rate (rad, rad/s).
-    pub(super) fn state(&self, t: f64) -> Result<[f64; 2]> {
-        match &self.motion {
-            Motion::Free(pendulum) => pendulum.at(t).map(|state| [state.theta, state.omega]),
-            Motion::Slowed(run) => {
-                let phase = (self.frequency * t).min(run.end_time());
-                run.at(phase).map(|[angle, rate]| [angle, self.frequency * rate])
+/// The state (rad, rad/s) the time `dt` (s) later.
+pub(super) fn advanced(numbers: &Numbers, [mut angle, rate]: [f64; 2], dt: f64) -> [f64; 2] {
+    let [log_square, _, _, _, linear, quadratic] = *numbers;
+    let frequency = exp(0.5 * log_square);
+    let (mut rate, mut left) = (rate / frequency, dt * frequency);
+    while left > 0.0 {
+        let (sin, cos) = sincos(angle);
+        // The quadratic damping turns at rest; beyond, another series goes on.
+        let sense = if rate == 0.0 { -sin.signum() } else { rate.signum() };
+        let rates = series([rate, sin, cos], linear / frequency, sense * quadratic);
+        let [mut slopes, mut angles] = [[0.0; ORDER + 1]; 2];
+        for k in 0..ORDER {
+            slopes[k] = (k + 1) as f64 * rates[k + 1];
+            angles[k] = rates[k] / (k + 1) as f64;
+        }
+        let mut step = left.min(STEP);
+        let end = at(&rates, step);
+        let turns = quadratic != 0.0 && end * sense < 0.0;
+        if turns {
+            let whole = step;
+            step *= rate / (rate - end);
+            for _ in 0..4 {
+                step = (step - at(&rates, step) / at(&slopes, step)).clamp(0.0, whole);
             }
         }
+        angle += step * at(&angles, step);
+        rate = if turns { 0.0 } else { end };
+        left -= step;
     }
+    [angle, rate * frequency]
+}
 
-    /// What the sensor shows, as the mean over times about `t` that have this variance (s^2): half of it
-    /// times the second derivative of the rate is added.
-    pub(super) fn shown(&self, t: f64, variance: f64) -> Result<f64> {
-        let [angle, rate] = self.state(t)?;
-        let [_, _, _, offset, linear, quadratic] = self.numbers;
-        if variance == 0.0 {
-            return Ok(rate + offset);
+/// The coefficients of the rate v, from v' = -s - gamma v - beta v^2, s' = c v and c' = -s v with
+/// s = sin(theta), c = cos(theta), in units of time of 1/W.
+fn series([rate, sin, cos]: [f64; 3], linear: f64, quadratic: f64) -> [f64; ORDER + 1] {
+    let [mut v, mut s, mut c] = [[0.0; ORDER + 1]; 3];
+    (v[0], s[0], c[0]) = (rate, sin, cos);
+    for k in 0..ORDER {
+        let (mut vv, mut sv, mut cv) = (0.0, 0.0, 0.0);
+        for i in 0..=k {
+            let other = v[k - i];
+            vv += v[i] * other;
+            sv += s[i] * other;
+            cv += c[i] * other;
         }
-        let square = self.frequency * self.frequency;
-        let (sin, cos) = sincos(angle);
-        let change = -square * sin - (linear + quadratic * rate.abs()) * rate;
-        let second = -square * cos * rate - (linear + 2.0 * quadratic * rate.abs()) * change;
-        Ok(rate + offset + 0.5 * variance * second)
+        let part = 1.0 / (k + 1) as f64;
+        v[k + 1] = -part * (s[k] + linear * v[k] + quadratic * vv);
+        s[k + 1] = part * cv;
+        c[k + 1] = -part * sv;
     }
+    v
+}
+
+/// A polynomial with these coefficients.
+fn at(series: &[f64; ORDER + 1], t: f64) -> f64 {
+    let mut sum = 0.0;
+    for k in (0..ORDER + 1).rev() {
+        sum = sum * t + series[k];
+    }
+    sum
+}
+
+/// Angle and rate (rad, rad/s) at these times (s), which ascend from the start.
+///
+/// # Errors
+/// `OutOfRange` for numbers with which the rate grows beyond all sizes.
+pub(super) fn states(numbers: &Numbers, times: impl Iterator<Item = f64>) -> Result<Vec<[f64; 2]>> {
+    let (mut now, mut state) = (0.0, [numbers[1], numbers[2]]);
+    let step = |t: f64| {
+        state = advanced(numbers, state, t - now);
+        now = t;
+        let allowed = "a finite one";
+        let [angle, rate] = state;
+        let finite = angle.is_finite() && rate.is_finite();
+        if finite { Ok(state) } else { Err(Error::out_of_range("rate", rate, allowed)) }
+    };
+    times.map(step).collect()
+}
+
+/// The second derivative of the rate (rad/s^3).
+pub(super) fn second_derivative(numbers: &Numbers, [angle, rate]: [f64; 2]) -> f64 {
+    let [log_square, _, _, _, linear, quadratic] = *numbers;
+    let (square, (sin, cos)) = (exp(log_square), sincos(angle));
+    let change = -square * sin - (linear + quadratic * rate.abs()) * rate;
+    -square * cos * rate - (linear + 2.0 * quadratic * rate.abs()) * change
 }
 
 /// Numbers of a pendulum with linear damping, and the sum of squares that they leave, by linear algebra;
