@@ -73,7 +73,9 @@ impl Candidate {
         };
         let fastest = averaged.iter().fold(0.0, |most: f64, a| most.max(a.rate.abs()));
         let frequency = exp(0.5 * start[0]);
-        let scales = [1.0, 1.0, fastest, fastest, frequency, frequency / fastest];
+        // Near the upright position, the time of a swing goes as ln(1 - k^2).
+        let gap = (1.0 - energy(&start)).abs().clamp(1e-3, 1.0);
+        let scales = [gap, gap, gap * fastest, fastest, frequency, frequency / fastest];
         let those = |of: &Numbers| open.iter().map(|i| of[*i]).collect::<Vec<_>>();
         let fitted = least_squares::fit(&those(&start), &those(&scales), &mut residuals)?;
         let scaled = DMatrix::from_diagonal(&DVector::from_vec(those(&scales)));
@@ -152,7 +154,7 @@ impl SwingFit {
     /// Refuses what is no swing, or an open one.
     fn checked(self, unexplained: f64) -> Result<Self> {
         if !(unexplained <= 0.25) {
-            let allowed = "at most 0.25: these rates are no pendulum's";
+            let allowed = "at most 0.25: these rates are of no pendulum that swings to and fro";
             return Err(Error::out_of_range(
                 "unexplained part of the variance",
                 unexplained,
