@@ -1,7 +1,7 @@
 //! Which corrections the rates of a flight need.
 
 use super::flight::Flight;
-use super::least_squares::Fitted;
+use super::least_squares::{self, Fitted};
 use super::model::{Correction, Model, Samples};
 use super::{Fit, NORMAL, spread, start};
 use crate::error::{Error, Result};
@@ -9,7 +9,6 @@ use crate::exact::free_body::FreeBody;
 use crate::inertia::PrincipalMoments;
 use crate::math::{exp, log};
 use core::f64::consts::TAU;
-use nalgebra::Matrix2;
 
 /// A correction is needed if chance would improve the fit as much once in a thousand flights.
 /// Distribution of chi squared for 1, 2 and 3 numbers.
@@ -64,6 +63,7 @@ pub(super) struct Other {
 }
 
 /// A combination of corrections, fitted.
+#[derive(Clone)]
 struct Candidate {
     model: Model,
     fitted: Fitted,
@@ -77,7 +77,7 @@ impl Candidate {
     }
 
     fn filters(&self) -> bool {
-        self.model.place(Correction::Filter).is_none_or(|at| self.fitted.numbers[at] >= 0.0)
+        self.model.filters(&self.fitted.numbers)
     }
 }
 
@@ -94,12 +94,10 @@ impl Flight {
     /// Burnham, D. R. Anderson, *Model Selection and Multimodel Inference*, 4.3.
     ///
     /// # Errors
-    /// Those of [`FreeBody::new`], or `OutOfRange` of a fit without a minimum, if that is so for every
-    /// combination.
+    /// `OutOfRange` if no combination has a least sum of squares, nor a steady spin.
     pub fn fit(&self, allowed: &[Correction]) -> Result<Fit> {
         let samples = self.samples();
         let mut candidates: Vec<Candidate> = Vec::new();
-        let mut refused = None;
         let mut bound = f64::INFINITY;
         let mut independent = None;
         for model in Model::combinations(allowed).into_iter().rev() {
@@ -113,16 +111,12 @@ impl Flight {
                 continue;
             }
             let carried = richer.map(|other| model.carried(&other.model, &other.fitted.numbers));
-            match self.fitted(&samples, &model, carried, most) {
-                Ok(fitted) => {
-                    let n = *independent.get_or_insert_with(|| free(&fitted));
-                    if fitted.settled() {
-                        bound = bound.min(n * log(fitted.squares) + price(&model));
-                    }
-                    candidates.push(Candidate { model, fitted });
-                }
-                Err(error) => refused = Some(error),
+            let Ok(fitted) = self.fitted(&samples, &model, carried, most) else { continue };
+            let n = *independent.get_or_insert_with(|| free(&fitted));
+            if fitted.settled() {
+                bound = bound.min(n * self.log_squares(&fitted) + price(&model));
             }
+            candidates.push(Candidate { model, fitted });
         }
         // A richer combination fits no worse: from the numbers of a simpler one, if those are better.
         for k in (0..candidates.len()).rev() {
@@ -139,12 +133,14 @@ impl Flight {
             }
         }
         candidates.reverse();
-        match refused {
-            Some(refused) if candidates.is_empty() => Err(refused),
-            _ => {
-                self.chosen(&samples, &candidates, Model::new(allowed), independent.unwrap_or(1.0))
-            }
-        }
+        let independent = independent.unwrap_or(samples.times.len() as f64);
+        self.chosen(&samples, &candidates, &Model::new(allowed), independent)
+    }
+
+    /// ln S; digits beyond the twelfth are those of arithmetic.
+    fn log_squares(&self, fitted: &Fitted) -> f64 {
+        let rounding = 1e-12 * self.fastest();
+        log(fitted.squares.max(rounding * rounding * fitted.residuals.len() as f64))
     }
 
     /// The best numbers of a model: from those of a richer one, or from linear algebra and pieces of the
@@ -190,20 +186,33 @@ impl Flight {
         &self,
         samples: &Samples,
         candidates: &[Candidate],
-        allowed: Model,
+        allowed: &Model,
         independent: f64,
     ) -> Result<Fit> {
-        // Digits beyond the twelfth are those of arithmetic.
-        let least = 1e-24 * self.fastest() * self.fastest() * 3.0 * samples.times.len() as f64;
-        let lack = |squares: f64| independent * log(squares.max(least));
-        let misfit = |of: &Candidate| lack(of.fitted.squares);
+        let misfit = |of: &Candidate| independent * self.log_squares(&of.fitted);
         let cost = |of: &Candidate| misfit(of) + price(&of.model);
-        let standing = candidates.iter().filter(|of| of.stands());
-        let Some(best) = standing.min_by(|a, b| cost(a).total_cmp(&cost(b))) else {
+        let drags: &[&[Correction]] =
+            if allowed.has(Correction::Drag) { &[&[], &[Correction::Drag]] } else { &[&[]] };
+        let steady = drags.iter().map(|drag| self.steady(samples, drag));
+        let steady = steady.collect::<Result<Vec<Candidate>>>()?;
+        let least = |of: &[Candidate]| {
+            let standing = of.iter().filter(|of| of.stands());
+            standing.min_by(|a, b| cost(a).total_cmp(&cost(b))).cloned()
+        };
+        let spin = least(&steady);
+        let varied = |best: &Candidate| {
+            let gain = spin.as_ref().map(|spin| cost(spin) - cost(best));
+            gain.is_none_or(|gain| gain > by_noise(samples.times.len()))
+        };
+        let tumble = least(candidates).filter(varied);
+        let candidates = if tumble.is_some() { candidates } else { &steady };
+        let varied = tumble.is_some();
+        let Some(best) = tumble.or(spin) else {
             let least = candidates.iter().map(|of| of.fitted.off).fold(f64::INFINITY, f64::min);
             let allowed = "0.001 standard deviations: no least sum of squares was found";
             return Err(Error::out_of_range("distance of a fit from the best", least, allowed));
         };
+        let best = &best;
         let decide = |correction: Correction| {
             let needed = best.model.has(correction);
             let beside = |of: &&Candidate| {
@@ -233,8 +242,6 @@ impl Flight {
                 covariance: [0, 1].map(|i| [0, 1].map(|j| covariance[(i, j)])),
             }
         };
-        let steady = self.steady(samples, &best.model, &best.fitted.numbers);
-        let varied = lack(steady) - misfit(best) > by_noise(samples.times.len());
         // A weight below a thousandth changes no digit that is told.
         let weighty = candidates.iter().filter(|other| varied && weight(other) > 1e-3);
         let named = best.model.named(&best.fitted.numbers)?;
@@ -258,39 +265,22 @@ impl Flight {
         })
     }
 
-    /// The least sum of squares of a spin about a line that is fixed in the body, with the drag and the
-    /// offset of a fit: a e^(-gamma t) + b on each axis, b = 0 without an offset.
-    fn steady(&self, samples: &Samples, model: &Model, numbers: &[f64]) -> f64 {
-        let drag = model.place(Correction::Drag).map_or(0.0, |at| numbers[at]);
-        // Without drag, an offset shows as nothing but another rate.
-        let offset = model.has(Correction::Offset) && drag != 0.0;
-        let terms = |k: usize| {
-            let weight = samples.weights[k];
-            [weight * exp(-drag * samples.times[k]), if offset { weight } else { 0.0 }]
-        };
-        let pairs = (0..samples.times.len()).map(terms);
-        let mut normal = Matrix2::zeros();
-        for [a, b] in pairs.clone() {
-            normal += Matrix2::new(a * a, a * b, a * b, b * b);
+    /// A spin about a line that is fixed in the body, as a cube has it: no ratio is fitted.
+    fn steady(&self, samples: &Samples, corrections: &[Correction]) -> Result<Candidate> {
+        let model = Model::new(corrections);
+        let count = samples.times.len();
+        let whole = |numbers: &[f64]| [&[0.0, 0.0], numbers].concat();
+        let mut start = vec![0.0; model.numbers() - 2];
+        for (i, number) in start.iter_mut().take(3).enumerate() {
+            *number = samples.rates.iter().map(|rate| rate[i]).sum::<f64>() / count as f64;
         }
-        if !offset {
-            normal[(1, 1)] = 1.0;
-        }
-        let Some(inverse) = normal.try_inverse() else { return f64::INFINITY };
-        let left = |axis: usize| {
-            let seen =
-                (0..samples.times.len()).map(|k| samples.weights[k] * samples.rates[k][axis]);
-            let (mut first, mut second) = (0.0, 0.0);
-            for ([a, b], w) in pairs.clone().zip(seen.clone()) {
-                first += a * w;
-                second += b * w;
-            }
-            let x = inverse[(0, 0)] * first + inverse[(0, 1)] * second;
-            let y = inverse[(1, 0)] * first + inverse[(1, 1)] * second;
-            let left = pairs.clone().zip(seen).map(|([a, b], w)| w - a * x - b * y);
-            left.map(|left| left * left).sum::<f64>()
-        };
-        (0..3).map(left).sum()
+        let scales = model.scales(self.fastest());
+        let mut fitted = least_squares::fit(&start, &scales[2..], &mut |numbers| {
+            model.residuals(&whole(numbers), samples, count, &mut None)
+        })?;
+        fitted.numbers = whole(&fitted.numbers);
+        fitted.jacobian = fitted.jacobian.insert_columns(0, 2, 0.0);
+        Ok(Candidate { model, fitted })
     }
 }
 

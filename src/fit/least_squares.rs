@@ -28,6 +28,9 @@ pub(super) struct Fitted {
 /// A step in a number, relative to its scale, for a central difference: about the cube root of round-off, at
 /// which the errors of rounding and of the third derivative are alike, some 1e-10 of a slope.
 const STEP: f64 = 1e-5;
+/// Beside a separatrix that is far too wide. A step is a tenth of itself, twice at most, if the second difference
+/// is more than this part of the first: its square is about the error of a slope.
+const BENT: f64 = 1e-3;
 /// Directions in which the residuals change so little, relative to the steepest, are left alone: their slopes
 /// are errors of the differences.
 pub(super) const FLAT: f64 = 1e-9;
@@ -36,7 +39,7 @@ const SETTLED: f64 = 1e-3;
 /// What a change of one scale makes, times this, is the rounding of residuals that vanish, with a margin.
 const ROUNDING: f64 = 1e-10;
 /// The fits of 500 made flights took at most a third of it.
-const MOST_STEPS: usize = 150;
+const MOST_STEPS: usize = 100;
 /// After so many, where a fit began is forgotten.
 const FEW_STEPS: usize = 12;
 
@@ -62,7 +65,7 @@ pub(super) fn fit(
     scales: &[f64],
     residuals: &mut dyn FnMut(&[f64]) -> Result<Vec<f64>>,
 ) -> Result<Fitted> {
-    let fitted = descend(start, scales, f64::INFINITY, residuals)?;
+    let fitted = descend(start, scales, &|_| false, residuals)?;
     if fitted.settled() {
         return Ok(fitted);
     }
@@ -70,14 +73,14 @@ pub(super) fn fit(
     Err(Error::out_of_range("distance of a fit from the best", fitted.off, allowed))
 }
 
-/// The same, with what is reached if it is no minimum. A sum of squares above `hopeless` is given up early.
+/// The same, with what is reached if it is no minimum. What is `given_up` is so after a few steps.
 ///
 /// # Errors
 /// Those of `residuals` at the start; `Lengths` as above.
 pub(super) fn descend(
     start: &[f64],
     scales: &[f64],
-    hopeless: f64,
+    given_up: &dyn Fn(&Fitted) -> bool,
     residuals: &mut dyn FnMut(&[f64]) -> Result<Vec<f64>>,
 ) -> Result<Fitted> {
     let first = residuals(start)?;
@@ -95,12 +98,16 @@ pub(super) fn descend(
         evaluations: 1,
     };
     let (mut damping, mut harder) = (1e-3, 2.0);
+    let mut sides: Vec<f64> = scales.iter().map(|scale| STEP * scale).collect();
     for steps in 0..MOST_STEPS {
-        now.jacobian = slopes(&numbers, scales, &now.residuals, residuals)?;
+        now.jacobian = slopes(&numbers, scales, &mut sides, &now.residuals, residuals)?;
         now.evaluations += 2 * numbers.len();
+        if now.jacobian.iter().any(|slope| !slope.is_finite()) {
+            break;
+        }
         let linear = Linear::new(&now.jacobian, scales, &now.residuals);
         now.off = linear.off;
-        if now.settled() || (steps >= FEW_STEPS && now.squares > hopeless) {
+        if now.settled() || (steps >= FEW_STEPS && given_up(&now)) {
             break;
         }
         let reached = loop {
@@ -212,28 +219,45 @@ impl Linear {
     }
 }
 
-/// Derivatives by central differences; to one side where the other is refused.
+/// Derivatives by central differences of these steps; to one side where the other is refused.
 fn slopes(
     numbers: &DVector<f64>,
     scales: &[f64],
+    sides: &mut [f64],
     now: &[f64],
     residuals: &mut dyn FnMut(&[f64]) -> Result<Vec<f64>>,
 ) -> Result<DMatrix<f64>> {
     let mut slopes = DMatrix::zeros(now.len(), numbers.len());
     for i in (0..numbers.len()).rev() {
+        let least = 0.02 * STEP * scales[i];
         let mut aside = |step: f64| {
             let mut aside = numbers.clone();
             aside[i] += step;
             residuals(aside.as_slice()).map(|there| (aside[i], there))
         };
-        let here = || (numbers[i], now.to_vec());
-        let (below, above) = (aside(-STEP * scales[i]), aside(STEP * scales[i]));
-        let ((from, below), (to, above)) = match (below, above) {
-            (Err(error), Err(_)) => return Err(error),
-            (below, above) => (below.unwrap_or_else(|_| here()), above.unwrap_or_else(|_| here())),
-        };
-        let pairs = above.iter().zip(&below).map(|(above, below)| (above - below) / (to - from));
-        slopes.column_mut(i).copy_from_slice(&pairs.collect::<Vec<_>>());
+        loop {
+            let here = || (numbers[i], now.to_vec());
+            let (below, above) = (aside(-sides[i]), aside(sides[i]));
+            let ((from, below), (to, above)) = match (below, above) {
+                (Err(error), Err(_)) => return Err(error),
+                (below, above) => {
+                    (below.unwrap_or_else(|_| here()), above.unwrap_or_else(|_| here()))
+                }
+            };
+            let (mut first, mut second) = (0.0, 0.0);
+            for ((slope, now), (below, above)) in
+                slopes.column_mut(i).iter_mut().zip(now).zip(below.iter().zip(&above))
+            {
+                let change = above - below;
+                *slope = change / (to - from);
+                first += change * change;
+                second += (above - 2.0 * now + below) * (above - 2.0 * now + below);
+            }
+            if second <= BENT * BENT * first || sides[i] <= least {
+                break;
+            }
+            sides[i] *= 0.1;
+        }
     }
     Ok(slopes)
 }

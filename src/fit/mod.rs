@@ -59,7 +59,7 @@ const NORMAL: f64 = 1.96;
 
 /// A ratio of moments is not determined if its interval spans more than this factor up or down: a phone
 /// then looks like a cube.
-const OPEN: f64 = 2.0;
+const OPEN: f64 = 1.5;
 
 /// A number with its interval of 95 per cent.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,6 +132,9 @@ impl Fit {
             let own = dot(&other.covariance.each_ref().map(dot));
             whole += other.weight;
             sum += other.weight * (own + apart * apart);
+        }
+        if whole == 0.0 {
+            return None;
         }
         let own = self.variance(&[weights[0], weights[1]]);
         let half = self.confidence * (sum / whole).max(own).sqrt();

@@ -241,7 +241,13 @@ impl Model {
         left.map_or(f64::INFINITY, |left| left.iter().map(|r| r * r).sum())
     }
 
-    /// The best numbers near these, for the first `count` samples; less than that if it is `hopeless`.
+    /// Whether tau^2 is not below 0. If it is, the fit is best without a filter.
+    pub(super) fn filters(&self, numbers: &[f64]) -> bool {
+        self.place(Correction::Filter).is_none_or(|at| numbers[at] >= 0.0)
+    }
+
+    /// The best numbers near these, for the first `count` samples; not all of the way if tau^2 is below 0
+    /// or the sum of squares above `hopeless`.
     pub(super) fn refined(
         &self,
         numbers: &[f64],
@@ -250,14 +256,15 @@ impl Model {
         hopeless: f64,
     ) -> Result<Fitted> {
         let fastest = samples.rates.iter().flatten().fold(0.0_f64, |most, w| most.max(w.abs()));
+        let given_up = |now: &Fitted| now.squares > hopeless || !self.filters(&now.numbers);
         let mut last = None;
-        least_squares::descend(numbers, &self.scales(fastest), hopeless, &mut |numbers| {
+        least_squares::descend(numbers, &self.scales(fastest), &given_up, &mut |numbers| {
             self.residuals(numbers, samples, count, &mut last)
         })
     }
 
     /// Rates on the body's axes are computed anew only if numbers change on which they depend.
-    fn residuals(
+    pub(super) fn residuals(
         &self,
         numbers: &[f64],
         samples: &Samples,
