@@ -26,6 +26,7 @@ mod series;
 use crate::error::{Error, Result};
 use core::ops::Range;
 pub use flights::Flight;
+use rotation_dynamics::error::plain;
 
 /// The fewest samples that a fit of the library takes.
 const FEWEST: usize = 13;
@@ -93,23 +94,30 @@ impl Recording {
     /// fewer than 13 samples.
     pub fn between(&self, from: Option<f64>, to: Option<f64>) -> Result<Range<usize>> {
         let [begin, end] = [self.times[0], self.times[self.times.len() - 1]];
+        let out = |t: f64| {
+            let [t, begin, end] = [t, begin, end].map(plain);
+            refused(format!("{t} s is not in the recording, from {begin} s to {end} s"))
+        };
         for t in [from, to].into_iter().flatten() {
             if !(begin..=end).contains(&t) {
-                let reason = format!("{t} s is not in the recording, from {begin} s to {end} s");
-                return Err(refused(reason));
+                return Err(out(t));
             }
         }
         let [from, to] = [from.unwrap_or(begin), to.unwrap_or(end)];
         if from >= to {
+            let [from, to] = [from, to].map(plain);
             return Err(refused(format!("from {from} s to {to} s: the end must be later")));
         }
         let first = self.times.partition_point(|t| *t < from);
         let after = self.times.partition_point(|t| *t <= to);
         match after - first {
             FEWEST.. => Ok(first..after),
-            few => Err(refused(format!(
-                "from {from} s to {to} s there are {few} samples: a fit needs {FEWEST} or more"
-            ))),
+            few => {
+                let [from, to] = [from, to].map(plain);
+                Err(refused(format!(
+                    "from {from} s to {to} s there are {few} samples: a fit needs {FEWEST} or more"
+                )))
+            }
         }
     }
 
