@@ -101,10 +101,11 @@ impl Sums {
         noise * (2.0 * self.count * squares / tensor.dot(&(self.momentum * tensor))).sqrt()
     }
 
-    /// Whether there is torque beyond what noise makes.
+    /// Whether there is torque beyond what noise makes, or noise hides it. (A tensor with hardly a moment about
+    /// the axis of the rates turns all torque into noise.)
     fn is_forced(&self, tensor: &Vector6<f64>, noise: f64) -> bool {
         let (size, by_noise) = (self.size(tensor), self.by_noise(tensor, noise));
-        size * size > MOST * MOST + by_noise * by_noise
+        size * size > MOST * MOST + by_noise * by_noise || by_noise > MOST
     }
 }
 

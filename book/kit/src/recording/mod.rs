@@ -79,7 +79,8 @@ impl Recording {
     /// Accuracy: of 100 throws of 0.2 to 1.5 s that were made at 100 to 400 samples a second, all were found and
     /// nothing else. Pieces began 4 ms before to 25 ms after the release (16 ms before, with noise of 0.02 to 0.05
     /// rad/s, in which a hand's last torque cannot be seen), and ended 7 to 25 ms before the catch
-    /// (`tests/recording`).
+    /// (`tests/recording`). In about one of 300 others, a short spin about the axis of the least moment, a piece
+    /// began 60 ms before the release. At 50 samples a second a flight of 0.2 s is too short to be found.
     ///
     /// # Errors
     /// [`Error::Recording`] if there is none: with what was looked for, and the fastest rate.
