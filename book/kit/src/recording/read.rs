@@ -1,11 +1,12 @@
 //! From the bytes of a file to numbers.
 
 use super::columns::{self, EXPECTED, Layout};
-use super::series::{Series, Wrong, number};
+use super::series::{Series, Wrong, brief, number};
 use super::{FEWEST, Recording, middle};
 use crate::error::{Error, Result};
 use crate::number::short;
 use csv::{Reader, ReaderBuilder, StringRecord};
+use rotation_dynamics::error::plain;
 use std::borrow::Cow;
 
 /// No body turns so fast and keeps a phone whole (rad/s).
@@ -209,8 +210,10 @@ impl Table {
                 let rate = value * unit.unwrap_or(1.0);
                 if rate.abs() > most {
                     let reason = format!(
-                        "{value} would be {rate} rad/s, more than {most}: if these are degrees per \
-                         second, the header must say so, as in \"Gyroscope x (deg/s)\""
+                        "{} would be {} rad/s, more than {most}: if these are degrees per second, the \
+                         header must say so, as in \"Gyroscope x (deg/s)\"",
+                        plain(value),
+                        plain(rate)
                     );
                     return Err((n, reason));
                 }
@@ -227,7 +230,7 @@ impl Table {
     /// A column, for a message.
     fn name(&self, column: usize) -> String {
         match self.header.get(column) {
-            Some(name) => format!("{} ({name})", column + 1),
+            Some(name) => format!("{} ({})", column + 1, brief(name)),
             None => (column + 1).to_string(),
         }
     }

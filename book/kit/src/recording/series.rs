@@ -55,8 +55,10 @@ impl Series {
         let t = self.time(cell, origin).map_err(|reason| (self.sensor.time, reason))?;
         match self.times.last() {
             Some(last) if t < *last => {
-                let reason =
-                    format!("the time {cell} is before that of a line above: times must ascend");
+                let reason = format!(
+                    "the time {} is before that of a line above: times must ascend",
+                    brief(cell)
+                );
                 return Err((self.sensor.time, reason));
             }
             Some(last) if t == *last => {
@@ -80,7 +82,7 @@ impl Series {
     fn time(&mut self, cell: &str, origin: &mut Option<i64>) -> Result<f64, String> {
         if cell.contains(':') {
             let t = of_the_day(cell).filter(|t| t.is_finite());
-            let t = t.ok_or_else(|| format!("{cell:?} is neither a number nor a time"))?;
+            let t = t.ok_or_else(|| format!("{:?} is neither a number nor a time", brief(cell)))?;
             self.by_clock = true;
             if self.times.last().is_some_and(|last| t + self.days < last - 43_200.0) {
                 self.days += 86_400.0;
@@ -146,15 +148,19 @@ pub(super) fn number(cell: &str) -> Option<f64> {
     }
 }
 
+/// As much of a cell as a message can have.
+pub(super) fn brief(cell: &str) -> String {
+    cell.chars().take(40).collect()
+}
+
 /// A finite number.
 fn measured(cell: &str) -> Result<f64, String> {
     match number(cell) {
         _ if cell.is_empty() => Err("the cell is empty: expected a number".into()),
-        None => {
-            let short: String = cell.chars().take(40).collect();
-            Err(format!("{short:?} is not a number"))
+        None => Err(format!("{:?} is not a number", brief(cell))),
+        Some(value) if !value.is_finite() => {
+            Err(format!("{:?} is not a finite number", brief(cell)))
         }
-        Some(value) if !value.is_finite() => Err(format!("{cell:?} is not a finite number")),
         Some(value) => Ok(value),
     }
 }
