@@ -140,8 +140,8 @@ impl Swing {
     ///
     /// W^2, angle and rate at the start and the sensor's offset are fitted by least squares, alone, with
     /// each damping, and with both. Chosen is the one with the least n ln S + sum of the thresholds, as of
-    /// [`Flight::fit`], and intervals allow for the others in the same way. Where both dampings explain the
-    /// rates as well, the better one is named. One below 0 is a sign of what the equation lacks: a push,
+    /// [`Flight::fit`]; intervals allow for the others, each with the weight e^(-x/2) if that sum is x larger.
+    /// Where both dampings explain the rates as well, the better one is named. One below 0 is a sign of what the equation lacks: a push,
     /// or dry friction.
     ///
     /// Samples are averaged over 0.2/W, 31 in a small swing. What changes fastest is the rate near the
