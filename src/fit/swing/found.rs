@@ -153,7 +153,7 @@ impl SwingFit {
 
     /// Refuses what is no swing, or an open one.
     fn checked(self, unexplained: f64) -> Result<Self> {
-        if !(unexplained <= 0.25) {
+        if unexplained.is_nan() || unexplained > 0.25 {
             let allowed = "at most 0.25: these rates are of no pendulum that swings to and fro";
             return Err(Error::out_of_range(
                 "unexplained part of the variance",
@@ -278,7 +278,7 @@ impl SwingFit {
         let Swing { times, begin, .. } = &self.swing;
         let (since, end) = (t - begin, begin + times[times.len() - 1]);
         let before = times.partition_point(|sample| *sample <= since);
-        if before == 0 || !(t <= end) {
+        if before == 0 || t > end {
             crate::error::finite("t", t)?;
             return Err(Error::OutsideRun { t, start: *begin, end });
         }
