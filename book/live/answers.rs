@@ -1,7 +1,7 @@
 //! What the module tells, as JSON.
 
 use kit::cli::{Leaf, Outcome};
-use kit::draw::PALETTE;
+use kit::draw::{PALETTE, Turn};
 use kit::{Answer, Error, Figure, Lab, MovingPicture, Recorded, Result, Verdict, claim, quoted};
 use rotation_dynamics::integrators::Method;
 
@@ -76,7 +76,8 @@ fn drawing(figure: &Figure) -> String {
 pub fn recorded(stem: &str, told: &Recorded) -> Result<String> {
     let pictures = told.pictures.iter().map(|(name, picture)| {
         let (opened, caption) = (opened(picture)?, quoted(told.caption(name)));
-        Ok(format!("{{\"caption\": {caption}, {}", &opened[1..]))
+        let (_, turns) = picture.seen(*picture.span().start(), Turn::default())?;
+        Ok(format!("{{\"caption\": {caption}, \"turns\": {turns}, {}", &opened[1..]))
     });
     let pictures: Vec<String> = pictures.collect::<Result<_>>()?;
     let figures = told.figures.iter().map(|figure| {

@@ -218,7 +218,7 @@ pub extern "C" fn made(n: usize) -> usize {
 
 /// What a page makes of a recording. What was written are arguments, parted by NUL, of this length, and then
 /// the bytes of the file that `--recording` names. Leaves `{"told", "text", "figures":
-/// [{"caption", "name", "alt", "svg"}], "pictures": [{"caption", "span", "time", "stills"}]}`, `told` as
+/// [{"caption", "name", "alt", "svg"}], "pictures": [{"caption", "turns", "span", "time", "stills"}]}`, `told` as
 /// `kit::Recorded::json` has it, or `{"error"}`; the pictures are those that [`shown`] draws.
 #[unsafe(no_mangle)]
 pub extern "C" fn recorded(n: usize, head: usize) -> usize {

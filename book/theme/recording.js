@@ -22,24 +22,24 @@
 
     /** A drawing that plays and is turned: its canvas, and the bar below. */
     class Picture {
-        constructor(machine, number, { caption, span, time, stills }) {
+        constructor(machine, number, { caption, span, time, stills, turns }) {
             [this.machine, this.number, this.span] = [machine, number, span];
-            Object.assign(this, { t: stills.at(-1), camera: [0, 0], playing: false, busy: false, shown: "", last: 0, held: 0 });
-            this.canvas = make("canvas", { role: "img", tabindex: "0" });
+            Object.assign(this, { t: stills.at(-1), camera: [0, 0], playing: false, ticking: false, shown: "", last: 0, held: 0 });
+            this.canvas = make("canvas", { role: "img", ...turns ? { tabindex: "0", class: "turns" } : {} });
             this.play = make("button", { type: "button", class: "play", "aria-pressed": "false" }, "Play");
             this.time = make("input", { type: "range", class: "time", min: "0", max: "1000", value: "0", "aria-label": "Time" });
             this.now = make("output", { class: "now" });
             this.name = time.split(" / ");
             this.root = make("figure", {}, this.canvas, make("div", { class: "bar" }, this.play, this.time, this.now),
-                make("figcaption", {}, caption, " Drag it, or use the arrow keys, to turn it."));
+                make("figcaption", {}, caption, turns ? " Drag it, or use the arrow keys, to turn it." : ""));
             this.play.addEventListener("click", () => this.set(!this.playing));
             this.time.addEventListener("input", () => {
                 this.set(false);
                 this.t = span[0] + this.time.value / this.time.max * (span[1] - span[0]);
                 this.wake();
             });
-            this.turnable();
-            new ResizeObserver(() => this.fit()).observe(this.root);
+            if (turns) this.turnable(this.canvas);
+            new ResizeObserver(() => this.paint()).observe(this.root);
             new MutationObserver(() => { this.theme = undefined; this.paint(); }).observe(document.documentElement, { attributeFilter: ["class"] });
         }
 
@@ -56,36 +56,24 @@
             this.wake();
         }
 
-        turnable() {
+        turnable(canvas) {
             const keys = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
-            this.canvas.addEventListener("keydown", (event) => {
-                if (event.key === "Home") this.turn(-this.camera[0], -this.camera[1]);
-                else if (keys[event.key]) this.turn(...keys[event.key]);
-                else return;
+            canvas.addEventListener("keydown", (event) => {
+                const by = event.key === "Home" ? this.camera.map((angle) => -angle) : keys[event.key];
+                if (by === undefined) return;
+                this.turn(...by);
                 event.preventDefault();
             });
-            let from = null;
-            this.canvas.addEventListener("pointerdown", (event) => {
-                from = [event.clientX, event.clientY];
-                this.canvas.setPointerCapture(event.pointerId);
+            canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
+            canvas.addEventListener("pointermove", (event) => {
+                if (canvas.hasPointerCapture(event.pointerId)) this.turn(-event.movementX / 120, event.movementY / 120);
             });
-            this.canvas.addEventListener("pointermove", (event) => {
-                if (!this.canvas.hasPointerCapture(event.pointerId)) return;
-                this.turn((from[0] - event.clientX) / 120, (event.clientY - from[1]) / 120);
-                from = [event.clientX, event.clientY];
-            });
-        }
-
-        fit() {
-            if (!this.drawing) return;
-            const pixels = [this.canvas.clientWidth, this.canvas.clientHeight].map((px) => Math.round(px * devicePixelRatio));
-            if (this.canvas.width === pixels[0] && this.canvas.height === pixels[1]) return;
-            [this.canvas.width, this.canvas.height] = pixels;
-            this.paint();
         }
 
         paint() {
             if (!this.drawing || !this.root.isConnected) return;
+            const pixels = [this.canvas.clientWidth, this.canvas.clientHeight].map((px) => Math.round(px * devicePixelRatio));
+            if (this.canvas.width !== pixels[0] || this.canvas.height !== pixels[1]) [this.canvas.width, this.canvas.height] = pixels;
             this.theme ??= Paint.theme(this.canvas, Live.inks);
             Paint.draw(this.canvas, this.drawing, this.theme);
         }
@@ -97,7 +85,6 @@
         }
 
         async tick(now) {
-            this.ticking = false;
             if (!this.root.isConnected) return;
             const [from, to] = this.span;
             const passed = this.last === 0 ? 0 : Math.min((now - this.last) / 1000, 0.5);
@@ -109,23 +96,21 @@
             }
             const wish = [this.number, this.t, ...this.camera];
             const key = `${wish} ${this.playing}`;
-            if (!this.busy && key !== this.shown) {
-                this.busy = true;
-                try {
-                    const { bytes, alt } = await this.machine.call("shown", { numbers: wish, told: !this.playing });
-                    this.drawing = Paint.decoded(bytes);
-                    this.canvas.style.aspectRatio = this.drawing.size.join(" / ");
-                    if (alt) this.canvas.setAttribute("aria-label", alt);
-                    this.fit();
-                    this.paint();
-                    this.now.textContent = `${this.name[0]} = ${wish[1].toFixed(2)} ${this.name[1] ?? ""}`;
-                    this.time.value = this.time.max * (wish[1] - from) / (to - from);
-                } catch (error) {
-                    this.playing = false; // another file is read
-                }
-                [this.shown, this.busy] = [key, false];
-                this.wake();
-            } else if (this.playing) this.wake();
+            const { top, bottom } = this.root.getBoundingClientRect();
+            if (key !== this.shown && (this.shown === "" || (bottom > 0 && top < innerHeight))) await this.draw(wish).catch(() => { this.playing = false; }); // another file is read
+            [this.shown, this.ticking] = [key, false];
+            if (this.playing || key !== `${[this.number, this.t, ...this.camera]} ${this.playing}`) this.wake();
+        }
+
+        async draw(wish) {
+            const [[from, to], t] = [this.span, wish[1]];
+            const { bytes, alt } = await this.machine.call("shown", { numbers: wish, told: !this.playing });
+            this.drawing = Paint.decoded(bytes);
+            this.canvas.style.aspectRatio = this.drawing.size.join(" / ");
+            if (alt) this.canvas.setAttribute("aria-label", alt);
+            this.paint();
+            this.now.textContent = `${this.name[0]} = ${t.toFixed(2)} ${this.name[1] ?? ""}`;
+            this.time.value = this.time.max * (t - from) / (to - from);
         }
     }
 
@@ -200,11 +185,21 @@
             if (told) this.status.textContent = `${name}: ${told.told.description}`;
         }
 
+        /** What fits another of the throws. */
+        choose(number) {
+            const button = make("button", { type: "button", "aria-label": `Fit throw ${number}` }, number);
+            button.addEventListener("click", () => {
+                this.root.querySelector("[data-flag=throw]").value = number;
+                this.read(...this.given);
+            });
+            return button;
+        }
+
         shown(name, { told, text, figures, pictures }, made) {
             const tables = told.tables.map(narrow).map(({ heading, columns, rows }) => make("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": heading },
                 make("table", {}, make("caption", {}, heading),
                     make("thead", {}, make("tr", {}, ...columns.map((words) => make("th", { scope: "col" }, words)))),
-                    make("tbody", {}, ...rows.map((row) => make("tr", {}, ...row.map((words) => make("td", {}, words.replaceAll(/(^|[ ;])-(?=\d)/g, "$1\u2212")))))))));
+                    make("tbody", {}, ...rows.map((row) => make("tr", {}, ...row.map((words, n) => make("td", {}, heading === "throws" && n === 0 ? this.choose(words) : words.replaceAll(/(^|[ ;])-(?=\d)/g, "$1\u2212")))))))));
             const drawn = figures.map(({ svg, caption }) => {
                 const parsed = new DOMParser().parseFromString(svg.slice(svg.indexOf("<svg")), "image/svg+xml").documentElement;
                 return make("figure", {}, document.importNode(parsed, true), make("figcaption", {}, caption));

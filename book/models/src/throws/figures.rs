@@ -11,7 +11,38 @@ use rotation_dynamics::math::{cos, sin};
 const DOTS: usize = 70;
 const SPOTS: usize = 36;
 
+/// In so many parts the whole recording is drawn at most: as many as there are px.
+pub(super) const COURSE: usize = 300;
+
 impl Thrown {
+    /// The whole recording, and what of it is flight.
+    pub(super) fn file_figure(&self) -> Result<Figure> {
+        let top = self.course.iter().map(|(_, size)| *size).fold(0.0, f64::max);
+        let spans = self.flights.iter().map(|(span, _)| *span);
+        let chosen = [self.times[0], self.times[self.times.len() - 1]];
+        let spans: Vec<[f64; 2]> = match self.number {
+            Some(_) => spans.collect(),
+            None => vec![chosen],
+        };
+        let alt = format!(
+            "The size of the angular velocity against time over the whole recording, with {} shaded: free flight, \
+             between handling before and the catch after it.",
+            if spans.len() == 1 {
+                "one piece".to_owned()
+            } else {
+                format!("{} pieces", spans.len())
+            }
+        );
+        let size = Axis::linear(r"$|\omega|$ / (rad/s)").range(0.0, 1.05 * top);
+        let panel =
+            Panel::new("recorded_file", &alt).x(Axis::linear("$t$ / s")).y(size).size(340, 190);
+        let panel = spans.iter().fold(panel, |panel, [from, to]| {
+            let corners = [(*from, 0.0), (*to, 0.0), (*to, 1.05 * top), (*from, 1.05 * top)];
+            panel.area(corners, Ink::Body)
+        });
+        panel.curve(Curve::new(self.course.iter().copied(), Ink::Velocity)).figure()
+    }
+
     /// The numbers of so many samples at most, all along the flight.
     fn drawn(&self, most: usize) -> impl Iterator<Item = usize> + Clone + use<> {
         (0..self.times.len()).step_by(self.times.len().div_ceil(most))

@@ -27,6 +27,8 @@ const PAIRS: [(&str, usize, usize); 3] = [("I_x/I_z", 0, 2), ("I_y/I_z", 1, 2), 
 pub struct Thrown {
     /// What was found in the file.
     notes: Vec<String>,
+    /// Over the whole file: time (s), and the greatest |omega| about it (rad/s).
+    course: Vec<(f64, f64)>,
     /// The flights that were found: first and last sample, and how many.
     flights: Vec<([f64; 2], usize)>,
     /// Which of them this is, from 1; `None` for a piece that the reader chose.
@@ -43,6 +45,11 @@ pub type Lengths = [f64; 3];
 
 const fn triple(estimate: Estimate) -> [f64; 3] {
     [estimate.value, estimate.from, estimate.to]
+}
+
+/// |omega|
+fn size(w: &[f64; 3]) -> f64 {
+    hypot(hypot(w[0], w[1]), w[2])
 }
 
 impl Thrown {
@@ -77,10 +84,16 @@ impl Thrown {
         let span = |samples: &core::ops::Range<usize>| {
             ([times[samples.start], times[samples.end - 1]], samples.len())
         };
-        let (times, rates) = (times[samples.clone()].to_vec(), &recording.rates()[samples]);
+        let all = recording.rates();
+        let fastest = |part: &[[f64; 3]]| part.iter().map(size).fold(0.0, f64::max);
+        let parts = all.chunks(all.len().div_ceil(figures::COURSE));
+        let course = times.chunks(all.len().div_ceil(figures::COURSE)).zip(parts);
+        let course = course.map(|(times, part)| (times[0], fastest(part))).collect();
+        let (times, rates) = (times[samples.clone()].to_vec(), &all[samples]);
         let vectors = rates.iter().map(|rates| DesignVector::from(*rates)).collect();
         Ok(Self {
             notes: recording.notes().to_vec(),
+            course,
             flights: pieces.iter().map(span).collect(),
             number,
             fit: Flight::new(times.clone(), vectors)?.fit(&Correction::ALL)?,
@@ -118,8 +131,7 @@ impl Thrown {
 
     fn found(&self, compared: Option<Lengths>) -> Result<Vec<Found>> {
         let (fit, count) = (&self.fit, self.times.len());
-        let speed = |w: &[f64; 3]| hypot(hypot(w[0], w[1]), w[2]);
-        let mean = self.rates.iter().map(speed).sum::<f64>() / count as f64;
+        let mean = self.rates.iter().map(size).sum::<f64>() / count as f64;
         let per_second = (count - 1) as f64 / self.duration();
         let turn = core::f64::consts::TAU / mean;
         let mut found = vec![
@@ -267,7 +279,7 @@ impl Thrown {
         Ok(Recorded {
             report,
             found,
-            figures: vec![self.rates_figure()?],
+            figures: vec![self.rates_figure()?, self.file_figure()?],
             trajectory: self.trajectory()?,
             pictures: vec![("recorded_polhode", self.polhode()?)],
             captions: vec![
@@ -275,6 +287,10 @@ impl Thrown {
                     "recorded_rates",
                     "The rates that were recorded (dots) and those of the free body that fits them \
                     best (lines), on the axes of the phone; below, what the fit leaves.",
+                ),
+                (
+                    "recorded_file",
+                    "The whole recording: size of the angular velocity. Shaded: what is free flight.",
                 ),
                 (
                     "recorded_polhode",
