@@ -13,8 +13,8 @@ import { fileURLToPath } from 'node:url';
 import { runInThisContext } from 'node:vm';
 import { gzipSync } from 'node:zlib';
 
-/** Which pages a module has: those whose stem matches, and no part before it. */
-const PARTS = { exercises: /^ch\d+_ex/, chapter_15: /^ch15/, chapter_16: /^(ch16|further)/, effects: /./ };
+/** Which pages a module has: those whose stem matches, and no part before it. The library's page is where there is room. */
+const PARTS = { exercises: /^ch\d+_ex/, chapter_15: /^(ch15|library)/, chapter_16: /^(ch16|further)/, effects: /./ };
 const TARGET = 'wasm32-wasip1';
 const COMMITTED = 'book/modules';
 /** What every module is compiled of, besides its examples. */

@@ -103,20 +103,17 @@ impl Thrown {
     }
 
     /// From the first sample to the last (s).
-    pub fn duration(&self) -> f64 {
+    fn duration(&self) -> f64 {
         self.times[self.times.len() - 1] - self.times[0]
     }
 
     /// How the sensor has turned in space since the first sample, `t` later (s).
-    ///
-    /// # Errors
-    /// Those of [`Fit::attitude`].
-    pub fn turned(&self, t: f64) -> Result<Attitude> {
+    fn turned(&self, t: f64) -> Result<Attitude> {
         Ok(self.fit.attitude((self.times[0] + t).min(self.times[self.times.len() - 1]))?)
     }
 
     /// Where L points, on the sensor's axes at the first sample.
-    pub fn momentum(&self) -> SpaceVector {
+    fn momentum(&self) -> SpaceVector {
         let momentum = self.fit.motion().angular_momentum();
         momentum / momentum.norm()
     }
