@@ -22,6 +22,10 @@ const PER_NUMBER: f64 = 4.0;
 /// much. Its weight beside the other is below e^-20.
 const HOPELESS: f64 = 60.0;
 
+/// A combination may be chosen if its next step is no longer, in standard deviations: in a flat valley it takes
+/// long to come nearer, and no interval would change by a thousandth.
+const NEAR: f64 = 0.05;
+
 /// Pieces of a flight that are fitted first, and the pieces of an integral of the start (turns).
 const PIECE: f64 = 2.0;
 
@@ -44,7 +48,8 @@ fn free(fitted: &Fitted) -> f64 {
 pub struct Decision {
     /// Which.
     pub correction: Correction,
-    /// n ln(S/S'), with the sums S and S' of squares without and with it, as of [`Flight::fit`].
+    /// n ln(S/S'), with the sums S and S' of squares without and with it, as of [`Flight::fit`]; rough where it is
+    /// many times the threshold, and 0 for a tau^2 that is best below 0 and for a steady spin.
     pub improvement: f64,
     /// What chance reaches once in a thousand flights.
     pub threshold: f64,
@@ -73,7 +78,7 @@ impl Candidate {
     /// Whether it may be chosen: at its minimum, and with a filter whose tau^2 is not below 0, which is best
     /// without.
     fn stands(&self) -> bool {
-        self.fitted.settled() && self.filters()
+        self.fitted.off <= NEAR && self.filters()
     }
 
     fn filters(&self) -> bool {
@@ -84,8 +89,8 @@ impl Candidate {
 impl Flight {
     /// The free body that shows these rates best, with those of the corrections that the rates need.
     ///
-    /// Two ratios of moments and three rates at the start are fitted by least squares, with every
-    /// combination of the corrections that are `allowed`. Chosen is the one with the least n ln S + sum of
+    /// Two ratios of moments and three rates at the start are fitted by least squares, with the combinations of
+    /// the corrections that are `allowed`, but for those that a richer one shows to be hopeless. Chosen is the one with the least n ln S + sum of
     /// the thresholds: a correction is needed if it lowers n ln S by more than chance does once in a
     /// thousand flights: by 10.83 for one number, 16.27 for three. S is the sum of squares, n the number of
     /// independent samples less that of all numbers, from the correlation of the residuals.
@@ -94,7 +99,8 @@ impl Flight {
     /// Burnham, D. R. Anderson, *Model Selection and Multimodel Inference*, 4.3.
     ///
     /// # Errors
-    /// `OutOfRange` if no combination has a least sum of squares, nor a steady spin.
+    /// `OutOfRange` if no least sum of squares is found, or for a combination only that fits far worse than
+    /// another.
     pub fn fit(&self, allowed: &[Correction]) -> Result<Fit> {
         let samples = self.samples();
         let mut candidates: Vec<Candidate> = Vec::new();
@@ -207,7 +213,12 @@ impl Flight {
         let tumble = least(candidates).filter(varied);
         let candidates = if tumble.is_some() { candidates } else { &steady };
         let varied = tumble.is_some();
-        let Some(best) = tumble.or(spin) else {
+        // What fits far better, and has no minimum, makes the rest no answer.
+        let stuck = |best: &Candidate| {
+            let mut others = candidates.iter().filter(|of| of.filters() && !of.stands());
+            others.any(|of| cost(of) + 0.5 * HOPELESS < cost(best))
+        };
+        let Some(best) = tumble.or(spin).filter(|best| !stuck(best)) else {
             let least = candidates.iter().map(|of| of.fitted.off).fold(f64::INFINITY, f64::min);
             let allowed = "0.001 standard deviations: no least sum of squares was found";
             return Err(Error::out_of_range("distance of a fit from the best", least, allowed));
