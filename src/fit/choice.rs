@@ -160,8 +160,16 @@ impl Flight {
     ) -> Result<Fitted> {
         let count = samples.times.len();
         let piece = PIECE * TAU / self.fastest();
+        // The richest combination, from which the others begin, is begun in all ways.
+        let richest = carried.is_none();
         let mut starts: Vec<Vec<f64>> = carried.into_iter().collect();
-        if let Some(mut numbers) = start::numbers(samples, piece, model) {
+        let turns = model.has(Correction::Axes);
+        let resists = model.has(Correction::Offset) || model.has(Correction::Drag);
+        let mut ways = vec![[turns, resists], [turns, false], [false, resists], [false, false]];
+        ways.dedup();
+        ways.truncate(if richest { 4 } else { 1 });
+        for way in ways {
+            let Some(mut numbers) = start::numbers(samples, piece, model, way) else { continue };
             let mut part = samples.times.partition_point(|t| *t < piece).max(2 * model.numbers());
             while part < count {
                 if let Ok(fitted) = model.refined(&numbers, samples, part, hopeless) {
@@ -178,10 +186,13 @@ impl Flight {
             "that of a body in free flight: its moments are not to be found",
         ));
         for numbers in starts {
-            match model.refined(&numbers, samples, count, hopeless) {
-                Ok(fitted) if fitted.settled() || fitted.squares > hopeless => return Ok(fitted),
-                other if best.is_err() => best = other,
-                _ => {}
+            let Ok(fitted) = model.refined(&numbers, samples, count, hopeless) else { continue };
+            let done = fitted.settled() || fitted.squares > hopeless;
+            if best.as_ref().map_or(true, |best: &Fitted| fitted.squares < best.squares) {
+                best = Ok(fitted);
+            }
+            if done && !richest {
+                break;
             }
         }
         best
@@ -216,7 +227,7 @@ impl Flight {
         // What fits far better, and has no minimum, makes the rest no answer.
         let stuck = |best: &Candidate| {
             let mut others = candidates.iter().filter(|of| of.filters() && !of.stands());
-            others.any(|of| cost(of) + 0.5 * HOPELESS < cost(best))
+            others.any(|of| cost(of) + HOPELESS + by_noise(samples.times.len()) < cost(best))
         };
         let Some(best) = tumble.or(spin).filter(|best| !stuck(best)) else {
             let least = candidates.iter().map(|of| of.fitted.off).fold(f64::INFINITY, f64::min);
