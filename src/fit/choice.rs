@@ -15,7 +15,7 @@ use core::f64::consts::TAU;
 const BY_CHANCE: [f64; 3] = [10.83, 13.82, 16.27];
 
 /// What a number costs in the weights of the combinations. Akaike's 2 made the intervals hold the truth
-/// in 99 of 100 flights, 6 in 88 of those that need all corrections; with 4 it is 94 to 98 (`tests/fit`).
+/// in 99 of 100 flights, 6 in 88 of those that need all corrections; with 4 it is 98 (`tests/fit`).
 const PER_NUMBER: f64 = 4.0;
 
 /// A combination is left out if n ln S + sum of the thresholds cannot be less than that of another by so

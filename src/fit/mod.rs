@@ -17,9 +17,9 @@
 //! variance is the larger of two, that of the curvature and that of residuals that are drawn again in
 //! blocks. Long recordings are fitted from means over a 16th of a turn at most.
 //!
-//! Accuracy: 500 flights of a phone were made, of 0.5 to 1.2 s at 100 samples a second, with noise, digits and
-//! irregular times, and each [`Correction`] in every second of them. A flight told a ratio in 80 to 98
-//! of 100 cases, and the stated interval of 95 per cent held the true one in 97 to 98 of 100
+//! Accuracy: 300 flights of a phone were made, of 0.5 to 1.2 s at 100 samples a second, with noise, digits and
+//! irregular times, and each [`Correction`] in every second of them. A flight told a ratio in 76 to 98
+//! of 100 cases, and the stated interval of 95 per cent held the true one in 98 to 99 of 100
 //! (`tests/fit`). With two equal moments and turned axes the interval of their ratio is too narrow: the turn
 //! about the axis of symmetry is open then.
 //!
