@@ -19,7 +19,7 @@
 //!
 //! Accuracy: 300 flights of a phone were made, of 0.5 to 1.2 s at 100 samples a second, with noise, digits and
 //! irregular times, and each [`Correction`] in every second of them. A flight told a ratio in 76 to 98
-//! of 100 cases, and the stated interval of 95 per cent held the true one in 98 to 99 of 100
+//! of 100 cases, and the stated interval of 95 per cent held the true one in 96 to 98 of 100
 //! (`tests/fit`). With two equal moments and turned axes the interval of their ratio is too narrow: the turn
 //! about the axis of symmetry is open then.
 //!
