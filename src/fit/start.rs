@@ -19,10 +19,14 @@ const LEAST: f64 = 0.02;
 /// 20 degrees; offsets and drags of a tenth (rad/s, 1/s).
 const USUAL: [f64; 3] = [0.2, 0.05, 0.02];
 
-/// The numbers of `model` from which a fit of this flight begins; `None` if they are not determined.
-pub(super) fn numbers(samples: &Samples, window: f64, model: &Model) -> Option<Vec<f64>> {
-    let turned = model.has(Correction::Axes);
-    let resisted = model.has(Correction::Offset) || model.has(Correction::Drag);
+/// The numbers of `model` from which a fit of this flight begins, with axes that are `turned` or not, and with the
+/// terms of an offset and a drag if it is `resisted`; `None` if they are not determined.
+pub(super) fn numbers(
+    samples: &Samples,
+    window: f64,
+    model: &Model,
+    [turned, resisted]: [bool; 2],
+) -> Option<Vec<f64>> {
     let principal = SymmetricEigen::new(tensor(samples, window, turned, resisted)?);
     let mut moments: [f64; 3] = principal.eigenvalues.into();
     let mut axes: [[f64; 3]; 3] = principal.eigenvectors.into();
@@ -46,7 +50,7 @@ pub(super) fn numbers(samples: &Samples, window: f64, model: &Model) -> Option<V
     for (number, axis) in numbers[2..].iter_mut().zip(&axes) {
         *number = (0..3).map(|k| axis[k] * first[k]).sum();
     }
-    if let Some(at) = model.place(Correction::Axes) {
+    if let Some(at) = model.place(Correction::Axes).filter(|_| turned) {
         let turn = Attitude::from_matrix([0, 1, 2].map(|row| axes.map(|axis| axis[row]))).ok()?;
         numbers[at..at + 3].copy_from_slice(&turn.rotation_vector().to_array());
     }
