@@ -10,7 +10,7 @@
         return element;
     };
     const quiet = matchMedia("(prefers-reduced-motion: reduce)");
-    const SECONDS = 6; // a flight is played so slowly
+    const SECONDS = [6, 30]; // what is shown plays in its own time, but within these
     const HOLD = 1; // s, before it begins anew
 
     /** What was found in three columns, which fit a phone. */
@@ -25,7 +25,7 @@
         constructor(machine, number, { caption, span, time, stills, turns }) {
             [this.machine, this.number, this.span] = [machine, number, span];
             Object.assign(this, { t: stills.at(-1), camera: [0, 0], playing: false, ticking: false, shown: "", last: 0, held: 0 });
-            this.canvas = make("canvas", { role: "img", ...turns ? { tabindex: "0", class: "turns" } : {} });
+            this.canvas = make("canvas", { role: "img", "aria-label": caption, ...turns ? { tabindex: "0", class: "turns" } : {} });
             this.play = make("button", { type: "button", class: "play", "aria-pressed": "false" }, "Play");
             this.time = make("input", { type: "range", class: "time", min: "0", max: "1000", value: "0", "aria-label": "Time" });
             this.now = make("output", { class: "now" });
@@ -87,12 +87,13 @@
         async tick(now) {
             if (!this.root.isConnected) return;
             const [from, to] = this.span;
+            const whole = Math.min(Math.max(to - from, SECONDS[0]), SECONDS[1]);
             const passed = this.last === 0 ? 0 : Math.min((now - this.last) / 1000, 0.5);
             this.last = now;
             if (this.playing) {
                 this.held = this.t >= to ? this.held + passed : 0;
                 if (this.held > HOLD) [this.t, this.held] = [from, 0];
-                else this.t = Math.min(to, this.t + passed * (to - from) / SECONDS);
+                else this.t = Math.min(to, this.t + passed * (to - from) / whole);
             }
             const wish = [this.number, this.t, ...this.camera];
             const key = `${wish} ${this.playing}`;

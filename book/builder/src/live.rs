@@ -463,6 +463,25 @@ mod tests {
     }
 
     #[test]
+    fn a_recording_has_a_field_with_its_flags() {
+        let html = modules().recording("rod", "from angle", "r1-");
+        for part in [
+            "<div class=\"recording\" role=\"group\" aria-label=\"Your own recording\" data-stem=\"rod\">",
+            "<label for=\"r1-file\">A recording from your phone</label><input type=\"file\" id=\"r1-file\"",
+            "<label for=\"r1-from\">from</label>",
+            "data-flag=\"from\" inputmode=\"decimal\"",
+            "<label for=\"r1-angle\">angle <math",
+            "<span class=\"unit\">rad/s<sup>2</sup></span>",
+            "nothing leaves your device",
+        ] {
+            assert!(html.contains(part), "{part}\n{html}");
+        }
+        assert_eq!(html.matches("data-flag").count(), 2);
+        // The damaged twin: no module.
+        assert_eq!(modules().recording("other", "from", ""), "");
+    }
+
+    #[test]
     fn commands_get_buttons_where_they_can_run() {
         let button = |stem: &str, arguments: &str, predict: &str, label: &str| {
             format!(

@@ -15,6 +15,7 @@ impl Modules {
         if self.page(stem).is_none() {
             return String::new();
         }
+        let size = if flags.contains("width") { ", and your phone’s size" } else { "" };
         let knobs: String = flags.split(' ').map(|name| self.entry(stem, name, prefix)).collect();
         format!(
             "<div class=\"recording\" role=\"group\" aria-label=\"Your own recording\" data-stem=\"{stem}\">\
@@ -24,7 +25,7 @@ impl Modules {
              <p class=\"stays\" id=\"{prefix}stays\">You can also drop the file here. This page reads it by itself: \
              nothing leaves your device.</p>\
              <p class=\"refusal\" id=\"{prefix}told\" role=\"alert\"></p>\
-             <details class=\"fold\"><summary>Which piece of it, and your phone’s size</summary>\
+             <details class=\"fold\"><summary>Which piece of it{size}</summary>\
              <div class=\"knobs\">{knobs}</div></details>\
              <p class=\"status\" role=\"status\"></p><div class=\"result\"></div></div>"
         )
