@@ -4,8 +4,8 @@
 use kit::cli::Outcome;
 use kit::draw::{Curve, Ink, Panel};
 use kit::{
-    Error, Example, Figure, Found, MovingPicture, Recorded, Recordings, Report, Result, Trajectory,
-    claim, parse,
+    Decided, Error, Example, Figure, Found, MovingPicture, Recorded, Recordings, Report, Result,
+    Trajectory, claim, parse,
 };
 use std::fs;
 use std::path::PathBuf;
@@ -551,12 +551,22 @@ const READS: Example<Parameters> = Example {
                 Found::open("mass", "of the rod", "nothing tells it"),
             ];
             report.add(Found::table(&found)?)?;
+            let decided = vec![Decided {
+                name: "offset",
+                needed: true,
+                improvement: 20.0,
+                threshold: 10.83,
+                values: vec![[0.0123, 0.0102, 0.0144]],
+                unit: "m",
+            }];
+            report.add(Decided::table(&decided)?)?;
             let trajectory = trajectory(p)?;
             let still = MovingPicture::new(0.0..=1.0, [1.0], |_| {
                 Ok(figures(&Parameters::default())?.remove(0))
             })?;
             let (pictures, captions) = (vec![("recorded", still)], vec![("line", "A line.")]);
-            Ok(Recorded { report, found, figures: figures(p)?, trajectory, pictures, captions })
+            let figures = figures(p)?;
+            Ok(Recorded { report, found, decided, figures, trajectory, pictures, captions })
         },
     }),
     ..EXAMPLE
@@ -577,6 +587,8 @@ fn a_recording_is_read_and_told() {
     assert_eq!(rows[1][..4], ["length", "2.000", "1.980", "2.020"]);
     assert_eq!(rows[2][1], "[Some(1.0), Some(1.5), None] [\"length\"]");
     assert_eq!([&rows[3][1], &rows[3][5]], ["not determined", "of the rod: nothing tells it"]);
+    let rows = parsed.table("table corrections").expect("it is told").rows();
+    assert_eq!(rows[0], ["offset", "called for", "20.0", "10.8", "0.0123 ± 0.0021, m"]);
     // As JSON, with files.
     let (svg, csv) = (path("svg"), path("rates.csv"));
     let json = told(&format!("--recording {file} --throw 2 --json --csv {csv} --svg {svg}"));
@@ -584,6 +596,11 @@ fn a_recording_is_read_and_told() {
     assert_eq!(
         (value["found"][1]["from"].as_f64(), value["found"][3]["value"].is_null()),
         (Some(2.98), true)
+    );
+    let offset = &value["corrections"][0];
+    assert_eq!(
+        (offset["needed"].as_bool(), offset["values"][0]["to"].as_f64()),
+        (Some(true), Some(0.0144))
     );
     assert_eq!(value["tables"][0]["rows"][2][1], "[None, None, Some(2.0)] []");
     assert_eq!(fs::read_dir(&svg).expect("figures").count(), 2);

@@ -93,7 +93,7 @@ pub use number::{below, decimals, exactly, rounded_up, short, supported_digits};
 pub use numeric::{But, bisect, require, simpson, solved, try_bisect, when};
 pub use parameters::{Flag, Grid, ParameterSet, Settings, Value, name_of_flag};
 pub use prepared::Prepared;
-pub use recorded::{Asked, Found, Recorded, Recordings, with_interval};
+pub use recorded::{Asked, Decided, Found, Recorded, Recordings, with_interval};
 pub use sampling::{sampled, times};
 pub use sections::{Limit, Price, Report, for_reading, limit};
 pub use seen::seen;

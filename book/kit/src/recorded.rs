@@ -37,6 +37,8 @@ pub struct Recorded {
     pub report: Report,
     /// The numbers, for programs; the report has them as a table.
     pub found: Vec<Found>,
+    /// The corrections that were tried, for programs; the report has them as a table.
+    pub decided: Vec<Decided>,
     /// The drawings.
     pub figures: Vec<Figure>,
     /// What was measured and what was fitted, for `--csv`.
@@ -140,6 +142,58 @@ impl Found {
     }
 }
 
+/// A correction that was tried, and whether the recording calls for it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Decided {
+    /// What is corrected.
+    pub name: &'static str,
+    /// Whether it is called for.
+    pub needed: bool,
+    /// By how much the fit is better with it.
+    pub improvement: f64,
+    /// By how much it must be.
+    pub threshold: f64,
+    /// What it comes to, each with its interval of 95 per cent; nothing if it is not called for.
+    pub values: Vec<[f64; 3]>,
+    /// Their unit, and on which axes they are.
+    pub unit: &'static str,
+}
+
+impl Decided {
+    /// The table `corrections`.
+    ///
+    /// # Errors
+    /// [`Error::Text`] for a text that does not fit in a table.
+    pub fn table(decided: &[Self]) -> Result<Table> {
+        let columns = ["correction", "here", "improvement", "threshold", "what it comes to"];
+        Table::of("corrections", columns, decided, |one| {
+            let values: Vec<String> = one.values.iter().copied().map(with_interval).collect();
+            let told = match values.is_empty() {
+                true => "-".into(),
+                false => format!("{}, {}", values.join("; "), one.unit),
+            };
+            let here = if one.needed { "called for" } else { "not called for" };
+            let [gain, least] = [one.improvement, one.threshold].map(|x| short(x, 3));
+            Ok([one.name.to_owned(), here.into(), gain, least, told])
+        })
+    }
+
+    fn json(&self) -> String {
+        let values = self.values.iter().map(|[value, from, to]| {
+            format!("{{\"value\": {value:?}, \"from\": {from:?}, \"to\": {to:?}}}")
+        });
+        let values: Vec<String> = values.collect();
+        let Self { needed, improvement, threshold, .. } = self;
+        format!(
+            "{{\"correction\": {}, \"needed\": {needed}, \"improvement\": {improvement:?}, \"threshold\": \
+             {threshold:?}, \"values\": [{}], \"unit\": {}}}",
+            quoted(self.name),
+            values.join(", "),
+            quoted(self.unit)
+        )
+    }
+}
+
 /// So many decimals that two digits of this half of an interval are seen.
 fn places(half: f64) -> usize {
     let digits = format!("{half:e}");
@@ -179,7 +233,8 @@ impl Recorded {
     }
 
     /// `{"stem", "title", "description", "found": [{"key", "meaning", "unit", "value", "from", "to", "why"}],
-    /// "tables": [{"heading", "columns", "rows"}]}`; numbers read back to the same bits; `value` is
+    /// "corrections": [{"correction", "needed", "improvement", "threshold", "values": [{"value", "from", "to"}],
+    /// "unit"}], "tables": [{"heading", "columns", "rows"}]}`; numbers read back to the same bits; `value` is
     /// `null` with a `why` for what the recording does not determine.
     ///
     /// # Errors
@@ -203,13 +258,16 @@ impl Recorded {
             );
         }
         let found: Vec<String> = self.found.iter().map(|f| format!("\n    {}", f.json())).collect();
+        let decided: Vec<String> =
+            self.decided.iter().map(|d| format!("\n    {}", d.json())).collect();
         Ok(format!(
             "{{\n  \"stem\": {},\n  \"title\": {},\n  \"description\": {},\n  \"found\": [{}\n  ],\n  \
-             \"tables\": [{tables}\n  ]\n}}\n",
+             \"corrections\": [{}\n  ],\n  \"tables\": [{tables}\n  ]\n}}\n",
             quoted(stem),
             quoted(self.report.title()),
             quoted(self.report.description()),
             found.join(","),
+            decided.join(","),
         ))
     }
 }

@@ -3,8 +3,8 @@
 use kit::draw::{Axis, Curve, Ink, Panel, Sketch, Stack};
 use kit::recording::Recording;
 use kit::recording::made::{Format, Made, Motion};
-use kit::{Asked, Found, MovingPicture, Recorded, Report, Result, Table, Trajectory};
-use kit::{decimals, short, times, with_interval};
+use kit::{Asked, Decided, Found, MovingPicture, Recorded, Report, Result, Table, Trajectory};
+use kit::{decimals, times};
 use rotation_dynamics::fit::{Damping, Estimate, Swing, SwingFit};
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::math::sincos;
@@ -125,20 +125,24 @@ impl Swung {
         Ok(found)
     }
 
-    fn corrections(&self) -> Result<Table> {
-        let columns = ["correction", "here", "improvement", "threshold", "what it comes to"];
-        Table::of("corrections", columns, self.fit.decisions(), |decision| {
+    fn decided(&self) -> Vec<Decided> {
+        let decided = self.fit.decisions().iter().map(|decision| {
             let (name, value, unit) = match decision.damping {
                 Damping::Linear => ("damping in proportion to the rate", self.fit.linear(), "1/s"),
                 Damping::Quadratic => {
                     ("damping as the square of the rate", self.fit.quadratic(), "1/rad")
                 }
             };
-            let told = |value| format!("{}, {unit}", with_interval(triple(value)));
-            let here = if decision.needed { "called for" } else { "not called for" };
-            let [gain, least] = [decision.improvement, decision.threshold].map(|x| short(x, 3));
-            Ok([name.to_owned(), here.into(), gain, least, value.map_or("-".into(), told)])
-        })
+            Decided {
+                name,
+                unit,
+                needed: decision.needed,
+                improvement: decision.improvement,
+                threshold: decision.threshold,
+                values: value.into_iter().map(triple).collect(),
+            }
+        });
+        decided.collect()
     }
 
     fn trajectory(&self) -> Result<Trajectory> {
@@ -168,15 +172,16 @@ pub fn recorded(
     let rates = recording.rates()[samples].iter().map(|rates| DesignVector::from(*rates));
     let swing = Swing::of_sensor(times.clone(), rates.collect())?;
     let swung = Arc::new(Swung { fit: swing.fit()?, swing, times });
-    let found = swung.found(gravity, compared)?;
+    let (found, decided) = (swung.found(gravity, compared)?, swung.decided());
     let mut report = Report::new("Your own recording", "a pendulum fitted to a swing")?;
     let notes = recording.notes();
     report.add(Table::of("recording", ["the file"], notes, |note| Ok([note.clone()]))?)?;
     report.add(Found::table(&found)?)?;
-    report.add(swung.corrections()?)?;
+    report.add(Decided::table(&decided)?)?;
     Ok(Recorded {
         report,
         found,
+        decided,
         figures: vec![swung.figure()?],
         trajectory: swung.trajectory()?,
         pictures: vec![("recorded_swing", Arc::clone(&swung).picture()?)],

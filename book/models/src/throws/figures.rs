@@ -129,7 +129,7 @@ impl Thrown {
                 "An ellipsoid with its three axes x, y and z. A curve on it, the polhode, is the path of the angular \
                  velocity of the body; dots on the curve are the samples of the first {t:.2} s."
             );
-            let view = View::new("polhode", &alt).around(SpaceVector::zero(), 1.15 * reach);
+            let view = View::new("polhode", &alt).around(SpaceVector::zero(), reach + 0.5);
             let view = view.solid(solid.clone(), Ink::Body).line(line.iter().copied(), Ink::Ink);
             let view = (0..3).fold(view, |view, i| {
                 let along = |length: f64| {

@@ -9,7 +9,7 @@ pub mod made;
 mod phone;
 
 use kit::recording::Recording;
-use kit::{Asked, Found, Recorded, Report, Result, Table, Trajectory, short, with_interval};
+use kit::{Asked, Decided, Found, Recorded, Report, Result, Table, Trajectory};
 pub use phone::{camera, phone};
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::fit::{Correction, Estimate, Fit, Flight};
@@ -143,7 +143,11 @@ impl Thrown {
                 format!("ratio of the moments about the axes {} and {}", AXES[i], AXES[j]);
             found.push(match fit.ratio(i, j) {
                 Some(ratio) => Found::estimate(name, meaning, "-", triple(ratio)),
-                None => Found::open(name, meaning, "another value fits as well"),
+                None => Found::open(
+                    name,
+                    meaning,
+                    "this flight does not tell it, as a spin about one axis does not",
+                ),
             });
         }
         if let Some(lengths) = compared {
@@ -183,7 +187,11 @@ impl Thrown {
         let (fit, axis) = (&self.fit, self.fit.middle_axis());
         let meaning = "axis of the middle moment";
         let Some((axis, side)) = axis.zip(fit.separatrix()) else {
-            found.push(Found::open("middle axis", meaning, "two moments may be equal"));
+            let why = match fit.moments() {
+                Some(_) => "two moments may be equal",
+                None => "the moments are not determined",
+            };
+            found.push(Found::open("middle axis", meaning, why));
             return;
         };
         found.push(Found::word("middle axis", meaning, AXES[axis]));
@@ -219,9 +227,8 @@ impl Thrown {
     }
 
     /// What was tried, whether the recording calls for it, and what it came to.
-    fn corrections_table(&self) -> Result<Table> {
-        let columns = ["correction", "here", "improvement", "threshold", "what it comes to"];
-        Table::of("corrections", columns, self.fit.decisions(), |decision| {
+    fn decided(&self) -> Vec<Decided> {
+        let decided = self.fit.decisions().iter().map(|decision| {
             let (name, unit) = match decision.correction {
                 Correction::Axes => {
                     ("principal axes turned against the phone's", "rad about x, y, z")
@@ -230,17 +237,16 @@ impl Thrown {
                 Correction::Filter => ("filter of the sensor: its time, squared", "s^2"),
                 Correction::Drag => ("drag of the air", "1/s"),
             };
-            let values = self.fit.correction(decision.correction).into_iter();
-            let values: Vec<String> = values.map(|value| with_interval(triple(value))).collect();
-            let told = if values.is_empty() {
-                "-".into()
-            } else {
-                format!("{}, {unit}", values.join("; "))
-            };
-            let here = if decision.needed { "called for" } else { "not called for" };
-            let [gain, least] = [decision.improvement, decision.threshold].map(|x| short(x, 3));
-            Ok([name.to_owned(), here.into(), gain, least, told])
-        })
+            Decided {
+                name,
+                unit,
+                needed: decision.needed,
+                improvement: decision.improvement,
+                threshold: decision.threshold,
+                values: self.fit.correction(decision.correction).into_iter().map(triple).collect(),
+            }
+        });
+        decided.collect()
     }
 
     /// What was measured, what was fitted.
@@ -261,7 +267,7 @@ impl Thrown {
     /// # Errors
     /// Those of the library and of the drawings.
     pub fn recorded(&self, compared: Option<Lengths>) -> Result<Recorded> {
-        let found = self.found(compared)?;
+        let (found, decided) = (self.found(compared)?, self.decided());
         let which = self.number.map_or("a piece of it".into(), |n| format!("throw {n}"));
         let mut report =
             Report::new("Your own recording", format!("a free body fitted to {which}"))?;
@@ -269,16 +275,21 @@ impl Thrown {
             self.recording_table()?,
             self.flights_table()?,
             Found::table(&found)?,
-            self.corrections_table()?,
+            Decided::table(&decided)?,
         ] {
             report.add(table)?;
         }
         Ok(Recorded {
             report,
             found,
+            decided,
             figures: vec![self.rates_figure()?, self.file_figure()?],
             trajectory: self.trajectory()?,
-            pictures: vec![("recorded_polhode", self.polhode()?)],
+            // Without moments there is no ellipsoid.
+            pictures: match self.fit.moments() {
+                Some(_) => vec![("recorded_polhode", self.polhode()?)],
+                None => Vec::new(),
+            },
             captions: vec![
                 (
                     "recorded_rates",

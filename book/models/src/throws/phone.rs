@@ -47,7 +47,7 @@ impl Thrown {
         let start = Attitude::from_matrix([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])?;
         let edges = Attitude::from_matrix([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0]])?;
         let momentum = BodyVector::from(self.momentum().to_array());
-        let momentum = start.to_space(momentum) * (0.95 * length);
+        let momentum = start.to_space(momentum) * (0.72 * length);
         let rise = 0.125 * gravity * end * end;
         // The height is drawn reduced, so that the phone is large.
         let reduced = 0.1_f64.min(0.38 * length / rise);
@@ -61,7 +61,7 @@ impl Thrown {
                 "The recorded phone {t:.2} s after it has left the hand; its screen looks {looks}. L stays where it \
                  is. Below, its three rates against time, samples as dots on the fitted curves."
             );
-            let view = View::of(middle, 0.76 * length).camera(camera()).size(340, 220);
+            let view = View::of(middle, 0.92 * length).camera(camera()).size(340, 220);
             let view = phone(view, lengths, &attitude, centre);
             Ok((alt, view.vector(centre, centre + momentum, Ink::Momentum, "$L$", Side::Below)))
         })
