@@ -2,13 +2,13 @@
 
 use super::flight::Flight;
 use super::least_squares::{self, Fitted};
-use super::model::{Correction, Model, Samples};
+use super::model::{Correction, Model, Named, Samples};
 use super::{Fit, NORMAL, spread, start};
 use crate::error::{Error, Result};
 use crate::exact::free_body::FreeBody;
 use crate::inertia::PrincipalMoments;
-use crate::math::{exp, log};
-use core::f64::consts::TAU;
+use crate::math::{exp, log, sincos};
+use core::f64::consts::{PI, TAU};
 
 /// A correction is needed if chance would improve the fit as much once in a thousand flights.
 /// Distribution of chi squared for 1, 2 and 3 numbers.
@@ -61,10 +61,10 @@ pub struct Decision {
 #[derive(Debug, Clone)]
 pub(super) struct Other {
     pub(super) weight: f64,
-    /// ln(I1/I3) and ln(I2/I3).
-    pub(super) log_ratios: [f64; 2],
+    /// Logarithms of the moments.
+    pub(super) logs: [f64; 3],
     /// Their covariance.
-    pub(super) covariance: [[f64; 2]; 2],
+    pub(super) covariance: [[f64; 3]; 3],
 }
 
 /// A combination of corrections, fitted.
@@ -103,10 +103,20 @@ impl Flight {
     /// another.
     pub fn fit(&self, allowed: &[Correction]) -> Result<Fit> {
         let samples = self.samples();
+        let drags: &[&[Correction]] =
+            if allowed.contains(&Correction::Drag) { &[&[], &[Correction::Drag]] } else { &[&[]] };
+        let steady = drags.iter().map(|drag| self.steady(&samples, drag));
+        let steady = steady.collect::<Result<Vec<Candidate>>>()?;
+        let wobbles = |of: &Candidate| wobble(&samples.times, &of.fitted.residuals);
+        let combinations = if steady.iter().all(|of| wobbles(of) > by_noise(samples.times.len())) {
+            Model::combinations(allowed)
+        } else {
+            Vec::new()
+        };
         let mut candidates: Vec<Candidate> = Vec::new();
         let mut bound = f64::INFINITY;
         let mut independent = None;
-        for model in Model::combinations(allowed).into_iter().rev() {
+        for model in combinations.into_iter().rev() {
             let richer = candidates.iter().filter(|other| model.is_part_of(&other.model));
             let richer = richer.max_by(|a, b| a.fitted.squares.total_cmp(&b.fitted.squares));
             // No sum of squares is less than that of a richer combination.
@@ -140,7 +150,7 @@ impl Flight {
         }
         candidates.reverse();
         let independent = independent.unwrap_or(samples.times.len() as f64);
-        self.chosen(&samples, &candidates, &Model::new(allowed), independent)
+        self.chosen(&candidates, &steady, &Model::new(allowed), independent)
     }
 
     /// ln S; digits beyond the twelfth are those of arithmetic.
@@ -201,38 +211,35 @@ impl Flight {
     /// The best of the combinations, which are in the order of what they leave open.
     fn chosen(
         &self,
-        samples: &Samples,
         candidates: &[Candidate],
+        steady: &[Candidate],
         allowed: &Model,
         independent: f64,
     ) -> Result<Fit> {
         let misfit = |of: &Candidate| independent * self.log_squares(&of.fitted);
         let cost = |of: &Candidate| misfit(of) + price(&of.model);
-        let drags: &[&[Correction]] =
-            if allowed.has(Correction::Drag) { &[&[], &[Correction::Drag]] } else { &[&[]] };
-        let steady = drags.iter().map(|drag| self.steady(samples, drag));
-        let steady = steady.collect::<Result<Vec<Candidate>>>()?;
+        let samples = steady[0].fitted.residuals.len() / 3;
         let least = |of: &[Candidate]| {
             let standing = of.iter().filter(|of| of.stands());
             standing.min_by(|a, b| cost(a).total_cmp(&cost(b))).cloned()
         };
-        let spin = least(&steady);
+        let spin = least(steady);
         let varied = |best: &Candidate| {
             let gain = spin.as_ref().map(|spin| cost(spin) - cost(best));
-            gain.is_none_or(|gain| gain > by_noise(samples.times.len()))
+            gain.is_none_or(|gain| gain > by_noise(samples))
         };
         let tumble = least(candidates).filter(varied);
-        let candidates = if tumble.is_some() { candidates } else { &steady };
+        let candidates = if tumble.is_some() { candidates } else { steady };
         let varied = tumble.is_some();
         // What fits far better, and has no minimum, makes the rest no answer.
-        let stuck = |best: &Candidate| {
-            let mut others = candidates.iter().filter(|of| of.filters() && !of.stands());
-            others.any(|of| cost(of) + HOPELESS + by_noise(samples.times.len()) < cost(best))
-        };
-        let Some(best) = tumble.or(spin).filter(|best| !stuck(best)) else {
-            let least = candidates.iter().map(|of| of.fitted.off).fold(f64::INFINITY, f64::min);
-            let allowed = "0.001 standard deviations: no least sum of squares was found";
-            return Err(Error::out_of_range("distance of a fit from the best", least, allowed));
+        let best = tumble.or(spin);
+        let bar =
+            best.as_ref().map_or(f64::INFINITY, |best| cost(best) - HOPELESS - by_noise(samples));
+        let stuck = candidates.iter().filter(|of| of.filters() && !of.stands() && cost(of) < bar);
+        let stuck = stuck.map(|of| of.fitted.off).fold(f64::INFINITY, f64::min);
+        let Some(best) = best.filter(|_| stuck == f64::INFINITY) else {
+            let allowed = "at most 0.05 standard deviations: the rates leave too much open; take more of the flight, or allow fewer corrections";
+            return Err(Error::out_of_range("distance of the fit from the best", stuck, allowed));
         };
         let best = &best;
         let decide = |correction: Correction| {
@@ -258,16 +265,16 @@ impl Flight {
         };
         let other = |other: &Candidate| {
             let covariance = spread::covariance(&other.fitted);
-            Other {
-                weight: weight(other),
-                log_ratios: [other.fitted.numbers[0], other.fitted.numbers[1]],
-                covariance: [0, 1].map(|i| [0, 1].map(|j| covariance[(i, j)])),
-            }
+            let Named { logs, axes, .. } = other.model.named(&other.fitted.numbers)?;
+            let slopes = [0, 1, 2].map(|k| other.model.slopes(&axes, [k, k]));
+            let covariance = |i: usize, j: usize| slopes[i].dot(&(&covariance * &slopes[j]));
+            let covariance = [0, 1, 2].map(|i| [0, 1, 2].map(|j| covariance(i, j)));
+            Ok(Other { weight: weight(other), logs, covariance })
         };
         // A weight below a thousandth changes no digit that is told.
         let weighty = candidates.iter().filter(|other| varied && weight(other) > 1e-3);
         let named = best.model.named(&best.fitted.numbers)?;
-        let moments = PrincipalMoments::of_any(named.moments)?;
+        let moments = PrincipalMoments::of_any(named.logs.map(exp))?;
         Ok(Fit {
             covariance: spread::covariance(&best.fitted),
             // Student's t of so many degrees of freedom, to first order in their inverse.
@@ -277,9 +284,9 @@ impl Flight {
                 .filter(|c| allowed.has(*c))
                 .map(decide)
                 .collect(),
-            others: weighty.map(other).collect(),
-            moments: named.moments,
+            others: weighty.map(other).collect::<Result<_>>()?,
             motion: FreeBody::new(moments, named.turn, named.start)?,
+            named,
             shown: best.model.rates(&best.fitted.numbers, &self.times)?,
             model: best.model.clone(),
             fitted: best.fitted.clone(),
@@ -315,4 +322,27 @@ fn by_noise(samples: usize) -> f64 {
         x = 2.0 * log(1e3 * samples as f64 * (1.0 + 0.5 * x));
     }
     x
+}
+
+/// By how much n ln S falls at most if a sine and a cosine of one frequency are taken from these residuals of a
+/// steady spin, on all axes: a tumble, whose wobble is that to first order, can hardly be better.
+fn wobble(times: &[f64], residuals: &[f64]) -> f64 {
+    let (count, end) = (times.len(), times[times.len() - 1]);
+    let squares: f64 = residuals.iter().map(|r| r * r).sum();
+    let explained = |k: usize| {
+        // From a quarter of an oscillation in the flight to one in two samples.
+        let waves: Vec<_> = times.iter().map(|t| sincos(0.5 * PI * k as f64 * t / end)).collect();
+        let sum = |part: &dyn Fn(usize) -> f64| (0..count).map(part).sum::<f64>();
+        let ss = sum(&|n| waves[n].0 * waves[n].0);
+        let sc = sum(&|n| waves[n].0 * waves[n].1);
+        let cc = sum(&|n| waves[n].1 * waves[n].1);
+        let of_axis = |axis: usize| {
+            let a = sum(&|n| residuals[3 * n + axis] * waves[n].0);
+            let b = sum(&|n| residuals[3 * n + axis] * waves[n].1);
+            (a * a * cc - 2.0 * a * b * sc + b * b * ss) / (ss * cc - sc * sc)
+        };
+        (0..3).map(of_axis).sum::<f64>()
+    };
+    let most = (1..2 * count).map(explained).fold(0.0, f64::max);
+    -(residuals.len() as f64) * log((1.0 - most / squares).max(f64::MIN_POSITIVE))
 }

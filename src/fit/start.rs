@@ -8,7 +8,6 @@
 //! (1970)). In a long flight the integrals begin anew after each `window` of time, before errors add up.
 
 use super::model::{Correction, Model, Samples};
-use crate::attitude::Attitude;
 use crate::math::log;
 use nalgebra::{DMatrix, DVector, Matrix3, SymmetricEigen, Vector3};
 
@@ -28,31 +27,16 @@ pub(super) fn numbers(
     [turned, resisted]: [bool; 2],
 ) -> Option<Vec<f64>> {
     let principal = SymmetricEigen::new(tensor(samples, window, turned, resisted)?);
-    let mut moments: [f64; 3] = principal.eigenvalues.into();
-    let mut axes: [[f64; 3]; 3] = principal.eigenvectors.into();
-    // Each principal axis gets the number of the sensor's axis that it is nearest to.
-    for i in 0..2 {
-        let nearer = |a: &usize, b: &usize| axes[*a][i].abs().total_cmp(&axes[*b][i].abs());
-        let nearest = (i..3).max_by(nearer).unwrap_or(i);
-        moments.swap(i, nearest);
-        axes.swap(i, nearest);
-    }
-    for (i, axis) in axes.iter_mut().enumerate() {
-        let sign = axis[i].signum();
-        *axis = axis.map(|x| sign * x);
-    }
-    let largest = moments.into_iter().fold(0.0, f64::max);
-    let moments = moments.map(|moment| moment.max(LEAST * largest));
+    let least = LEAST * principal.eigenvalues.max();
+    let logs = principal.eigenvalues.map(|moment| log(moment.max(least)));
+    let axes = principal.eigenvectors;
+    let tensor = axes * Matrix3::from_diagonal(&logs) * axes.transpose();
     let mut numbers = vec![0.0; model.numbers()];
-    numbers[0] = log(moments[0] / moments[2]);
-    numbers[1] = log(moments[1] / moments[2]);
-    let first = samples.rates[0];
-    for (number, axis) in numbers[2..].iter_mut().zip(&axes) {
-        *number = (0..3).map(|k| axis[k] * first[k]).sum();
-    }
-    if let Some(at) = model.place(Correction::Axes).filter(|_| turned) {
-        let turn = Attitude::from_matrix([0, 1, 2].map(|row| axes.map(|axis| axis[row]))).ok()?;
-        numbers[at..at + 3].copy_from_slice(&turn.rotation_vector().to_array());
+    numbers[0] = tensor.m11 - tensor.m33;
+    numbers[1] = tensor.m22 - tensor.m33;
+    numbers[2..5].copy_from_slice(&samples.rates[0]);
+    if let Some(at) = model.place(Correction::Axes) {
+        numbers[at..at + 3].copy_from_slice(&[tensor.m12, tensor.m23, tensor.m31]);
     }
     Some(numbers)
 }

@@ -244,6 +244,40 @@ fn two_equal_moments_are_found() {
     assert!(held >= 17 && middle <= 3, "{held} and {middle} of 20");
 }
 
+/// The same on axes that are turned: which of the two is which is open, and no interval is too narrow for that.
+#[test]
+fn two_equal_moments_on_turned_axes_are_found() {
+    let (mut told, mut held, mut damaged, mut middle) = (0, 0, 0, 0);
+    for (moments, seed) in
+        [[2.0, 2.0, 1.0], [1.0, 1.0, 1.7]].iter().flat_map(|m| (0..40).map(move |k| (*m, k)))
+    {
+        let mut random = Random(100 + seed);
+        let [x, y, z]: [f64; 3] = random.vector().map(|w: f64| 6.0 * w);
+        let start = [2.0 + x, y, 7.0 + z];
+        let round =
+            Throw { moments, start, turn: [0.25, -0.15, 0.1], noise: 0.01, ..Throw::clean() };
+        let fit = round.recorded(&mut random).fit(&[Correction::Axes]).expect("a fit");
+        middle += u32::from(fit.middle_axis().is_some());
+        for (i, j) in PAIRS {
+            let Some(ratio) = fit.ratio(i, j) else { continue };
+            told += 1;
+            held += u32::from(ratio.holds(round.ratio(i, j)));
+            damaged += u32::from(halved(ratio).holds(round.ratio(i, j)));
+        }
+    }
+    println!(
+        "{told} of 240 told, {held} hold the true ratio, halved {damaged}; {middle} with a middle axis"
+    );
+    assert!(
+        told >= 200 && (0.92..=0.99).contains(&(f64::from(held) / f64::from(told))),
+        "{held} of {told}"
+    );
+    assert!(
+        f64::from(damaged) < 0.9 * f64::from(told) && middle <= 6,
+        "{damaged} of {told}, {middle}"
+    );
+}
+
 #[test]
 fn a_fifth_of_a_second_tells_a_ratio_or_nothing() {
     let mut random = Random(5);
