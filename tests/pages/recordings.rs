@@ -2,6 +2,7 @@
 //! they refuse. That fits find what is true is seen in `tests/fit`, that files are read in `tests/recording`.
 
 use kit::cli::Outcome;
+use kit::recording::made::{Format, Made, Motion};
 use kit::{Page, Recorded, parse};
 use pages::{ALL, WHOLE, page};
 use serde_json::Value;
@@ -89,4 +90,17 @@ fn a_swing_is_told() {
     // On the Moon the same swing is that of a shorter pendulum.
     let moon = read(page, "--gravity 1.62", made.as_bytes()).unwrap_or_else(|told| panic!("{}", told.stderr));
     assert!(holds(found(&moon, "length").expect("it is told"), 0.94 * 1.62 / 9.806_65));
+}
+
+/// A steady spin tells no ratio: no number is printed, no ellipsoid drawn.
+#[test]
+fn what_a_flight_does_not_determine_is_not_told() {
+    let Some(page) = page("further_1_phone") else { return };
+    let motion = Motion::Throws { moments: [4.1, 1.0, 4.9], releases: vec![[0.0, 0.0, 12.0]], flight: 0.8, drag: 0.0 };
+    let made = Made { motion, ..Made::default() }.text(Format::Phyphox).expect("it is made");
+    let told = read(page, "", made.as_bytes()).unwrap_or_else(|told| panic!("{}", told.stderr));
+    let text = told.report.output().expect("it is told");
+    assert_eq!(text.matches("not determined").count(), 4 + 1, "{text}");
+    assert!(["I_x/I_z", "I_y/I_z", "I_x/I_y"].iter().all(|key| found(&told, key).is_none()));
+    assert!(told.pictures.iter().all(|(name, _)| *name == "recorded_throw"));
 }
