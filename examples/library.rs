@@ -153,8 +153,7 @@ pub fn after_a_second(p: &Parameters) -> Result<State> {
 // ANCHOR_END: motor
 
 // ANCHOR: thrown
-/// The free body that fits what a gyroscope recorded in flight: a line `t,x,y,z` for each sample, the time
-/// in s and the rates in rad/s.
+/// The free body that fits what a gyroscope recorded in flight: lines `t,x,y,z` in s and rad/s.
 pub fn thrown(table: &str) -> rotation_dynamics::Result<Fit> {
     let (mut times, mut rates) = (Vec::new(), Vec::new());
     for line in table.lines() {
@@ -169,10 +168,12 @@ pub fn thrown(table: &str) -> rotation_dynamics::Result<Fit> {
     Flight::new(times, rates)?.fit(&Correction::ALL)
 }
 
-/// What it says: the ratios of the moments with their intervals, and what else the data call for.
+/// The ratios of the moments with their intervals, and what else the data call for.
 pub fn told(fit: &Fit) -> Vec<String> {
     let ratio = |(name, i)| match fit.ratio(i, 2) {
-        Some(Estimate { value, from, to }) => format!("{name} = {value:.4}, {from:.4} to {to:.4}"),
+        Some(Estimate { value, from, to }) => {
+            format!("{name} = {value:.4}, {from:.4} to {to:.4}")
+        }
         None => format!("{name} is not determined"),
     };
     let needed = fit.decisions().iter().filter(|decision| decision.needed);
