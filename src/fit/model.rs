@@ -3,16 +3,18 @@
 use super::least_squares::{self, Fitted};
 use crate::attitude::Attitude;
 use crate::body::Kinematics;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::exact::free_body::FreeBody;
-use crate::frame::BodyVector;
+use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
 use crate::math::exp;
+use nalgebra::{DVector, Matrix3, SymmetricEigen, Vector3};
 
 /// What may be added to a free body whose principal axes are the sensor's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Correction {
-    /// The principal axes are turned against the sensor's: a rotation vector (rad).
+    /// The principal axes are turned against the sensor's: a rotation vector (rad), on the principal axes. It
+    /// is open where two moments are equal.
     Axes,
     /// The sensor shows this much at rest (rad/s on each of its axes).
     Offset,
@@ -36,11 +38,8 @@ impl Correction {
     }
 }
 
-/// By how much the principal axes may be turned (rad): at 45 degrees it is open which is which.
-const MOST_TURNED: f64 = 0.7;
-
-/// Two logarithms of ratios of moments, three rates at the start.
-pub(super) const BASE: usize = 5;
+/// Two elements of the tensor's logarithm, three rates at the start.
+const BASE: usize = 5;
 
 /// Nodes and weights of the integral of e^-x f(x) from 0 to infinity, exact for polynomials of
 /// degree 7: M. Abramowitz, I. A. Stegun, *Handbook of Mathematical Functions*, table 25.9.
@@ -64,17 +63,27 @@ pub(super) struct Samples {
 }
 
 /// A free body seen by a sensor, with some corrections.
+///
+/// Its numbers are elements of H, the logarithm of the tensor of inertia on the sensor's axes: H_xx and H_yy,
+/// with H_zz = 0, and the rates at the start on the sensor's axes. [`Correction::Axes`] adds H_xy, H_yz and H_zx.
+/// So nothing is singular where two moments are equal, unlike angles of the principal axes.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Model {
-    /// Those that act in the body's motion come first, those of the sensor's axes last.
+    /// The offset, which changes no motion, comes last.
     corrections: Vec<Correction>,
 }
 
 /// The numbers of a model, by name.
+#[derive(Debug, Clone)]
 pub(super) struct Named {
-    pub(super) moments: [f64; 3],
-    pub(super) start: BodyVector,
+    /// Logarithms of the moments about the principal axes nearest to x, y and z.
+    pub(super) logs: [f64; 3],
+    /// Unit vectors along these axes on the sensor's.
+    pub(super) axes: [[f64; 3]; 3],
+    /// From the principal axes to the sensor's.
     pub(super) turn: Attitude,
+    /// The rates at the start on the principal axes.
+    pub(super) start: BodyVector,
     pub(super) offset: [f64; 3],
     pub(super) filter: f64,
     pub(super) drag: f64,
@@ -137,14 +146,33 @@ impl Model {
         let three =
             |c| self.place(c).map_or([0.0; 3], |k| [numbers[k], numbers[k + 1], numbers[k + 2]]);
         let one = |c| self.place(c).map_or(0.0, |k| numbers[k]);
+        let [xy, yz, zx] = three(Correction::Axes);
+        let tensor = Matrix3::new(numbers[0], xy, zx, xy, numbers[1], yz, zx, yz, 0.0);
+        let (logs, axes) = nearest_axes(&tensor);
+        let turn = Attitude::from_matrix([0, 1, 2].map(|row| axes.map(|axis| axis[row])))?;
+        let start = turn.to_body(SpaceVector::new(numbers[2], numbers[3], numbers[4]));
         Ok(Named {
-            moments: [exp(numbers[0]), exp(numbers[1]), 1.0],
-            start: BodyVector::new(numbers[2], numbers[3], numbers[4]),
-            turn: Attitude::from_rotation_vector(three(Correction::Axes).into())?,
+            logs,
+            axes,
+            turn,
+            start,
             offset: three(Correction::Offset),
             filter: one(Correction::Filter),
             drag: one(Correction::Drag),
         })
+    }
+
+    /// By how much axes[i]^T H axes[j] changes with each number: for i = j that is the logarithm of a moment.
+    pub(super) fn slopes(&self, axes: &[[f64; 3]; 3], [i, j]: [usize; 2]) -> DVector<f64> {
+        let (a, b) = (axes[i], axes[j]);
+        let mut slopes = DVector::zeros(self.numbers());
+        (slopes[0], slopes[1]) = (a[0] * b[0], a[1] * b[1]);
+        if let Some(at) = self.place(Correction::Axes) {
+            for (n, (p, q)) in [(0, 1), (1, 2), (2, 0)].into_iter().enumerate() {
+                slopes[at + n] = a[p] * b[q] + a[q] * b[p];
+            }
+        }
+        slopes
     }
 
     /// The size against which a change of each number counts: `fastest` is the fastest rate (rad/s).
@@ -161,12 +189,8 @@ impl Model {
         scales
     }
 
-    /// How many of the numbers the rates on the body's own axes depend on.
-    fn inner(&self) -> usize {
-        BASE + self.corrections.iter().filter(|c| c.numbers() == 1).count()
-    }
-
-    /// The rates on the principal axes, as the filter shows them, at these times (s) after the start.
+    /// The rates on the sensor's axes, as its filter shows them, without its offset, at these times (s) after
+    /// the start.
     ///
     /// With drag, L keeps its direction and L(t) = L(0) e^(-gamma t), so that the body goes the way of
     /// the free one, more and more slowly: omega(t) = e^(-gamma t) omega_free((1 - e^(-gamma t))/gamma).
@@ -174,14 +198,14 @@ impl Model {
     /// tau that is omega + tau^2/2 d2 omega/dt2 + ..., so that tau^2 is the number to be fitted. One
     /// below 0, which noise may ask for, mirrors the change. The mean over times of a standard
     /// deviation s is that at t - s and t + s: exact for cubics.
-    fn body_rates(
+    fn rates_of_body(
         &self,
         numbers: &[f64],
         times: &[f64],
         spreads: &[f64],
-    ) -> Result<Vec<BodyVector>> {
+    ) -> Result<Vec<[f64; 3]>> {
         let named = self.named(numbers)?;
-        let moments = PrincipalMoments::of_any(named.moments)?;
+        let moments = PrincipalMoments::of_any(named.logs.map(exp))?;
         let body = FreeBody::new(moments, Attitude::IDENTITY, named.start)?;
         let filter = named.filter.abs().sqrt();
         let nodes = match (filter > 0.0, named.filter < 0.0) {
@@ -212,27 +236,18 @@ impl Model {
             let seen = samples.iter().zip(slowed);
             seen.fold(BodyVector::zero(), |sum, (s, w)| sum + s.angular_velocity * *w)
         });
-        Ok(shown.collect())
+        Ok(shown.map(|rate| named.turn.to_space(rate).to_array()).collect())
     }
 
-    /// These rates as the sensor shows them.
-    fn on_sensor(&self, numbers: &[f64], body: &[BodyVector]) -> Result<Vec<[f64; 3]>> {
-        let named = self.named(numbers)?;
-        let turned = named.turn.rotation_vector().norm();
-        if turned > MOST_TURNED {
-            let allowed = "at most 0.7 rad: farther on, an axis has another's number";
-            return Err(Error::out_of_range("turn of the principal axes", turned, allowed));
-        }
-        let shown = |rate: &BodyVector| {
-            let sensor = named.turn.to_space(*rate).to_array();
-            [0, 1, 2].map(|i| sensor[i] + named.offset[i])
-        };
-        Ok(body.iter().map(shown).collect())
+    fn offset(&self, numbers: &[f64]) -> [f64; 3] {
+        self.place(Correction::Offset).map_or([0.0; 3], |k| [0, 1, 2].map(|i| numbers[k + i]))
     }
 
     /// What the sensor shows at these times (s) after the start.
     pub(super) fn rates(&self, numbers: &[f64], times: &[f64]) -> Result<Vec<[f64; 3]>> {
-        self.on_sensor(numbers, &self.body_rates(numbers, times, &vec![0.0; times.len()])?)
+        let offset = self.offset(numbers);
+        let rates = self.rates_of_body(numbers, times, &vec![0.0; times.len()])?;
+        Ok(rates.into_iter().map(|rate| [0, 1, 2].map(|i| rate[i] + offset[i])).collect())
     }
 
     /// The sum of the squares of what is left of these samples.
@@ -263,25 +278,51 @@ impl Model {
         })
     }
 
-    /// Rates on the body's axes are computed anew only if numbers change on which they depend.
+    /// Rates of the body are computed anew only if numbers change on which they depend.
     pub(super) fn residuals(
         &self,
         numbers: &[f64],
         samples: &Samples,
         count: usize,
-        last: &mut Option<(Vec<f64>, Vec<BodyVector>)>,
+        last: &mut Option<(Vec<f64>, Vec<[f64; 3]>)>,
     ) -> Result<Vec<f64>> {
-        let inner = &numbers[..self.inner()];
+        let inner = &numbers[..self.place(Correction::Offset).unwrap_or(numbers.len())];
         if last.as_ref().is_none_or(|(of, _)| of != inner) {
-            let body =
-                self.body_rates(numbers, &samples.times[..count], &samples.spreads[..count])?;
-            *last = Some((inner.to_vec(), body));
+            let (times, spreads) = (&samples.times[..count], &samples.spreads[..count]);
+            *last = Some((inner.to_vec(), self.rates_of_body(numbers, times, spreads)?));
         }
-        let body = last.as_ref().map_or(&[][..], |(_, body)| body);
-        let shown = self.on_sensor(numbers, body)?;
-        let triples = shown.iter().zip(&samples.rates).zip(&samples.weights);
-        Ok(triples.flat_map(|((a, b), w)| [0, 1, 2].map(|i| w * (a[i] - b[i]))).collect())
+        let rates = last.as_ref().map_or(&[][..], |(_, rates)| rates);
+        let offset = self.offset(numbers);
+        let triples = rates.iter().zip(&samples.rates).zip(&samples.weights);
+        let left = |((a, b), w): ((&[f64; 3], &[f64; 3]), &f64)| {
+            [0, 1, 2].map(|i| w * (a[i] + offset[i] - b[i]))
+        };
+        Ok(triples.flat_map(left).collect())
     }
+}
+
+/// Eigenvalues and eigenvectors of a symmetric matrix: to each axis x, y, z the one that is nearest, with the
+/// direction that is nearest, a right-handed triad.
+fn nearest_axes(matrix: &Matrix3<f64>) -> ([f64; 3], [[f64; 3]; 3]) {
+    let diagonal = [matrix.m11, matrix.m22, matrix.m33];
+    if *matrix == Matrix3::from_diagonal(&diagonal.into()) {
+        return (diagonal, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    }
+    let eigen = SymmetricEigen::new(*matrix);
+    let axes: [[f64; 3]; 3] = eigen.eigenvectors.into();
+    let near =
+        |order: &[usize; 3]| (0..3).map(|i| axes[order[i]][i] * axes[order[i]][i]).sum::<f64>();
+    let orders = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
+    let order = orders.into_iter().max_by(|a, b| near(a).total_cmp(&near(b))).unwrap_or([0, 1, 2]);
+    let along = |i: usize| axes[order[i]].map(|x| x * axes[order[i]][i].signum());
+    let mut axes = [0, 1, 2].map(along);
+    let [a, b, c] = axes.map(Vector3::from);
+    if a.cross(&b).dot(&c) < 0.0 {
+        // The direction that is nearly across its axis is the one that may be the other.
+        let turned = (0..3).min_by(|i, j| axes[*i][*i].total_cmp(&axes[*j][*j])).unwrap_or(2);
+        axes[turned] = axes[turned].map(|x| -x);
+    }
+    (order.map(|k| eigen.eigenvalues[k]), axes)
 }
 
 /// The time of the free body that is where the one with drag is at `t`, and how much slower that is.

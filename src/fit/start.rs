@@ -8,7 +8,6 @@
 //! (1970)). In a long flight the integrals begin anew after each `window` of time, before errors add up.
 
 use super::model::{Correction, Model, Samples};
-use crate::attitude::Attitude;
 use crate::math::log;
 use nalgebra::{DMatrix, DVector, Matrix3, SymmetricEigen, Vector3};
 
@@ -19,36 +18,25 @@ const LEAST: f64 = 0.02;
 /// 20 degrees; offsets and drags of a tenth (rad/s, 1/s).
 const USUAL: [f64; 3] = [0.2, 0.05, 0.02];
 
-/// The numbers of `model` from which a fit of this flight begins; `None` if they are not determined.
-pub(super) fn numbers(samples: &Samples, window: f64, model: &Model) -> Option<Vec<f64>> {
-    let turned = model.has(Correction::Axes);
-    let resisted = model.has(Correction::Offset) || model.has(Correction::Drag);
+/// The numbers of `model` from which a fit of this flight begins, with axes that are `turned` or not, and with the
+/// terms of an offset and a drag if it is `resisted`; `None` if they are not determined.
+pub(super) fn numbers(
+    samples: &Samples,
+    window: f64,
+    model: &Model,
+    [turned, resisted]: [bool; 2],
+) -> Option<Vec<f64>> {
     let principal = SymmetricEigen::new(tensor(samples, window, turned, resisted)?);
-    let mut moments: [f64; 3] = principal.eigenvalues.into();
-    let mut axes: [[f64; 3]; 3] = principal.eigenvectors.into();
-    // Each principal axis gets the number of the sensor's axis that it is nearest to.
-    for i in 0..2 {
-        let nearer = |a: &usize, b: &usize| axes[*a][i].abs().total_cmp(&axes[*b][i].abs());
-        let nearest = (i..3).max_by(nearer).unwrap_or(i);
-        moments.swap(i, nearest);
-        axes.swap(i, nearest);
-    }
-    for (i, axis) in axes.iter_mut().enumerate() {
-        let sign = axis[i].signum();
-        *axis = axis.map(|x| sign * x);
-    }
-    let largest = moments.into_iter().fold(0.0, f64::max);
-    let moments = moments.map(|moment| moment.max(LEAST * largest));
+    let least = LEAST * principal.eigenvalues.max();
+    let logs = principal.eigenvalues.map(|moment| log(moment.max(least)));
+    let axes = principal.eigenvectors;
+    let tensor = axes * Matrix3::from_diagonal(&logs) * axes.transpose();
     let mut numbers = vec![0.0; model.numbers()];
-    numbers[0] = log(moments[0] / moments[2]);
-    numbers[1] = log(moments[1] / moments[2]);
-    let first = samples.rates[0];
-    for (number, axis) in numbers[2..].iter_mut().zip(&axes) {
-        *number = (0..3).map(|k| axis[k] * first[k]).sum();
-    }
+    numbers[0] = tensor.m11 - tensor.m33;
+    numbers[1] = tensor.m22 - tensor.m33;
+    numbers[2..5].copy_from_slice(&samples.rates[0]);
     if let Some(at) = model.place(Correction::Axes) {
-        let turn = Attitude::from_matrix([0, 1, 2].map(|row| axes.map(|axis| axis[row]))).ok()?;
-        numbers[at..at + 3].copy_from_slice(&turn.rotation_vector().to_array());
+        numbers[at..at + 3].copy_from_slice(&[tensor.m12, tensor.m23, tensor.m31]);
     }
     Some(numbers)
 }

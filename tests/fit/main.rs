@@ -1,178 +1,121 @@
 //! A fit of moments of inertia to the rates of a flight: what is true is found, with the error that is
 //! stated; what the flight does not tell is not told.
 //!
-//! The flights are made by Euler's equations, stepped by Runge and Kutta's method with the drag and the
-//! sensor's filter as equations besides: nothing of the closed form, by which they are fitted.
-//!
 //! ```text
 //! FLIGHTS=500 cargo test --package checks --test fit -- --nocapture
 //! ```
 
-use rotation_dynamics::attitude::Attitude;
+mod least;
+mod throw;
+
 use rotation_dynamics::fit::{Correction, Estimate, Fit, Flight};
-use rotation_dynamics::frame::{BodyVector, DesignVector, SpaceVector};
+use rotation_dynamics::frame::DesignVector;
 use support::Random;
+use throw::Throw;
 
-/// A body thrown up, and the sensor in it.
-struct Throw {
-    moments: [f64; 3],
-    start: [f64; 3],
-    turn: [f64; 3],
-    offset: [f64; 3],
-    filter: f64,
-    drag: f64,
-    noise: f64,
-    samples: u32,
-}
-
-impl Throw {
-    /// A box of the size of a phone, spun mostly about one axis; each correction in every second throw.
-    fn drawn(random: &mut Random) -> Self {
-        let [a, b, c] = [(0.13, 0.17), (0.06, 0.08), (0.006, 0.02)]
-            .map(|(low, high)| random.between(low, high));
-        let mut start: [f64; 3] = random.vector().map(|w: f64| 1.5 * w);
-        start[(3.0 * random.unit()) as usize] += random.between(6.0, 14.0);
-        let mut often = |size: f64| if random.unit() < 0.5 { 0.0 } else { size };
-        let [turn, offset, filter, drag] = [often(0.35), often(0.1), often(0.02), often(0.1)];
-        Self {
-            moments: [b * b + c * c, a * a + c * c, a * a + b * b],
-            start,
-            turn: random.vector().map(|x: f64| 0.57 * turn * x),
-            offset: random.vector().map(|x: f64| offset * x),
-            filter: filter * random.unit(),
-            drag: drag * random.unit(),
-            noise: random.between(0.005, 0.03),
-            samples: random.between(50.0, 120.0) as u32,
-        }
-    }
-
-    /// The rate of change of the rates and of what the filter shows.
-    fn slope(&self, [w, y]: [[f64; 3]; 2]) -> [[f64; 3]; 2] {
-        let m = self.moments;
-        let change = |i: usize| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            (m[j] - m[k]) / m[i] * w[j] * w[k] - self.drag * w[i]
-        };
-        let shown = |i: usize| if self.filter > 0.0 { (w[i] - y[i]) / self.filter } else { 0.0 };
-        [[0, 1, 2].map(change), [0, 1, 2].map(shown)]
-    }
-
-    /// Recorded at 100 samples a second, from a quarter of a second after the throw.
-    fn recorded(&self, random: &mut Random) -> Flight {
-        const STEPS: u32 = 100;
-        let h = 0.01 / f64::from(STEPS);
-        let turn = Attitude::from_rotation_vector(SpaceVector::from(self.turn)).expect("a turn");
-        let moved = |[w, y]: [[f64; 3]; 2], [dw, dy]: [[f64; 3]; 2], h: f64| {
-            [[0, 1, 2].map(|i| w[i] + h * dw[i]), [0, 1, 2].map(|i| y[i] + h * dy[i])]
-        };
-        let mut state = [self.start; 2];
-        let (mut times, mut rates) = (Vec::new(), Vec::new());
-        for sample in 0..25 + self.samples {
-            if sample >= 25 {
-                let shown = if self.filter > 0.0 { state[1] } else { state[0] };
-                let shown = turn.to_space(BodyVector::from(shown)).to_array();
-                times.push(0.01 * f64::from(sample));
-                rates.push(DesignVector::from([0, 1, 2].map(|i| {
-                    // Twelve even numbers less six: nearly a normal one.
-                    let normal = (0..12).map(|_| random.unit()).sum::<f64>() - 6.0;
-                    shown[i] + self.offset[i] + self.noise * normal
-                })));
-            }
-            for _ in 0..STEPS {
-                let a = self.slope(state);
-                let b = self.slope(moved(state, a, 0.5 * h));
-                let c = self.slope(moved(state, b, 0.5 * h));
-                let d = self.slope(moved(state, c, h));
-                let sum = moved(moved(moved(a, b, 2.0), c, 2.0), d, 1.0);
-                state = moved(state, sum, h / 6.0);
-            }
-        }
-        Flight::new(times, rates).expect("a flight")
-    }
-
-    fn ratio(&self, i: usize, j: usize) -> f64 {
-        self.moments[i] / self.moments[j]
-    }
-}
-
-/// A phone that is thrown about its middle axis, and seen without noise.
-fn clean() -> Throw {
-    Throw {
-        moments: [1.0, 4.0, 4.8],
-        start: [0.4, 9.0, 0.5],
-        turn: [0.0; 3],
-        offset: [0.0; 3],
-        filter: 0.0,
-        drag: 0.0,
-        noise: 0.0,
-        samples: 80,
-    }
-}
+const PAIRS: [(usize, usize); 3] = [(0, 2), (1, 2), (0, 1)];
 
 /// How many flights: a few, or more in the gate.
 fn asked() -> u32 {
-    let usual = if std::env::var("PROPERTY_CASES").is_ok() { 40 } else { 6 };
+    let usual = if std::env::var("PROPERTY_CASES").is_ok() { 60 } else { 16 };
     std::env::var("FLIGHTS").map_or(usual, |text| text.parse().expect("a number"))
+}
+
+/// The interval with half its width, in the logarithm.
+fn halved(ratio: Estimate) -> Estimate {
+    let half = (ratio.to / ratio.value).sqrt();
+    Estimate { from: ratio.value / half, to: ratio.value * half, ..ratio }
 }
 
 #[test]
 fn the_interval_holds_the_true_ratio_in_95_of_100_flights() {
     let mut random = Random(7);
-    let pairs = [(0, 2), (1, 2), (0, 1)];
-    let (mut held, mut told, mut damaged) = ([0; 3], [0; 3], 0);
+    let (mut held, mut told, mut damaged) = ([0; 3], [0; 3], [0; 3]);
     let flights = asked();
     for _ in 0..flights {
         let throw = Throw::drawn(&mut random);
         let fit = throw.recorded(&mut random).fit(&Correction::ALL).expect("a fit");
-        for (n, (i, j)) in pairs.into_iter().enumerate() {
+        for (n, (i, j)) in PAIRS.into_iter().enumerate() {
             let Some(ratio) = fit.ratio(i, j) else { continue };
             told[n] += 1;
             held[n] += u32::from(ratio.holds(throw.ratio(i, j)));
-            damaged += u32::from(ratio.holds(1.05 * throw.ratio(i, j)));
+            damaged[n] += u32::from(halved(ratio).holds(throw.ratio(i, j)));
         }
     }
     println!(
-        "of {flights} flights {told:?} tell a ratio, {held:?} hold the true one, {damaged} one 5 % larger"
+        "of {flights} flights {told:?} tell a ratio, {held:?} hold the true one, halved {damaged:?}"
     );
-    for (held, told) in held.into_iter().zip(told) {
-        assert!(4 * told >= 3 * flights, "{told} of {flights}");
-        // Two deviations of so many draws beside 92 and 98 of 100.
-        let (part, beside) =
-            (f64::from(held) / f64::from(told), 2.0 * (0.05 * 0.95 / f64::from(told)).sqrt());
-        assert!((0.92 - beside..=0.98 + beside).contains(&part), "{held} of {told}");
-    }
-    assert!(10 * damaged < 6 * told.iter().sum::<u32>(), "{damaged}");
+    let sums = [told, held, damaged].map(|counts| counts.iter().sum::<u32>());
+    assert!(10 * sums[0] >= 3 * 7 * flights, "{told:?} of {flights}");
+    // Two deviations of so many flights beside 92 and 98 of 100.
+    let beside = 2.0 * (0.05 * 0.95 / f64::from(flights)).sqrt();
+    let [_, held, damaged] = sums.map(|sum| f64::from(sum) / f64::from(sums[0]));
+    let fair = |part: f64| (0.92 - beside..=0.98 + beside).contains(&part);
+    // A few flights do not tell 95 of 100 from 80, the part that intervals of half the width hold.
+    assert!(fair(held) && damaged < held && (flights < 60 || !fair(damaged)), "{held} {damaged}");
 }
 
 fn fitted(throw: &Throw, allowed: &[Correction]) -> Fit {
     throw.recorded(&mut Random(1)).fit(allowed).expect("a fit")
 }
 
+/// Normal equations, other numbers for the same body, and a start at the truth find no lower sum of squares.
+#[test]
+fn no_other_route_finds_a_lower_sum_of_squares() {
+    let mut random = Random(11);
+    let (mut both, mut damaged, mut refused) = (0, 0, 0);
+    for _ in 0..44 {
+        let throw = Throw {
+            turn: random.vector().map(|x: f64| 0.2 * x),
+            offset: random.vector().map(|x: f64| 0.15 * x),
+            filter: 0.0,
+            drag: 0.0,
+            ..Throw::drawn(&mut random)
+        };
+        let flight = throw.recorded(&mut random);
+        let Ok(fit) = flight.fit(&[Correction::Axes, Correction::Offset]) else {
+            refused += 1;
+            continue;
+        };
+        let needed = [0, 1].map(|n| fit.decisions()[n].needed);
+        let squares: f64 = fit.residuals().map(|r| r.dot(&r)).sum();
+        let other = least::squares_from(&flight, &throw, needed);
+        assert!(squares <= other * (1.0 + 1e-4), "{squares} {other} {needed:?} {throw:?}");
+        damaged += u32::from(1.001 * squares > other * (1.0 + 1e-4));
+        both += u32::from(needed == [true, true]);
+    }
+    println!(
+        "both needed in {both} of 44; a sum larger by a thousandth is seen in {damaged}; {refused} refused"
+    );
+    assert!(both >= 12 && damaged >= 20 && refused <= 4, "{both} {damaged} {refused}");
+}
+
 #[test]
 fn without_noise_all_is_found() {
-    let plain = fitted(&clean(), &[]);
-    let [i1, i2, _] = plain.moments();
+    let plain = fitted(&Throw::clean(), &[]);
+    let [i1, i2, _] = plain.moments().expect("they are told");
     assert!((i1 - 1.0 / 4.8).abs() < 1e-9 && (i2 - 4.0 / 4.8).abs() < 1e-9, "{i1} {i2}");
-    assert!(plain.misfit() < 1e-9 && plain.middle_axis() == 1);
+    assert!(plain.misfit() < 1e-9 && plain.middle_axis() == Some(1));
     // 2 E I_mid/L^2 of what was thrown.
-    let (moments, start) = ([1.0, 4.0, 4.8], [0.4, 9.0, 0.5]);
+    let Throw { moments, start, .. } = Throw::clean();
     let sum = |power: i32| {
         (0..3).map(|i| f64::powi(moments[i], power) * start[i] * start[i]).sum::<f64>()
     };
-    assert!((plain.separatrix() / (4.0 * sum(1) / sum(2)) - 1.0).abs() < 1e-9);
+    let separatrix = plain.separatrix().expect("it is told");
+    assert!((separatrix.value / (4.0 * sum(1) / sum(2)) - 1.0).abs() < 1e-9);
+    let kept = plain.kept().expect("they are told");
+    assert!(kept.iter().all(|course| course.change.abs() < 1e-9 && course.scatter < 1e-9));
 
     let all = Throw {
         turn: [0.1, -0.2, 0.15],
         offset: [0.05, -0.02, 0.03],
         filter: 0.02,
         drag: 0.05,
-        ..clean()
+        ..Throw::clean()
     };
     let fit = fitted(&all, &Correction::ALL);
-    let needed: Vec<Correction> =
-        fit.decisions().iter().filter(|d| d.needed).map(|d| d.correction).collect();
-    assert_eq!(needed, Correction::ALL);
-    let [i1, i2, _] = fit.moments();
+    assert!(fit.decisions().iter().all(|decision| decision.needed), "{:?}", fit.decisions());
+    let [i1, i2, _] = fit.moments().expect("they are told");
     assert!((i1 - 1.0 / 4.8).abs() < 2e-4 && (i2 - 4.0 / 4.8).abs() < 2e-4, "{i1} {i2}");
     let near = |correction, true_values: &[f64], within: f64| {
         let found = fit.correction(correction);
@@ -185,42 +128,183 @@ fn without_noise_all_is_found() {
     near(Correction::Offset, &[0.05, -0.02, 0.03], 1e-3);
     near(Correction::Filter, &[0.02 * 0.02], 1e-5);
     near(Correction::Drag, &[0.05], 1e-3);
+    // A drag of 0.05/s for 0.79 s.
+    let slowed = fitted(&Throw { drag: 0.05, ..Throw::clean() }, &[Correction::Drag]);
+    let [energy, momentum] = slowed.kept().expect("they are told");
+    assert!((energy.change + 0.079).abs() < 1e-3, "{energy:?}");
+    assert!((momentum.change + 0.0395).abs() < 1e-3, "{momentum:?}");
+}
+
+/// Times are those of the recording; the attitude turns as the rates say; the flips are counted.
+#[test]
+fn clocks_agree() {
+    let throw =
+        Throw { samples: 400, noise: 0.005, drag: 0.05, turn: [0.1, -0.1, 0.2], ..Throw::clean() };
+    let (mut times, rates) = throw.table(&mut Random(3));
+    times.iter_mut().for_each(|t| *t += 100.0);
+    let fit =
+        Flight::new(times.clone(), rates).expect("a flight").fit(&Correction::ALL).expect("a fit");
+    for (t, seen) in times.iter().zip(fit.residuals()) {
+        assert!(seen.norm() < 0.05, "{t} {seen}");
+    }
+    let (t, h) = (102.0, 1e-4);
+    let [before, after] = [t - h, t + h].map(|t| fit.attitude(t).expect("a time"));
+    let turned = (before.inverse() * after).rotation_vector().to_array();
+    let shown = fit.rates(t).expect("a time").to_array();
+    let offset = fit.correction(Correction::Offset);
+    for i in 0..3 {
+        let rate = shown[i] - offset.get(i).map_or(0.0, |offset| offset.value);
+        assert!((turned[i] / (2.0 * h) - rate).abs() < 1e-2, "{turned:?} {shown:?}");
+    }
+    let first = fit.attitude(times[0]).expect("a time");
+    assert!(first.rotation_vector().norm() < 1e-12);
+    let free = Throw { drag: 0.0, ..throw };
+    let fit = free.recorded(&mut Random(3)).fit(&Correction::ALL).expect("a fit");
+    let counted = fit.counted_period().expect("it flips");
+    assert!((counted / fit.motion().rate_period() - 1.0).abs() < 0.01, "{counted}");
+}
+
+/// A long recording is fitted from means, and tells as much.
+#[test]
+fn a_long_flight_is_fitted_from_means() {
+    let long = Throw { samples: 8000, often: 400.0, noise: 0.02, digit: 0.001, ..Throw::clean() };
+    let fit = fitted(&long, &Correction::ALL);
+    assert_eq!(fit.residuals().count(), 8000);
+    assert!((fit.misfit() / 0.02 - 1.0).abs() < 0.02, "{}", fit.misfit());
+    let ratio = fit.ratio(0, 2).expect("it is told");
+    assert!(ratio.holds(1.0 / 4.8) && ratio.to / ratio.from < 1.001, "{ratio:?}");
 }
 
 #[test]
 fn what_a_flight_does_not_tell_is_not_told() {
-    // About one axis alone: no ratio.
-    let steady = Throw { start: [0.0, 0.0, 10.0], noise: 0.02, ..clean() };
-    let fit = fitted(&steady, &[]);
-    assert_eq!([fit.ratio(0, 2), fit.ratio(1, 2), fit.ratio(0, 1)], [None; 3]);
-    let silent = fitted(&Throw { noise: 0.0, ..steady }, &Correction::ALL);
-    assert_eq!([silent.ratio(0, 2), silent.ratio(1, 2), silent.ratio(0, 1)], [None; 3]);
+    let phone =
+        Throw { moments: [0.0042, 0.0243, 0.028], noise: 0.02, digit: 0.001, ..Throw::clean() };
+    let turn = [0.2, 0.2, -0.2];
+    let (mut asked, mut told, mut refused) = (0, 0, 0);
+    for axis in 0..3 {
+        for (drag, turn) in [(0.0, [0.0; 3]), (0.05, [0.0; 3]), (0.0, turn), (0.05, turn)] {
+            let mut start = [0.0; 3];
+            start[axis] = 10.0;
+            let spin = Throw { start, drag, turn, ..phone.clone() };
+            for seed in 0..1 {
+                let fit = spin.recorded(&mut Random(seed)).fit(&Correction::ALL).expect("a fit");
+                told += PAIRS.iter().filter(|(i, j)| fit.ratio(*i, *j).is_some()).count();
+                assert!(fit.misfit() < 0.03 && fit.moments().is_none_or(|_| told > 0));
+                asked += 3;
+            }
+        }
+    }
+    // A small wobble tells what it tells, and no more.
+    let mut start = [0.2; 3];
+    for axis in [0, 2] {
+        start[axis] = 10.0;
+        let wobble = Throw { start, turn, ..phone.clone() };
+        for seed in 0..3 {
+            asked += 3;
+            // Where no minimum is found, nothing is told.
+            let Ok(fit) = wobble.recorded(&mut Random(seed)).fit(&Correction::ALL) else {
+                refused += 1;
+                continue;
+            };
+            let wrong = |(i, j): &(usize, usize)| {
+                fit.ratio(*i, *j).is_some_and(|ratio| !ratio.holds(wobble.ratio(*i, *j)))
+            };
+            told += PAIRS.iter().filter(|pair| wrong(pair)).count();
+        }
+        start[axis] = 0.2;
+    }
+    println!("{told} of {asked} intervals are false");
+    assert_eq!(asked, 54);
+    assert!(100 * told <= 8 * asked && refused <= 2, "{told} of {asked}, {refused} refused");
+    // Without noise too, and to say which axis is the middle one it takes ratios.
+    let silent = Throw { start: [0.0, 0.0, 10.0], ..Throw::clean() };
+    let silent = fitted(&silent, &Correction::ALL);
+    assert!(silent.moments().is_none() && silent.middle_axis().is_none());
+    assert!(
+        silent.separatrix().is_none()
+            && silent.kept().is_none()
+            && silent.counted_period().is_none()
+    );
     assert!(silent.decisions().iter().all(|decision| !decision.needed));
-    // Two equal moments: they are told to be so.
-    let round = Throw { moments: [2.0, 2.0, 1.0], start: [3.0, 1.0, 8.0], noise: 0.01, ..clean() };
-    let told = (0..20).map(|seed| {
+}
+
+/// Two equal moments are told to be so, and no axis is the middle one.
+#[test]
+fn two_equal_moments_are_found() {
+    let round =
+        Throw { moments: [2.0, 2.0, 1.0], start: [3.0, 1.0, 8.0], noise: 0.01, ..Throw::clean() };
+    let (mut held, mut middle) = (0, 0);
+    for seed in 0..20 {
         let fit = round.recorded(&mut Random(seed)).fit(&[]).expect("a fit");
-        fit.ratio(0, 1).expect("it is told")
-    });
-    let told: Vec<Estimate> = told.collect();
-    assert!(told.iter().all(|ratio| ratio.to - ratio.from < 0.01));
-    let held = told.iter().filter(|ratio| ratio.holds(1.0)).count();
-    assert!(held >= 17, "{held} of 20");
-    // A rate whose sign is wrong belongs to another body: the rates do not tell, the ratios do.
-    let flight = Throw { noise: 0.01, ..clean() }.recorded(&mut Random(1));
+        let ratio = fit.ratio(0, 1).expect("it is told");
+        assert!(ratio.to - ratio.from < 0.01);
+        held += u32::from(ratio.holds(1.0));
+        middle += u32::from(fit.middle_axis().is_some());
+    }
+    assert!(held >= 17 && middle <= 3, "{held} and {middle} of 20");
+}
+
+/// The same on axes that are turned: which of the two is which is open, and no interval is too narrow for that.
+#[test]
+fn two_equal_moments_on_turned_axes_are_found() {
+    let (mut told, mut held, mut damaged, mut middle) = (0, 0, 0, 0);
+    for (moments, seed) in
+        [[2.0, 2.0, 1.0], [1.0, 1.0, 1.7]].iter().flat_map(|m| (0..40).map(move |k| (*m, k)))
+    {
+        let mut random = Random(100 + seed);
+        let [x, y, z]: [f64; 3] = random.vector().map(|w: f64| 6.0 * w);
+        let start = [2.0 + x, y, 7.0 + z];
+        let round =
+            Throw { moments, start, turn: [0.25, -0.15, 0.1], noise: 0.01, ..Throw::clean() };
+        let fit = round.recorded(&mut random).fit(&[Correction::Axes]).expect("a fit");
+        middle += u32::from(fit.middle_axis().is_some());
+        for (i, j) in PAIRS {
+            let Some(ratio) = fit.ratio(i, j) else { continue };
+            told += 1;
+            held += u32::from(ratio.holds(round.ratio(i, j)));
+            damaged += u32::from(halved(ratio).holds(round.ratio(i, j)));
+        }
+    }
+    println!(
+        "{told} of 240 told, {held} hold the true ratio, halved {damaged}; {middle} with a middle axis"
+    );
+    assert!(
+        told >= 200 && (0.92..=0.99).contains(&(f64::from(held) / f64::from(told))),
+        "{held} of {told}"
+    );
+    assert!(
+        f64::from(damaged) < 0.9 * f64::from(told) && middle <= 6,
+        "{damaged} of {told}, {middle}"
+    );
+}
+
+#[test]
+fn a_fifth_of_a_second_tells_a_ratio_or_nothing() {
+    let mut random = Random(5);
+    let (mut told, mut held) = (0, 0);
+    for _ in 0..20 {
+        let throw = Throw { samples: 20, ..Throw::drawn(&mut random) };
+        let fit = throw.recorded(&mut random).fit(&Correction::ALL).expect("a fit");
+        for (i, j) in PAIRS {
+            let Some(ratio) = fit.ratio(i, j) else { continue };
+            told += 1;
+            held += u32::from(ratio.holds(throw.ratio(i, j)));
+        }
+    }
+    println!("{told} of 60 told, {held} hold the truth");
+    assert!(told >= 6 && 100 * held >= 80 * told, "{held} of {told}");
+}
+
+/// Rates that belong to another body, and to none.
+#[test]
+fn signs_that_are_wrong_show_in_the_ratios() {
+    let flight = Throw { noise: 0.01, ..Throw::clean() }.recorded(&mut Random(1));
     let mirrored = flight.rates().map(|w| DesignVector::new(w[0], w[1], -w[2])).collect();
     let mirrored = Flight::new(flight.times().collect(), mirrored).expect("a flight");
     let [right, wrong] = [&flight, &mirrored].map(|flight| flight.fit(&[]).expect("a fit"));
-    assert!((wrong.misfit() / right.misfit() - 1.0).abs() < 1e-6);
+    assert!((wrong.misfit() / right.misfit() - 1.0).abs() < 1e-3);
     let [right, wrong] = [right, wrong].map(|fit| fit.ratio(0, 2).expect("it is told").value);
     assert!((4.8 * right - 1.0).abs() < 0.01 && wrong > 5.0, "{right} {wrong}");
-    // Rates that change places obey no equations of a body.
-    let swapped = flight
-        .rates()
-        .zip(0..)
-        .map(|(w, k)| if k % 2 == 0 { w } else { DesignVector::new(w[1], w[0], w[2]) });
-    let swapped = Flight::new(flight.times().collect(), swapped.collect()).expect("a flight");
-    assert!(swapped.fit(&[]).expect("a fit").misfit() > 1.0);
 }
 
 #[test]
@@ -235,15 +319,26 @@ fn what_is_no_flight_is_refused() {
     let mut broken = rates.clone();
     broken[3] = DesignVector::new(1.0, f64::NAN, 3.0);
     let still = vec![DesignVector::zero(); 20];
+    // A sensor that shows 8 rad/s at most.
+    let flight = Throw { noise: 0.01, digit: 0.001, ..Throw::clean() }.recorded(&mut Random(1));
+    let most = |w: f64| w.clamp(-8.0, 8.0);
+    let flat: Vec<DesignVector> = flight.rates().map(|w| w.to_array().map(most).into()).collect();
     let told = [
         refused(&times[..19], &rates),
         refused(&times[..5], &rates[..5]),
         refused(&back, &rates),
         refused(&times, &broken),
         refused(&times, &still),
+        refused(&flight.times().collect::<Vec<_>>(), &flat),
     ];
-    for (told, words) in told.iter().zip(["19", "13", "later than 0.06", "rates", "does not turn"])
-    {
+    let words = ["19", "13", "later than 0.06", "rates", "does not turn", "sensor's range"];
+    for (told, words) in told.iter().zip(words) {
         assert!(told.contains(words), "{told}: no '{words}'");
     }
+    // Coarse digits of a slow top are none, nor is a steady spin, nor samples that are held.
+    let coarse = Throw { digit: 0.05, often: 400.0, samples: 320, ..Throw::clean() };
+    let (times, rates) = coarse.table(&mut Random(1));
+    assert!(Flight::new(times.clone(), rates.clone()).is_ok());
+    let held = (0..rates.len()).map(|k| rates[k / 4 * 4]).collect();
+    assert!(Flight::new(times, held).is_ok());
 }
