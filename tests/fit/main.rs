@@ -6,6 +6,7 @@
 //! ```
 
 mod least;
+mod swing;
 mod throw;
 
 use rotation_dynamics::fit::{Correction, Estimate, Fit, Flight};

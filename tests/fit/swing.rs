@@ -4,7 +4,7 @@
 //! integrator, by which they are fitted.
 //!
 //! ```text
-//! SWINGS=5000 cargo test --package checks --test swing -- --nocapture
+//! SWINGS=5000 cargo test --package checks --test fit swing -- --nocapture
 //! ```
 
 use rotation_dynamics::Error;
