@@ -123,7 +123,7 @@
             [this.file, this.refusal, this.status, this.result] = ["[type=file]", ".refusal", ".status", ".result"].map(part);
             this.file.addEventListener("change", () => this.chosen(this.file.files[0]));
             part(".made").addEventListener("click", () => this.madeUp());
-            for (const entry of root.querySelectorAll("[data-flag]")) entry.addEventListener("change", () => this.given && this.read(...this.given));
+            for (const entry of root.querySelectorAll("[data-flag]")) entry.addEventListener("change", () => this.changed(entry));
             // The arrow keys turn pages, but not from here.
             root.addEventListener("keydown", (event) => event.stopPropagation());
             for (const kind of ["dragenter", "dragover", "dragleave", "drop"]) {
@@ -133,6 +133,13 @@
                 });
             }
             root.addEventListener("drop", (event) => this.chosen(event.dataTransfer.files[0]));
+        }
+
+        /** A piece is a throw, or from one time to another. */
+        changed({ dataset: { flag } }) {
+            const others = { throw: "[data-flag=from], [data-flag=to]", from: "[data-flag=throw]", to: "[data-flag=throw]" }[flag];
+            if (others) for (const other of this.root.querySelectorAll(others)) other.value = "";
+            if (this.given) this.read(...this.given);
         }
 
         get machine() {
@@ -157,7 +164,7 @@
             try {
                 return await answer();
             } catch (error) {
-                if (error.message !== "stopped") this.refusal.textContent = error.message.replace(/^error: /, "").trim();
+                if (error.message !== "stopped") this.refusal.textContent = error.message.replace(/^error: |For more information[^]*$/g, "").trim();
                 return null;
             } finally {
                 clearInterval(clock);
@@ -190,8 +197,9 @@
         choose(number) {
             const button = make("button", { type: "button", "aria-label": `Fit throw ${number}` }, number);
             button.addEventListener("click", () => {
-                this.root.querySelector("[data-flag=throw]").value = number;
-                this.read(...this.given);
+                const entry = this.root.querySelector("[data-flag=throw]");
+                entry.value = number;
+                this.changed(entry);
             });
             return button;
         }
