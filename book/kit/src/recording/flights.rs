@@ -19,6 +19,7 @@ use super::columns::GRAVITY;
 use super::read::GAP;
 use super::{FEWEST, Recording, middle, refused};
 use crate::error::Result;
+use core::f64::consts::SQRT_2;
 use core::ops::Range;
 use rotation_dynamics::nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3, Vector6};
 
@@ -45,6 +46,10 @@ const MOST: f64 = 1.0;
 /// in ten million samples.
 const ENDS: f64 = 3.5;
 
+/// A piece goes on beyond so short a time (s) without an equation that holds: a gap, stamps of time that are
+/// wrong, a flip too fast for straight lines. No hand catches and throws in it.
+const BRIDGE: f64 = 0.1;
+
 /// The most that accelerations may be off in flight (m/s^2), as a root of the mean square. A phone
 /// that is carried is off by one g.
 const MOST_OFF: f64 = 0.3 * GRAVITY;
@@ -58,39 +63,89 @@ pub struct Flight {
     pub torque: f64,
 }
 
-/// Sums over samples from which the tensor follows.
+/// Sums over equations from which the tensor follows.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sums {
-    torque: Matrix6<f64>,
-    momentum: Matrix6<f64>,
+    torque: [[f64; 6]; 6],
+    momentum: [[f64; 6]; 6],
     count: f64,
 }
 
 impl Sums {
-    fn with(&self, other: &Self) -> Self {
-        Self {
-            torque: self.torque + other.torque,
-            momentum: self.momentum + other.momentum,
-            count: self.count + other.count,
+    fn add(&mut self, equation: &Equation) {
+        let sums = [(&mut self.torque, &equation.torque), (&mut self.momentum, &equation.momentum)];
+        for (sum, of) in sums {
+            for i in 0..6 {
+                let [x, y, z] = of[i];
+                for j in 0..=i {
+                    let product = x * of[j][0] + y * of[j][1] + z * of[j][2];
+                    sum[i][j] += product;
+                    if j < i {
+                        sum[j][i] += product;
+                    }
+                }
+            }
         }
+        self.count += 1.0;
+    }
+
+    fn with(mut self, other: &Self) -> Self {
+        for i in 0..6 {
+            for j in 0..6 {
+                self.torque[i][j] += other.torque[i][j];
+                self.momentum[i][j] += other.momentum[i][j];
+            }
+        }
+        self.count += other.count;
+        self
+    }
+
+    /// Whether every tensor leaves more |torque|/|L| than this: torque - most^2 momentum is positive definite. It
+    /// takes a hundredth of the time of the tensor.
+    fn exceeds(&self, most: f64) -> bool {
+        let mut m = self.torque;
+        for i in 0..6 {
+            for j in 0..=i {
+                m[i][j] -= most * most * self.momentum[i][j];
+            }
+        }
+        for k in 0..6 {
+            if m[k][k] <= 0.0 {
+                return false;
+            }
+            for i in k + 1..6 {
+                let factor = m[i][k] / m[k][k];
+                for j in k + 1..=i {
+                    m[i][j] -= factor * m[j][k];
+                }
+            }
+        }
+        true
     }
 
     /// The tensor of least torque.
     fn tensor(&self) -> Option<Vector6<f64>> {
+        let [torque, mut momentum] =
+            [self.torque, self.momentum].map(|m| Matrix6::from_fn(|i, j| m[i][j]));
         // Directions that no rate has are given a millionth, so that none is without momentum.
-        let floor = 1e-6 * self.momentum.trace();
-        let scale = (self.momentum + Matrix6::identity() * floor).cholesky()?.l();
-        let half = scale.solve_lower_triangular(&self.torque)?;
+        momentum += Matrix6::identity() * (1e-6 * momentum.trace());
+        let scale = momentum.cholesky()?.l();
+        let half = scale.solve_lower_triangular(&torque)?;
         let whole = scale.solve_lower_triangular(&half.transpose())?;
         let eigen = SymmetricEigen::new(0.5 * (whole + whole.transpose()));
         let least = eigen.eigenvectors.column(eigen.eigenvalues.imin()).into_owned();
         scale.transpose().solve_upper_triangular(&least)
     }
 
+    /// The sum of the squares of torque or momentum with this tensor.
+    fn square(of: &[[f64; 6]; 6], tensor: &Vector6<f64>) -> f64 {
+        let row = |i: usize| (0..6).map(|j| of[i][j] * tensor[j]).sum::<f64>();
+        (0..6).map(|i| tensor[i] * row(i)).sum::<f64>().max(0.0)
+    }
+
     /// The root of the mean square of |torque|/|L| with this tensor.
     fn size(&self, tensor: &Vector6<f64>) -> f64 {
-        let of = |matrix: &Matrix6<f64>| tensor.dot(&(matrix * tensor)).max(0.0);
-        (of(&self.torque) / of(&self.momentum)).sqrt()
+        (Self::square(&self.torque, tensor) / Self::square(&self.momentum, tensor)).sqrt()
     }
 
     /// The part of that which noise of this standard deviation makes: 2 noise^2 |J|^2/|L dt|^2 in the mean
@@ -98,7 +153,7 @@ impl Sums {
     fn by_noise(&self, tensor: &Vector6<f64>, noise: f64) -> f64 {
         let [xx, yy, zz, xy, yz, zx] = (*tensor).into();
         let squares = xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + yz * yz + zx * zx);
-        noise * (2.0 * self.count * squares / tensor.dot(&(self.momentum * tensor))).sqrt()
+        noise * (2.0 * self.count * squares / Self::square(&self.momentum, tensor)).sqrt()
     }
 
     /// Whether there is torque beyond what noise makes, or noise hides it. (A tensor with hardly a moment about
@@ -109,10 +164,33 @@ impl Sums {
     }
 }
 
-/// Samples that turn fast, without a gap.
+/// The equation of torque over a lag: for each element of the tensor, what is left of it and L dt.
+struct Equation {
+    torque: [[f64; 3]; 6],
+    momentum: [[f64; 3]; 6],
+}
+
+impl Equation {
+    /// The lengths of torque and momentum with this tensor.
+    fn sizes(&self, tensor: &Vector6<f64>) -> [f64; 2] {
+        [&self.torque, &self.momentum].map(|of| {
+            let mut sum = [0.0; 3];
+            for (e, own) in of.iter().enumerate() {
+                for k in 0..3 {
+                    sum[k] += tensor[e] * own[k];
+                }
+            }
+            Vector3::from(sum).norm()
+        })
+    }
+}
+
+/// Samples that turn fast.
 struct Fast<'a> {
     times: &'a [f64],
     rates: &'a [[f64; 3]],
+    /// To each sample, the integrals of x, y, z and of xx, yy, zz, xy, yz, zx, by straight lines.
+    integrals: Vec<[f64; 9]>,
     first: usize,
     /// Steps in a lag.
     lag: usize,
@@ -120,47 +198,73 @@ struct Fast<'a> {
     noise: f64,
 }
 
-impl Fast<'_> {
-    /// The equation of torque from sample k over a lag: for each element of the tensor, dL and L dt.
-    fn equation(&self, k: usize) -> Sums {
-        let rates = &self.rates[k..=k + self.lag];
-        let w = rates.iter().map(|w| Vector3::from(*w));
-        let change = Vector3::from(rates[self.lag]) - Vector3::from(rates[0]);
-        let mean = w.sum::<Vector3<f64>>() / rates.len() as f64;
-        let duration = self.times[k + self.lag] - self.times[k];
-        let mut turned = [Vector3::zeros(); 6];
-        for n in k..k + self.lag {
-            let half = 0.5 * (self.times[n + 1] - self.times[n]);
-            for w in [self.rates[n], self.rates[n + 1]].map(Vector3::from) {
-                for (sum, own) in turned.iter_mut().zip(momenta(w)) {
-                    *sum += half * w.cross(&own);
-                }
+impl<'a> Fast<'a> {
+    fn new(
+        times: &'a [f64],
+        rates: &'a [[f64; 3]],
+        first: usize,
+        lag: usize,
+        noise: f64,
+    ) -> Self {
+        let all = |[x, y, z]: [f64; 3]| [x, y, z, x * x, y * y, z * z, x * y, y * z, z * x];
+        let mut integrals = vec![[0.0; 9]];
+        for n in 1..times.len() {
+            let half = 0.5 * (times[n] - times[n - 1]);
+            let [mut sum, a, b] = [integrals[n - 1], all(rates[n - 1]), all(rates[n])];
+            for k in 0..9 {
+                sum[k] += half * (a[k] + b[k]);
+            }
+            integrals.push(sum);
+        }
+        Self { times, rates, integrals, first, lag, noise }
+    }
+
+    /// That from sample k.
+    fn equation(&self, k: usize) -> Equation {
+        let [from, to] = [k, k + self.lag].map(|n| self.integrals[n]);
+        let mut over = [0.0; 9];
+        for n in 0..9 {
+            over[n] = to[n] - from[n];
+        }
+        let [x, y, z, xx, yy, zz, xy, yz, zx] = over;
+        // w x (J w) for each element.
+        let mut torque = [
+            [0.0, zx, -xy],
+            [-yz, 0.0, xy],
+            [yz, -zx, 0.0],
+            [-zx, yz, xx - yy],
+            [yy - zz, -xy, zx],
+            [xy, zz - xx, -yz],
+        ];
+        let [a, b] = [k, k + self.lag].map(|n| self.rates[n]);
+        let change = momenta([b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
+        for (torque, change) in torque.iter_mut().zip(change) {
+            for k in 0..3 {
+                torque[k] += change[k];
             }
         }
-        let (of_change, of_mean) = (momenta(change), momenta(mean));
-        let mut sums = Sums { count: 1.0, ..Sums::default() };
-        let sides = [0, 1, 2, 3, 4, 5].map(|e| of_change[e] + turned[e]);
-        for i in 0..6 {
-            for j in 0..6 {
-                sums.torque[(i, j)] = sides[i].dot(&sides[j]);
-                sums.momentum[(i, j)] = duration * duration * of_mean[i].dot(&of_mean[j]);
-            }
-        }
-        sums
+        Equation { torque, momentum: momenta([x, y, z]) }
     }
 
     fn equations(&self) -> usize {
         self.times.len().saturating_sub(self.lag)
     }
 
-    fn sums(&self, equations: Range<usize>) -> Sums {
-        equations.fold(Sums::default(), |sums, k| sums.with(&self.equation(k)))
+    fn sums(&self, equations: impl Iterator<Item = usize>) -> Sums {
+        let mut sums = Sums::default();
+        equations.for_each(|k| sums.add(&self.equation(k)));
+        sums
     }
 
-    /// The torque of these sums with their own tensor, or of noise if that has more; none if a hand is in it.
-    fn unforced(&self, sums: &Sums) -> Option<(f64, Vector6<f64>)> {
+    /// The torque of these sums with their own tensor, or of noise if that has more; none if it is more than this, or
+    /// if a hand is in it.
+    fn unforced(&self, sums: &Sums, most: f64) -> Option<(f64, Vector6<f64>)> {
+        if sums.exceeds(most.min(SQRT_2 * MOST)) {
+            return None;
+        }
         let tensor = sums.tensor().filter(|tensor| !sums.is_forced(tensor, self.noise))?;
-        Some((sums.size(&tensor).max(sums.by_noise(&tensor, self.noise)), tensor))
+        let torque = sums.size(&tensor).max(sums.by_noise(&tensor, self.noise));
+        (torque <= most).then_some((torque, tensor))
     }
 
     /// The flights in these samples.
@@ -170,7 +274,7 @@ impl Fast<'_> {
         let blocks: Vec<Sums> = (0..count).map(|n| self.sums(block(n))).collect();
         let seed = |n: usize| {
             let sums = blocks[n..n + SEED].iter().fold(Sums::default(), |sums, own| sums.with(own));
-            Some((self.unforced(&sums)?.0, n, sums))
+            Some((self.unforced(&sums, f64::INFINITY)?.0, n, sums))
         };
         let mut seeds: Vec<_> =
             (0..(count + 1).saturating_sub(SEED)).step_by(2).filter_map(seed).collect();
@@ -188,9 +292,8 @@ impl Fast<'_> {
                 let fitting = |(n, wider): (usize, Range<usize>)| {
                     let own = blocks.get(n).filter(|_| !taken[n])?;
                     let all = sums.with(own);
-                    let (more, tensor) = self.unforced(&all)?;
-                    let fits = more <= 2.0 * torque && own.size(&tensor) <= ENDS * torque;
-                    fits.then_some((more, wider, all))
+                    let (more, tensor) = self.unforced(&all, 2.0 * torque)?;
+                    (own.size(&tensor) <= ENDS * torque).then_some((more, wider, all))
                 };
                 let Some(wider) = ways.into_iter().flatten().find_map(fitting) else { break };
                 (torque, piece, sums) = wider;
@@ -212,24 +315,31 @@ impl Fast<'_> {
 
     /// The flight to which these equations belong, with its ends.
     fn ends(&self, mut equations: Range<usize>, felt: Option<&[[f64; 3]]>) -> Option<Flight> {
-        let (mut torque, mut forced) = (0.0, true);
+        let (mut sums, mut torque) = (self.sums(equations.clone()), 0.0);
         // The tensor of all of it tells the ends, and the ends the tensor.
         for _ in 0..3 {
-            let sums = self.sums(equations.clone());
             let tensor = sums.tensor()?;
             torque = sums.size(&tensor);
-            forced = sums.is_forced(&tensor, self.noise);
-            let limit = ENDS * torque;
-            let ended = |k: usize| self.equation(k).size(&tensor) > limit;
+            if sums.is_forced(&tensor, self.noise) {
+                return None;
+            }
             let middle = (equations.start + equations.end) / 2;
-            let all = self.equations();
-            let end = (middle..all).find(|k| ended(*k) && (k + 1 == all || ended(k + 1)));
-            let start = (0..middle).rev().find(|k| ended(*k) && (*k == 0 || ended(k - 1)));
-            let next = start.map_or(0, |k| k + 1)..end.unwrap_or(all);
+            let reach = (LONGEST / self.step()) as usize;
+            let before: Vec<usize> = (middle.saturating_sub(reach)..middle).rev().collect();
+            let after: Vec<usize> = (middle..self.equations().min(middle + reach)).collect();
+            let [before, after] = [before, after].map(|way| {
+                let sizes = way.iter().map(|k| self.equation(*k).sizes(&tensor)).collect::<Vec<_>>();
+                let free = |[left, l]: &[f64; 2]| *left <= ENDS * torque * l;
+                let count = self.belong(&sizes, free);
+                way[..count].iter().copied().zip(sizes.iter().map(free)).collect::<Vec<_>>()
+            });
+            let next = middle - before.len()..middle + after.len();
             if next == equations || next.len() < SEED {
                 break;
             }
             equations = next;
+            let free = before.into_iter().rev().chain(after).filter(|(_, free)| *free);
+            sums = self.sums(free.map(|(k, _)| k));
         }
         // An equation ends a lag after it begins.
         let cut = self.lag.div_ceil(2);
@@ -239,7 +349,41 @@ impl Fast<'_> {
         }
         let duration = self.times[samples.end.checked_sub(1)?] - self.times[samples.start];
         let thrown = samples.len() >= FEWEST && (SHORTEST..=LONGEST).contains(&duration);
-        (thrown && !forced).then_some(Flight { samples, torque })
+        thrown.then_some(Flight { samples, torque })
+    }
+
+    /// How many of these equations belong to the flight in which they begin: until two in a row do not hold, unless
+    /// soon after as many hold as half a seed has, and |L| is the same there.
+    fn belong(&self, sizes: &[[f64; 2]], free: impl Fn(&[f64; 2]) -> bool) -> usize {
+        let (half, bridge) = (SEED / 2 * self.lag, (BRIDGE / self.step()) as usize + self.lag);
+        let momentum = |part: &[[f64; 2]]| {
+            part.iter().map(|[_, l]| l).sum::<f64>() / part.len() as f64
+        };
+        let mut n = 0;
+        while n < sizes.len() {
+            if free(&sizes[n]) || sizes.get(n + 1).is_some_and(&free) {
+                n += 1;
+                continue;
+            }
+            let goes_on = |m: &usize| {
+                let beyond = sizes.get(*m..m + half);
+                let beyond = beyond.filter(|part| part.iter().all(&free)).map(momentum);
+                let own = momentum(&sizes[n.saturating_sub(half)..n]);
+                let apart = (m - n + half) as f64 * self.step();
+                beyond.is_some_and(|beyond| (beyond - own).abs() <= MOST * apart * own)
+            };
+            match (n + 2..=n + bridge).find(goes_on) {
+                Some(m) => n = m + half,
+                None => break,
+            }
+        }
+        n
+    }
+
+    /// The mean step of time (s).
+    fn step(&self) -> f64 {
+        let last = self.times.len() - 1;
+        (self.times[last] - self.times[0]) / last as f64
     }
 
     /// The samples whose accelerations come from turning alone, around the middle of these.
@@ -269,10 +413,8 @@ impl Fast<'_> {
 }
 
 /// The angular momenta of these rates with tensors that have one element alone: xx, yy, zz, xy, yz, zx.
-fn momenta(w: Vector3<f64>) -> [Vector3<f64>; 6] {
-    let [x, y, z] = [w.x, w.y, w.z];
+fn momenta([x, y, z]: [f64; 3]) -> [[f64; 3]; 6] {
     [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z], [y, x, 0.0], [0.0, z, y], [z, 0.0, x]]
-        .map(Vector3::from)
 }
 
 pub(super) fn find(recording: &Recording) -> Result<Vec<Flight>> {
@@ -321,8 +463,7 @@ fn flights(recording: &Recording, lag: f64) -> Vec<Flight> {
     };
     let rates: Vec<[f64; 3]> = (0..rates.len()).map(mean).collect();
     let noise = raw / ((2 * around + 1) as f64).sqrt();
-    // Straight lines bridge a gap as long as that of an equation.
-    let longest = (GAP * step).max(LAG);
+    let longest = (GAP * step).max(BRIDGE);
     let mut found = Vec::new();
     let mut first = 0;
     while first < times.len() {
@@ -331,8 +472,7 @@ fn flights(recording: &Recording, lag: f64) -> Vec<Flight> {
         };
         let end = (first..times.len()).find(|k| !joined(k)).unwrap_or(times.len());
         let run = first..end;
-        let fast = Fast { times: &times[run.clone()], rates: &rates[run], first, lag, noise };
-        fast.flights(felt, &mut found);
+        Fast::new(&times[run.clone()], &rates[run], first, lag, noise).flights(felt, &mut found);
         first = end.max(first + 1);
     }
     found.sort_by_key(|flight| flight.samples.start);
