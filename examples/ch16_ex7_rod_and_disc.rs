@@ -4,6 +4,8 @@
 mod figures;
 #[path = "ch16_ex7_rod_and_disc/physics.rs"]
 pub mod physics;
+#[path = "ch16_ex7_rod_and_disc/recording.rs"]
+mod recording;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use kit::prelude::*;
@@ -324,5 +326,5 @@ example! {
     ch16_ex7_rod_and_disc: "Exercise 16.7: a pendulum of a rod and a disc";
     "A pendulum of rod and disc", "A rod hangs on a pivot; the disc at its end is fixed to it, or free on its axle.",
     [claims, limits, effects, held, accuracy];
-    figures::figures, figures::trajectory, figures::moving_picture
+    figures::figures, figures::trajectory, figures::moving_picture; recording::RECORDINGS
 }

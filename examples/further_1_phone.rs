@@ -2,11 +2,14 @@
 
 #[path = "further_1_phone/figures.rs"]
 mod figures;
+#[path = "further_1_phone/recording.rs"]
+mod recording;
 #[path = "further_1_phone/throw.rs"]
 pub mod throw;
 
 use core::f64::consts::{LN_10, PI, TAU};
 use kit::prelude::*;
+use models::throws::made;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::DesignVector;
@@ -487,9 +490,14 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     report.strip(&problem, &[p.tolerance, 1e-3, 1e-6, 1e-10])
 }
 
+/// All figures: the page's own, and those of the made-up recording.
+fn drawings(p: &Parameters) -> Result<Vec<Figure>> {
+    Ok([figures::figures(p)?, made::figures()?].concat())
+}
+
 example! {
     further_1_phone: "Further problem: a phone thrown up with a somersault";
     "A phone thrown up", "A phone is thrown up with a somersault about its middle axis, and a little beside it.",
-    [claims, limits, effects, ten_flips, rounding, accuracy];
-    figures::figures, figures::trajectory, figures::moving_picture
+    [claims, limits, effects, ten_flips, rounding, made::report, accuracy];
+    drawings, figures::trajectory, figures::moving_picture; recording::RECORDINGS
 }

@@ -13,8 +13,11 @@ use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{
     CoulombBearing, Effect, GravityAtLever, GravityGradient, KeplerOrbit, OrbitingBody, Torque,
 };
+use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
+use rotation_dynamics::fit::{Correction, Estimate, Fit, Flight};
+use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::scene::components;
 use rotation_dynamics::integrators::{self, Dop853, after, ode, size_or};
@@ -148,6 +151,50 @@ pub fn after_a_second(p: &Parameters) -> Result<State> {
     Ok(scene.solve(&start, 1.0, p.tolerance)?.state)
 }
 // ANCHOR_END: motor
+
+// ANCHOR: thrown
+/// The free body that fits what a gyroscope recorded in flight: lines `t,x,y,z` in s and rad/s.
+pub fn thrown(table: &str) -> rotation_dynamics::Result<Fit> {
+    let (mut times, mut rates) = (Vec::new(), Vec::new());
+    for line in table.lines() {
+        // What is no number is refused as one that is not finite.
+        let cell = |cell: &str| cell.trim().parse().unwrap_or(f64::NAN);
+        let cells: Vec<f64> = line.split(',').map(cell).collect();
+        if let [t, x, y, z] = cells[..] {
+            times.push(t);
+            rates.push(DesignVector::new(x, y, z));
+        }
+    }
+    Flight::new(times, rates)?.fit(&Correction::ALL)
+}
+
+/// The ratios of the moments with their intervals, and what else the data call for.
+pub fn told(fit: &Fit) -> Vec<String> {
+    let ratio = |(name, i)| match fit.ratio(i, 2) {
+        Some(Estimate { value, from, to }) => {
+            format!("{name} = {value:.4}, {from:.4} to {to:.4}")
+        }
+        None => format!("{name} is not determined"),
+    };
+    let needed = fit.decisions().iter().filter(|decision| decision.needed);
+    let needed = needed.map(|decision| format!("{:?}", decision.correction));
+    [("I1/I3", 0), ("I2/I3", 1)].map(ratio).into_iter().chain(needed).collect()
+}
+// ANCHOR_END: thrown
+
+/// The moments of a phone, and a recording of its flight, in hundredths of rad/s.
+const PHONE: [f64; 3] = [1.0, 4.0, 4.8];
+
+fn recorded() -> Result<String> {
+    let [i1, i2, i3] = PHONE;
+    let start = BodyVector::new(0.4, 9.0, 0.5);
+    let body = FreeBody::new(PrincipalMoments::new(i1, i2, i3)?, Attitude::IDENTITY, start)?;
+    let line = |t: f64| {
+        let [x, y, z] = body.angular_velocity(t).to_array();
+        format!("{t:.3},{x:.2},{y:.2},{z:.2}\n")
+    };
+    Ok(times(0.0, 0.8, 160).map(line).collect())
+}
 
 /// The angle from the vertical to the satellite's long axis at the time `t`, rad.
 pub fn swing(p: &Parameters, t: f64, state: &State) -> f64 {
@@ -284,6 +331,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     let squares: f64 = (0..9).map(|n| square(n / 3, n % 3)).sum();
     let trace = matrix[0][0] + matrix[1][1] + matrix[2][2];
+    let flight = thrown(&recorded()?)?;
+    report.add(Table::of("thrown", ["what it says"], told(&flight), |line| Ok([line]))?)?;
+    let ratio = |i| flight.ratio(i, 2).map_or([f64::NAN; 2], |r| [r.value, 0.5 * (r.to - r.from)]);
+    let thrown = [0, 1].map(ratio);
     claims! { report,
         /// satellite: period of its swing about the vertical
         swing_period: period, "s", "the solved motion hangs straight" => measured_period(p)?,
@@ -321,6 +372,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// phone: its turn after a third of the way
         third: third.rotation_vector().norm(), "rad",
             "a third of acos((trace - 1)/2)" => acos(0.5 * (trace - 1.0)) / 3.0, within 1e-14;
+        /// thrown phone: least moment over the largest
+        thrown_13: thrown[0][0], "-", "made with" => PHONE[0] / PHONE[2], within thrown[0][1];
+        /// thrown phone: middle moment over the largest
+        thrown_23: thrown[1][0], "-", "made with" => PHONE[1] / PHONE[2], within thrown[1][1];
         /// motor: angular velocity along the axle after a second
         motor_spin: last, "rad/s", "solved" => spin, within p.tolerance * last,
         in "The motor":

@@ -9,6 +9,7 @@
 //! | the same, and events to find | `solve_along`, then [`crossings`](accuracy::SolvedMotion::crossings) | their times, with an estimate of the error |
 //! | a fixed price per step, or a loop that feeds back | a stepper: [`GaussLegendre`], [`Splitting`], [`Rk4`] on the scene ([`Integrator`]) | steps of your choice; the error is yours to measure ([`accuracy`]) |
 //! | equations of your own | [`ode`](integrators::ode) or [`second_order`](integrators::second_order), by [`Dop853`] | dense output, located events |
+//! | rates that a gyroscope recorded in free flight | [`Flight::fit`](fit::Flight::fit) | ratios of moments of inertia with intervals, and which corrections the rates need |
 //! | contacts and impacts in a plane | [`planar`] | phases, impacts and rest, each located |
 //!
 //! If it is not clear which: `solve`. It takes the closed form where the scene has one.
@@ -206,6 +207,7 @@ pub mod documents;
 pub mod effects;
 pub mod error;
 pub mod exact;
+pub mod fit;
 pub mod frame;
 pub mod inertia;
 pub mod integrators;

@@ -3,7 +3,10 @@
 
 use kit::cli::Outcome;
 use kit::draw::{Curve, Ink, Panel};
-use kit::{Example, Figure, Report, Result, Trajectory, claim, parse};
+use kit::{
+    Decided, Error, Example, Figure, Found, MovingPicture, Recorded, Recordings, Report, Result,
+    Trajectory, claim, parse,
+};
 use std::fs;
 use std::path::PathBuf;
 
@@ -60,6 +63,7 @@ const EXAMPLE: Example<Parameters> = Example {
     figures,
     trajectory,
     moving_picture: None,
+    recordings: None,
 };
 
 fn answer(arguments: &str) -> Outcome {
@@ -417,6 +421,7 @@ const SWING: Example<Swing> = Example {
     figures: |_| Ok(Vec::new()),
     trajectory: |_| Trajectory::new(["t [s]"]),
     moving_picture: None,
+    recordings: None,
 };
 
 fn swing(arguments: &str) -> Outcome {
@@ -522,4 +527,100 @@ fn help_lists_the_effects_with_unit_range_and_strength() {
         assert!(help.contains(part), "{part} in {help}");
     }
     assert!(!help.contains("--friction"), "{help}");
+}
+
+/// A rod that says how many bytes a recording has, unless it is empty.
+const READS: Example<Parameters> = Example {
+    recordings: Some(Recordings {
+        throws: true,
+        made: || "1,2,3".into(),
+        recorded: |p, name, bytes, asked| {
+            let mut report = Report::new("A recording", format!("the file {name}"))?;
+            let empty = Error::Text { text: name.into(), allowed: "an empty file has no rates" };
+            let count = (!bytes.is_empty()).then_some(bytes.len() as f64).ok_or(empty)?;
+            let piece = [asked.from, asked.to, asked.throw.map(|n| n as f64)];
+            let found = vec![
+                Found::number("bytes", "how many", "-", count, 6),
+                Found::estimate(
+                    "length",
+                    "of the rod",
+                    "m",
+                    [p.length, p.length - 0.02, p.length + 0.02],
+                ),
+                Found::word("piece", "what is asked for", format!("{piece:?} {:?}", asked.given)),
+                Found::open("mass", "of the rod", "nothing tells it"),
+            ];
+            report.add(Found::table(&found)?)?;
+            let decided = vec![Decided {
+                name: "offset",
+                needed: true,
+                improvement: 20.0,
+                threshold: 10.83,
+                values: vec![[0.0123, 0.0102, 0.0144]],
+                unit: "m",
+            }];
+            report.add(Decided::table(&decided)?)?;
+            let trajectory = trajectory(p)?;
+            let still = MovingPicture::new(0.0..=1.0, [1.0], |_| {
+                Ok(figures(&Parameters::default())?.remove(0))
+            })?;
+            let (pictures, captions) = (vec![("recorded", still)], vec![("line", "A line.")]);
+            let figures = figures(p)?;
+            Ok(Recorded { report, found, decided, figures, trajectory, pictures, captions })
+        },
+    }),
+    ..EXAMPLE
+};
+
+#[test]
+fn a_recording_is_read_and_told() {
+    let scratch = Scratch::new("recording");
+    let path = |name: &str| scratch.0.join(name).display().to_string();
+    let told = |words: &str| READS.answer(words.split_whitespace());
+    let (file, none) = (path("throw.csv"), path("none.csv"));
+    assert_eq!(told(&format!("--made-up {file}")).code, 0);
+    assert_eq!(fs::read_to_string(&file).expect("it is written"), "1,2,3");
+    let read = told(&format!("--recording {file} --from 1 --to 1.5 --length 2"));
+    let parsed = parse(&read.stdout).expect("the text follows its grammar");
+    let rows = parsed.table("table found").expect("it is told").rows();
+    assert_eq!(rows[0][..3], ["bytes", "5", "-"]);
+    assert_eq!(rows[1][..4], ["length", "2.000", "1.980", "2.020"]);
+    assert_eq!(rows[2][1], "[Some(1.0), Some(1.5), None] [\"length\"]");
+    assert_eq!([&rows[3][1], &rows[3][5]], ["not determined", "of the rod: nothing tells it"]);
+    let rows = parsed.table("table corrections").expect("it is told").rows();
+    assert_eq!(rows[0], ["offset", "called for", "20.0", "10.8", "0.0123 ± 0.0021, m"]);
+    // As JSON, with files.
+    let (svg, csv) = (path("svg"), path("rates.csv"));
+    let json = told(&format!("--recording {file} --throw 2 --json --csv {csv} --svg {svg}"));
+    let value: serde_json::Value = serde_json::from_str(&json.stdout).expect("JSON");
+    assert_eq!(
+        (value["found"][1]["from"].as_f64(), value["found"][3]["value"].is_null()),
+        (Some(2.98), true)
+    );
+    let offset = &value["corrections"][0];
+    assert_eq!(
+        (offset["needed"].as_bool(), offset["values"][0]["to"].as_f64()),
+        (Some(true), Some(0.0144))
+    );
+    assert_eq!(value["tables"][0]["rows"][2][1], "[None, None, Some(2.0)] []");
+    assert_eq!(fs::read_dir(&svg).expect("figures").count(), 2);
+    assert!(fs::read_to_string(&csv).expect("a file").starts_with("t [s],"));
+    // What is refused, each with its reason; the last is a page that reads nothing.
+    fs::write(path("empty.csv"), "").expect("a file");
+    let refusals = [
+        (READS.answer(["--recording", &none]), "none.csv cannot be read"),
+        (READS.answer(["--recording", &path("empty.csv")]), "an empty file has no rates"),
+        (
+            READS.answer(["--recording", &file, "--throw", "1", "--from", "2"]),
+            "cannot be used with",
+        ),
+        (READS.answer(["--from", "2"]), "--recording"),
+        (READS.answer(["--recording", &file, "--check", "inertia=2"]), "cannot be used with"),
+        (READS.answer(["--recording", &file, "--length", "-2"]), "length = -2 is not allowed"),
+        (EXAMPLE.answer(["--recording", &file]), "this example reads no recordings"),
+    ];
+    for (outcome, said) in refusals {
+        assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{said}");
+        assert!(outcome.stderr.contains(said), "{said}: {}", outcome.stderr);
+    }
 }

@@ -1,8 +1,8 @@
 //! What the module tells, as JSON.
 
 use kit::cli::{Leaf, Outcome};
-use kit::draw::PALETTE;
-use kit::{Answer, Error, Figure, Lab, MovingPicture, Result, Verdict, claim, quoted};
+use kit::draw::{PALETTE, Turn};
+use kit::{Answer, Error, Figure, Lab, MovingPicture, Recorded, Result, Verdict, claim, quoted};
 use rotation_dynamics::integrators::Method;
 
 /// `{"error": …}`.
@@ -58,15 +58,38 @@ pub fn outcome(outcome: &Outcome, files: &[Leaf]) -> String {
 pub fn figures(drawn: core::result::Result<Vec<Figure>, Outcome>) -> String {
     match drawn {
         Err(told) => error(&format!("{}{}", told.stdout, told.stderr)),
-        Ok(figures) => {
-            let figures = figures.iter().map(|figure| {
-                let svg = figure.svg();
-                let [name, alt, svg] = [&figure.name, &figure.alt, &svg].map(|s| quoted(s));
-                format!("{{\"name\": {name}, \"alt\": {alt}, \"svg\": {svg}}}")
-            });
-            format!("{{\"figures\": {}}}", list(figures))
-        }
+        Ok(figures) => format!(
+            "{{\"figures\": {}}}",
+            list(figures.iter().map(|one| format!("{{{}}}", drawing(one))))
+        ),
     }
+}
+
+/// The entries of a figure.
+fn drawing(figure: &Figure) -> String {
+    let svg = figure.svg();
+    let [name, alt, svg] = [&figure.name, &figure.alt, &svg].map(|s| quoted(s));
+    format!("\"name\": {name}, \"alt\": {alt}, \"svg\": {svg}")
+}
+
+/// What a recording says.
+pub fn recorded(stem: &str, told: &Recorded) -> Result<String> {
+    let pictures = told.pictures.iter().map(|(name, picture)| {
+        let (opened, caption) = (opened(picture)?, quoted(told.caption(name)));
+        let (_, turns) = picture.seen(*picture.span().start(), Turn::default())?;
+        Ok(format!("{{\"caption\": {caption}, \"turns\": {turns}, {}", &opened[1..]))
+    });
+    let pictures: Vec<String> = pictures.collect::<Result<_>>()?;
+    let figures = told.figures.iter().map(|figure| {
+        format!("{{\"caption\": {}, {}}}", quoted(told.caption(&figure.name)), drawing(figure))
+    });
+    Ok(format!(
+        "{{\"told\": {}, \"text\": {}, \"figures\": {}, \"pictures\": {}}}",
+        told.json(stem)?,
+        quoted(&told.report.output()?),
+        list(figures),
+        list(pictures)
+    ))
 }
 
 /// What a reader asks of a page's methods.

@@ -19,6 +19,8 @@ struct Kept {
     failure: String,
     alt: String,
     picture: Option<MovingPicture>,
+    /// What moves of the last recording.
+    recorded: Vec<MovingPicture>,
     /// Of which page, for which settings.
     lab: Option<(usize, String, Option<Lab>)>,
 }
@@ -29,6 +31,7 @@ static KEPT: Mutex<Kept> = Mutex::new(Kept {
     failure: String::new(),
     alt: String::new(),
     picture: None,
+    recorded: Vec::new(),
     lab: None,
 });
 
@@ -42,14 +45,18 @@ fn leave(bytes: impl Into<Vec<u8>>) -> usize {
     kept.output.len()
 }
 
-/// The text that the caller wrote; once.
-fn taken() -> String {
-    String::from_utf8_lossy(&core::mem::take(&mut kept().input)).into_owned()
+/// What the caller wrote; once.
+fn written() -> Vec<u8> {
+    core::mem::take(&mut kept().input)
 }
 
-/// The arguments that the caller wrote, parted by NUL.
-fn arguments() -> Vec<String> {
-    let text = taken();
+/// The text that the caller wrote; once.
+fn taken() -> String {
+    String::from_utf8_lossy(&written()).into_owned()
+}
+
+/// Arguments that are parted by NUL.
+fn parted(text: &str) -> Vec<String> {
     if text.is_empty() {
         return Vec::new();
     }
@@ -97,11 +104,25 @@ pub extern "C" fn open(n: usize) -> usize {
 #[unsafe(no_mangle)]
 pub extern "C" fn frame(t: f64, about: f64, up: f64) -> usize {
     let picture = kept().picture.take();
-    let drawn = match &picture {
-        None => Err("no moving picture is open".into()),
-        Some(picture) => picture.seen(t, Turn { about, up }).map_err(|e| e.to_string()),
-    };
+    let length = drawn(picture.as_ref(), t, Turn { about, up });
     kept().picture = picture;
+    length
+}
+
+/// The same of a picture of the last recording.
+#[unsafe(no_mangle)]
+pub extern "C" fn shown(k: usize, t: f64, about: f64, up: f64) -> usize {
+    let pictures = core::mem::take(&mut kept().recorded);
+    let length = drawn(pictures.get(k), t, Turn { about, up });
+    kept().recorded = pictures;
+    length
+}
+
+fn drawn(picture: Option<&MovingPicture>, t: f64, turn: Turn) -> usize {
+    let drawn = match picture {
+        None => Err("no moving picture is open".into()),
+        Some(picture) => picture.seen(t, turn).map_err(|e| e.to_string()),
+    };
     match drawn {
         Ok((figure, _)) => {
             kept().alt = figure.alt;
@@ -178,7 +199,7 @@ pub extern "C" fn judged() -> usize {
 /// Leaves `{"stdout", "stderr", "code", "files": [{"name", "text"}]}`.
 #[unsafe(no_mangle)]
 pub extern "C" fn run(n: usize) -> usize {
-    let (outcome, files) = page(n).answer_with_files(arguments());
+    let (outcome, files) = page(n).answer_with_files(parted(&taken()));
     leave(answers::outcome(&outcome, &files))
 }
 
@@ -186,7 +207,32 @@ pub extern "C" fn run(n: usize) -> usize {
 /// "svg"}]}` or `{"error"}`.
 #[unsafe(no_mangle)]
 pub extern "C" fn figures(n: usize) -> usize {
-    leave(answers::figures(page(n).figures_for(arguments())))
+    leave(answers::figures(page(n).figures_for(parted(&taken()))))
+}
+
+/// Leaves a made-up recording, for a page that reads them.
+#[unsafe(no_mangle)]
+pub extern "C" fn made(n: usize) -> usize {
+    leave(page(n).made().unwrap_or_default())
+}
+
+/// What a page makes of a recording. What was written are arguments, parted by NUL, of this length, and then
+/// the bytes of the file that `--recording` names. Leaves `{"told", "text", "figures":
+/// [{"caption", "name", "alt", "svg"}], "pictures": [{"caption", "turns", "span", "time", "stills"}]}`, `told` as
+/// `kit::Recorded::json` has it, or `{"error"}`; the pictures are those that [`shown`] draws.
+#[unsafe(no_mangle)]
+pub extern "C" fn recorded(n: usize, head: usize) -> usize {
+    let input = written();
+    let (arguments, bytes) = input.split_at(head.min(input.len()));
+    let arguments = parted(&String::from_utf8_lossy(arguments));
+    kept().recorded.clear();
+    let told = page(n).recorded_for(arguments, bytes).map_err(|told| told.stdout + &told.stderr);
+    let told = told.and_then(|recorded| {
+        let text = answers::recorded(page(n).stem(), &recorded).map_err(|e| e.to_string())?;
+        kept().recorded = recorded.pictures.into_iter().map(|(_, picture)| picture).collect();
+        Ok(text)
+    });
+    leave(told.unwrap_or_else(|reason| answers::error(&reason)))
 }
 
 /// What accuracy costs, by the reader's choice: lines of settings, and of `method=NAME` with

@@ -13,8 +13,10 @@ import { fileURLToPath } from 'node:url';
 import { runInThisContext } from 'node:vm';
 import { gzipSync } from 'node:zlib';
 
-/** Which pages a module has: those whose stem matches, and no part before it. */
-const PARTS = { exercises: /^ch\d+_ex/, chapter_15: /^ch15/, chapter_16: /^(ch16|further)/, effects: /./ };
+/** Which pages a module has: those whose stem matches, and no part before it. The library's page fits throws, too. */
+const PARTS = { exercises: /^ch\d+_ex/, chapter_15: /^ch15/, chapter_16: /^ch16/, further: /^(further|library)/, effects: /./ };
+/** In which the library is compiled for speed: a throw is fitted in a third of the time, for 11 % more bytes. */
+const FAST = ['further'];
 const TARGET = 'wasm32-wasip1';
 const COMMITTED = 'book/modules';
 /** What every module is compiled of, besides its examples. */
@@ -52,7 +54,8 @@ function made(part, small) {
     // The same bytes wherever it is compiled; lanes of two doubles, the same bits as one by one.
     CARGO_ENCODED_RUSTFLAGS: [`--remap-path-prefix=${root.slice(0, -1)}=.`, `--remap-path-prefix=${crates}=crates`, '-Ctarget-feature=+simd128'].join('\x1f'),
   };
-  call(process.env.CARGO ?? 'cargo', ['build', '--quiet', '--locked', '--profile', 'page', '--package', 'live', '--target', TARGET], { env });
+  const fast = FAST.includes(part) ? ['--config', 'profile.page.package.rotation-dynamics.opt-level=2'] : [];
+  call(process.env.CARGO ?? 'cargo', [...fast, 'build', '--quiet', '--locked', '--profile', 'page', '--package', 'live', '--target', TARGET], { env });
   const [compiled, file] = [join(target, TARGET, 'page/live.wasm'), join(target, `${part}.wasm`)];
   if (!small) return gzipSync(readFileSync(compiled));
   call('wasm-opt', ['-Oz', '--enable-simd', '--enable-bulk-memory', '--enable-sign-ext', '--enable-nontrapping-float-to-int', compiled, '-o', file]);

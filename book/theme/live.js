@@ -210,6 +210,14 @@ const Live = (() => {
         }
     };
     if (able) document.addEventListener("click", bring);
+    // What reads recordings, where there is a field for them: by the time that it is seen.
+    const fields = able ? document.querySelectorAll(".recording") : [];
+    const field = fields.length > 0 && new IntersectionObserver((entries) => {
+        if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
+        field.disconnect();
+        once("recording", script).catch(() => {}); // A file that is chosen stays chosen.
+    }, { rootMargin: "400px" });
+    for (const one of fields) field.observe(one);
 
     // ---- A touch begins when a finger or a key comes down; the click that follows a tenth of a
     // second later finds under way what it needs.

@@ -14,6 +14,7 @@ globalThis.document = {
     getElementById: () => ({ textContent: JSON.stringify({ pages, inks: ["fig-ink"] }) }),
     documentElement: { classList: { contains: () => true } },
     addEventListener: () => {},
+    querySelectorAll: () => [],
     createElement: () => ({}),
     head: { append: (script) => { asked.push(script.src); Live.packed("module", "source"); script.onload(); } },
 };

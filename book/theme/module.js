@@ -37,15 +37,15 @@ async function instance(module) {
 
 // Answers calls one after the other. A call is `{id, gz?, call?, page?, text?, numbers?}`: `gz`
 // gives another module; `call` is an export, given the numbers and, if it takes one more, the
-// page's; `text` is its input. The answer is `{id, text}`, of `frame` `{id, bytes}`, with `told`
-// also `alt`, what it shows in words, or `{id, error}`.
+// page's; `text` is its input, or its bytes. The answer is `{id, text}`, of `frame` and `shown`
+// `{id, bytes}`, with `told` also `alt`, what it shows in words, or `{id, error}`.
 function caller() {
   let module;
   let wasm;
-  let opened; // the last `open`, and the instance that has it
+  let opened; // the last call that prepared pictures, and the instance that has them
   const invoke = ({ call, page, text, numbers = [] }) => {
     if (text !== undefined) {
-      const bytes = new TextEncoder().encode(text);
+      const bytes = typeof text === 'string' ? new TextEncoder().encode(text) : text;
       const at = wasm.input(bytes.length); // may move the memory
       new Uint8Array(wasm.memory.buffer, at, bytes.length).set(bytes);
     }
@@ -59,8 +59,8 @@ function caller() {
       if (gz) [module, wasm] = [compiled(gz), undefined];
       wasm ??= await instance(await module);
       if (message.call === undefined) return { id };
-      if (message.call === 'open') opened = { message, wasm };
-      if (message.call !== 'frame') return { id, text: told(message) };
+      if (message.call === 'open' || message.call === 'recorded') opened = { message, wasm };
+      if (message.call !== 'frame' && message.call !== 'shown') return { id, text: told(message) };
       if (opened && opened.wasm !== wasm) {
         told(opened.message);
         opened.wasm = wasm;

@@ -3,30 +3,12 @@
 
 use super::*;
 use core::f64::consts::FRAC_PI_2;
-use kit::draw::{Camera, Solid};
+use models::throws::{self, camera};
 use rotation_dynamics::attitude::Attitude;
 
-/// From behind the thrower's right shoulder: away from the hand is to the right and back, the
-/// thrower's right is to the right and in front.
-fn camera() -> Camera {
-    Camera::new(-2.3, 0.5)
-}
-
-/// The phone about `centre`: its screen dark, with a light strip at its lower end, and on its
-/// back a camera.
+/// The phone about `centre`.
 fn phone(view: View, p: &Parameters, attitude: &Attitude, centre: SpaceVector) -> View {
-    // A thinner one could not be told from a sheet.
-    let lengths = [p.length, p.width, p.thickness.max(0.05 * p.length)];
-    let axis = |i: usize| BodyVector::from_array([0, 1, 2].map(|k| f64::from(u8::from(k == i))));
-    let edges = [0, 1, 2].map(|i| attitude.to_space(axis(i)) * lengths[i]);
-    // The screen is on the side -3; in percent of light it is dark in both themes.
-    let (phone, screen) = ((centre, edges), 8);
-    view.solid(Solid::cuboid(centre, edges), Ink::Body)
-        .patch_on(phone, (2, -1.04), [[-0.95, 0.95], [-0.9, 0.9]], Ink::Ink, screen)
-        .patch_on(phone, (2, -1.08), [[-0.87, -0.84], [-0.3, 0.3]], Ink::Paper, 100)
-        .patch_on(phone, (2, 1.04), [[0.5, 0.88], [-0.78, -0.1]], Ink::Ink, screen)
-        .patch_on(phone, (2, 1.08), [[0.73, 0.84], [-0.68, -0.46]], Ink::Paper, 100)
-        .patch_on(phone, (2, 1.08), [[0.54, 0.65], [-0.68, -0.46]], Ink::Paper, 100)
+    throws::phone(view, [p.length, p.width, p.thickness], attitude, centre)
 }
 
 /// The rates over that of the turn, and the time in turns.

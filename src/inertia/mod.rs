@@ -88,6 +88,15 @@ impl PrincipalMoments {
         Ok(Self { moments })
     }
 
+    /// Positive numbers in the place of moments: those of a body or not. Euler's equations, and their
+    /// closed form, ask for no more.
+    pub(crate) fn of_any(moments: [f64; 3]) -> Result<Self> {
+        for (name, moment) in ["I1", "I2", "I3"].into_iter().zip(moments) {
+            positive(name, moment)?;
+        }
+        Ok(Self { moments })
+    }
+
     /// A symmetric body: `i1` about every axis across, `i3` about the axis.
     ///
     /// Errors: as [`PrincipalMoments::new`]; so i3 <= 2 i1.

@@ -229,7 +229,7 @@ fn every_test_is_run() {
     run.insert("book/main.rs".to_owned());
     assert_eq!(listed("book/builder/Cargo.toml").len(), 1);
     assert_eq!(found, run);
-    assert_eq!(found.len(), 17);
+    assert_eq!(found.len(), 19);
 }
 
 /// Each damage: the file, what is replaced by what, and how the message begins.
@@ -498,6 +498,7 @@ fn what_moves_is_made_where_there_are_modules() {
     write("book/modules/a.gz", "abc");
     write("book/theme/module.js", "\"joins\"\n");
     write("book/theme/run.js", "runs\n");
+    write("book/theme/recording.js", "reads\n");
     let built = build();
     assert!(built.ok, "{}", built.stderr);
     let html = read(&out.join("two.html"));
@@ -509,6 +510,7 @@ fn what_moves_is_made_where_there_are_modules() {
         ("a.gz.js", "Live.packed(\"a.gz\",\"YWJj\")\n"),
         ("module.js", "Live.packed(\"module\",\"\\\"joins\\\"\\n\")\n"),
         ("run.js", "runs\n"),
+        ("recording.js", "reads\n"),
     ] {
         assert_eq!(read(&out.join("modules").join(file)), text, "{file}");
     }

@@ -5,7 +5,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { LOCKED, comes, differ, paints, pixels, settled, tap, text } from "./live.mjs";
 import { PHONE, opened } from "./opened.mjs";
 import { changed, instead } from "./served.mjs";
-import { BOUNDS } from "./still.mjs";
+import { BOUNDS, violations } from "./still.mjs";
 import { tabTo } from "./ways.mjs";
 
 /** Opens all folds. */
@@ -325,14 +325,54 @@ const pins = (browser, address, how) => opened(browser, address, how, async (pag
     return faults;
 });
 
+/** The made-up recording and a file that is dropped are read and drawn, play and turn; what is none is refused below the field. */
+const records = (browser, address, how) => opened(browser, address, { ...how, width: PHONE, reducedMotion: "reduce" }, async (page, { away }) => {
+    const [faults, field] = [[], page.locator(".recording")];
+    await unfolded(page);
+    await field.scrollIntoViewIfNeeded();
+    await comes(page, () => [...document.scripts].some(({ src }) => src.endsWith("recording.js")), null, 10_000);
+    await page.waitForTimeout(500);
+    await field.locator(".made").click();
+    const told = () => field.locator(".result table").first().waitFor({ timeout: 30_000 }).then(() => true, () => false);
+    if (!await told()) return [`the made-up recording is not read: ${await field.innerText()}`];
+    const made = await field.locator("a[download=\"made-up.csv\"]").evaluate(async ({ href }) => (await fetch(href)).text());
+    const canvas = field.locator("canvas").first();
+    await comes(page, () => document.querySelector(".recording canvas").hasAttribute("aria-label"), null, 10_000);
+    const shot = () => canvas.evaluate((canvas) => canvas.toDataURL());
+    const before = await shot();
+    await canvas.focus();
+    await page.keyboard.press("ArrowLeft");
+    await page.waitForTimeout(500);
+    const turned = await shot();
+    await field.locator(".play").first().click();
+    await page.waitForTimeout(800);
+    if (turned === before || await shot() === turned) faults.push("the throw does not turn or play");
+    // The first throw alone, without the accelerometer, as another app would name it; then a picture.
+    const throwAlone = made.split("\n").slice(0, 500).map((line) => line.split(",").slice(0, 4).join(",")).join("\n");
+    for (const [name, content, refused] of [["mine.csv", throwAlone, false], ["holiday.png", "\x89PNG\r\n\x1a\n\0", true]]) {
+        const data = await page.evaluateHandle(([name, content]) => {
+            const carried = new DataTransfer();
+            carried.items.add(new File([Uint8Array.from(content, (c) => c.charCodeAt(0))], name));
+            return carried;
+        }, [name, content]);
+        for (const kind of ["dragenter", "dragover", "drop"]) await field.dispatchEvent(kind, { dataTransfer: data });
+        await comes(page, (refused) => (document.querySelector(".recording .refusal").textContent !== "") === refused && (document.querySelector(".recording .result > *") === null) === refused, refused, 10_000);
+        const [said, tables] = [await field.locator(".refusal").innerText(), await field.locator(".result table").count()];
+        if ((said !== "") !== refused || (tables === 0) !== refused) faults.push(`${name} is told as '${said}', with ${tables} tables`);
+    }
+    const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    return [...faults, ...away, ...over > 0 ? [`${over} px too wide`] : [], ...await violations(page, ".recording")];
+});
+
 /** For each use the page that it is tried on. */
 export const PAGES = {
     touch: "ch16_ex2_conical_pendulum", redraws: "ch16_ex2_conical_pendulum", answers: "ch16_ex2_conical_pendulum",
     shares: "ch16_ex2_conical_pendulum", downloads: "ch16_ex2_conical_pendulum",
     benches: "ch15_5_torque_free", acts: "ch16_2_gyroscope", turns: "ch15_5_torque_free",
     pins: "ch16_ex3_corner", fits: "ch16_2_gyroscope", plays: "ch16_2_gyroscope", refuses: "ch16_2_gyroscope",
+    records: "further_1_phone",
 };
-export const USES = { touch, redraws, answers, shares, downloads, benches, acts, turns, pins, fits, plays, refuses };
+export const USES = { touch, redraws, answers, shares, downloads, benches, acts, turns, pins, fits, plays, refuses, records };
 
 const runs = (from, to) => changed(/\/modules\/run\.js$/, (script) => {
     if (!script.includes(from)) throw new Error(`run.js does not hold ${from}`);
@@ -352,4 +392,5 @@ export const DAMAGES = {
     fits: instead("live.css", ".panel:not(:last-child)", ".panel:not(*)"),
     plays: instead("player.js", "intersectionRatio >= SEEN", "intersectionRatio > 2"),
     refuses: instead("player.js", "if (mine) [knob.refused", "if (false) [knob.refused"),
+    records: changed(/\/modules\/recording\.js$/, (script) => script.replace("event.dataTransfer.files[0]", "undefined")),
 };

@@ -16,6 +16,7 @@
 //! | `{{table STEM:SECTION}}` | a section of the locked output as a table; `accuracy` as two lines and a fold, with its times |
 //! | `{{measured RECORD:TABLE}}` | a table of `benches/record/RECORD.txt`, and under it on what it was measured |
 //! | `{{check STEM}}` | the answer box |
+//! | `{{recording STEM FLAG FLAG …}}` | the field for a reader's own recording, with these flags; nothing where the page does not live |
 //! | `{{exercise LEVEL \| SOLVED \| EVENTS \| TEACHES}}` | what the page's exercise is; see [`Exercise`] |
 //! | `{{pages STEM:NAME STEM:NAME …}}` | pages as cards: a locked figure, the title, the minutes that it takes |
 //! | `{{exercises GROUP}}` | the table of the exercises whose stems begin so |
@@ -60,6 +61,8 @@ pub enum Directive {
     Measured { record: String, table: String },
     /// The answer box.
     Check { stem: String },
+    /// The field for a reader's own recording.
+    Recording { stem: String, flags: String },
     /// What the page's exercise is.
     Exercise(Exercise),
     /// The table of the exercises whose stems begin so.
@@ -163,6 +166,12 @@ impl Directive {
             ("measured", _) => Err(wrong("measured RECORD:TABLE")),
             ("check", [stem]) if is_name(stem) => Ok(Self::Check { stem: (*stem).to_owned() }),
             ("check", _) => Err(wrong("check STEM")),
+            ("recording", [stem, flags @ ..])
+                if is_name(stem) && flags.iter().all(|f| is_name(f)) =>
+            {
+                Ok(Self::Recording { stem: (*stem).to_owned(), flags: flags.join(" ") })
+            }
+            ("recording", _) => Err(wrong("recording STEM FLAG FLAG …")),
             ("exercise", _) => {
                 let said = inner.trim_start().trim_start_matches("exercise");
                 Exercise::read(said).map(Self::Exercise)
@@ -183,7 +192,7 @@ impl Directive {
             ("test", _) => Err(wrong("test FILE::NAME")),
             _ => Err(format!(
                 "unknown directive {{{{{inner}}}}}; there are num, param, given, figure, stills, \
-                 listing, output, table, measured, check, exercise, exercises, pages, test"
+                 listing, output, table, measured, check, recording, exercise, exercises, pages, test"
             )),
         }
     }
@@ -405,6 +414,11 @@ pub fn block(
             let mark = Splice::Check { stem: stem.clone() }.mark("");
             Ok(format!("{indent}<div class=\"check\">{mark}</div>\n\n"))
         }
+        Directive::Recording { stem, flags } => {
+            page.stems.push(stem.clone());
+            let mark = Splice::Recording { stem: stem.clone(), flags: flags.clone() }.mark("");
+            Ok(format!("{indent}<div class=\"recordings\">{mark}</div>\n\n"))
+        }
         Directive::Exercise(exercise) => Ok(format!("{indent}{}\n\n", exercise.html())),
         Directive::Exercises { group } => {
             exercises::html(project, group)?;
@@ -519,6 +533,8 @@ mod tests {
             ("check a:b", "check STEM"),
             ("check", "check STEM"),
             ("measured peers", "measured RECORD:TABLE"),
+            ("recording", "recording STEM FLAG FLAG …"),
+            ("recording a b:c", "recording STEM FLAG FLAG …"),
             ("measured", "measured RECORD:TABLE"),
             ("measured ../peers:ratios", "measured RECORD:TABLE"),
             ("test", "test FILE::NAME"),

@@ -19,8 +19,9 @@ use std::collections::{BTreeMap, BTreeSet};
 /// worker from one: the source comes as a text.
 const SOURCE: &str = "book/theme/module.js";
 
-/// What runs commands, loaded when the first is run.
-const RUNS: &str = "book/theme/run.js";
+/// What runs commands, loaded when the first is run, and what reads recordings, loaded by the pages that
+/// have a field for them.
+const LATER: [&str; 2] = ["run", "recording"];
 
 /// How a command begins that runs an example.
 const COMMAND: &str = "cargo run --example ";
@@ -64,11 +65,11 @@ impl Modules {
         Ok(Some(Self { index, files }))
     }
 
-    fn page(&self, stem: &str) -> Option<&Map<String, Value>> {
+    pub(crate) fn page(&self, stem: &str) -> Option<&Map<String, Value>> {
         self.index["pages"].get(stem)?.as_object()
     }
 
-    fn flags(&self, stem: &str) -> &[Value] {
+    pub(crate) fn flags(&self, stem: &str) -> &[Value] {
         let declared = self.page(stem).and_then(|page| page.get("declared"));
         let flags = declared.and_then(|declared| declared["flags"].as_array());
         flags.map_or(&[], Vec::as_slice)
@@ -202,8 +203,8 @@ impl Modules {
             .filter_map(|rest| rest.split('"').next())
             .filter(|stem| self.page(stem).is_some())
             .collect();
-        let live = ["class=\"player\"", "class=\"run\"", "class=\"bench\""];
-        if stems.is_empty() || !live.iter().any(|class| html.contains(class)) {
+        let live = ["player", "run", "bench", "recording"].map(|kind| format!("class=\"{kind}\""));
+        if stems.is_empty() || !live.iter().any(|class| html.contains(class.as_str())) {
             return None;
         }
         let pages: Map<String, Value> = stems
@@ -228,7 +229,7 @@ impl Modules {
         Some(format!("{ABLE}<script type=\"application/json\" id=\"live\">{data}</script>"))
     }
 
-    /// The files that the pages load later, with their places in the book: two scripts, and each
+    /// The files that the pages load later, with their places in the book: three scripts, and each
     /// module as it is and as a script for pages that are opened as files, where nothing can be fetched.
     ///
     /// # Errors
@@ -236,10 +237,11 @@ impl Modules {
     pub fn files(&self, project: &Project) -> Result<Vec<(String, Vec<u8>)>, String> {
         let source = json!(project.read(SOURCE)?);
         let source = format!("Live.packed(\"module\",{source})\n");
-        let mut files = vec![
-            ("modules/module.js".to_owned(), source.into_bytes()),
-            ("modules/run.js".to_owned(), project.read(RUNS)?.into_bytes()),
-        ];
+        let mut files = vec![("modules/module.js".to_owned(), source.into_bytes())];
+        for name in LATER {
+            let script = project.read(&format!("book/theme/{name}.js"))?;
+            files.push((format!("modules/{name}.js"), script.into_bytes()));
+        }
         for (name, bytes) in &self.files {
             let script = format!("Live.packed(\"{name}\",\"{}\")\n", BASE64_STANDARD.encode(bytes));
             files.push((format!("modules/{name}.js"), script.into_bytes()));
@@ -458,6 +460,25 @@ mod tests {
         // The damaged twins: no module, no problem.
         assert_eq!(bench("other", "solve, stepping: DOP853"), "");
         assert_eq!(bench("rod", "solve: DOP853"), "");
+    }
+
+    #[test]
+    fn a_recording_has_a_field_with_its_flags() {
+        let html = modules().recording("rod", "from angle", "r1-");
+        for part in [
+            "<div class=\"recording\" role=\"group\" aria-label=\"Your own recording\" data-stem=\"rod\">",
+            "<label for=\"r1-file\">A recording from your phone</label><input type=\"file\" id=\"r1-file\"",
+            "<label for=\"r1-from\">from</label>",
+            "data-flag=\"from\" inputmode=\"decimal\"",
+            "<label for=\"r1-angle\">angle <math",
+            "<span class=\"unit\">rad/s<sup>2</sup></span>",
+            "nothing leaves your device",
+        ] {
+            assert!(html.contains(part), "{part}\n{html}");
+        }
+        assert_eq!(html.matches("data-flag").count(), 2);
+        // The damaged twin: no module.
+        assert_eq!(modules().recording("other", "from", ""), "");
     }
 
     #[test]

@@ -27,6 +27,7 @@ mod preprocess;
 mod problem;
 mod project;
 mod race;
+mod recording;
 mod render;
 mod source;
 mod splice;

@@ -91,7 +91,7 @@ pub fn html_of(project: &Project, splice: &Splice, number: &mut usize) -> Result
             figure::inline(&project.figure(stem, name)?, &format!("f{number}-"))
         }
         // Moves in a page only.
-        Splice::Player { .. } => Ok(String::new()),
+        Splice::Player { .. } | Splice::Recording { .. } => Ok(String::new()),
         Splice::Table { stem, section } => {
             let table = project.table(stem, section)?;
             match section == times::SECTION {
@@ -240,6 +240,9 @@ fn finish(
         Ok(match (modules, splice) {
             (Some(modules), Splice::Player { stem }) => {
                 modules.player(stem, &format!("p{number}-"))
+            }
+            (Some(modules), Splice::Recording { stem, flags }) => {
+                modules.recording(stem, flags, &format!("r{number}-"))
             }
             (Some(modules), Splice::Table { stem, section }) if section == times::SECTION => {
                 plain + &modules.bench(stem, &project.table(stem, section)?)

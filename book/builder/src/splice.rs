@@ -20,6 +20,8 @@ pub enum Splice {
     Figure { stem: String, name: String },
     /// What plays a moving figure.
     Player { stem: String },
+    /// The field for a reader's own recording, with the flags that can be set there.
+    Recording { stem: String, flags: String },
     /// A section of the locked output.
     Table { stem: String, section: String },
     /// A table of a record of measurements.
@@ -51,6 +53,9 @@ impl Splice {
             }
             Self::Figure { stem, name } => vec!["figure".into(), stem.clone(), name.clone()],
             Self::Player { stem } => vec!["player".into(), stem.clone()],
+            Self::Recording { stem, flags } => {
+                vec!["recording".into(), stem.clone(), flags.clone()]
+            }
             Self::Table { stem, section } => vec!["table".into(), stem.clone(), section.clone()],
             Self::Measured { record, table } => {
                 vec!["measured".into(), record.clone(), table.clone()]
@@ -79,6 +84,9 @@ impl Splice {
             },
             ["figure", stem, name] => Self::Figure { stem: stem.into(), name: name.into() },
             ["player", stem] => Self::Player { stem: stem.into() },
+            ["recording", stem, flags] => {
+                Self::Recording { stem: stem.into(), flags: flags.into() }
+            }
             ["table", stem, section] => Self::Table { stem: stem.into(), section: section.into() },
             ["measured", record, table] => {
                 Self::Measured { record: record.into(), table: table.into() }
@@ -167,6 +175,7 @@ mod tests {
             },
             Splice::Figure { stem: "a".into(), name: "b".into() },
             Splice::Player { stem: "a".into() },
+            Splice::Recording { stem: "a".into(), flags: "from to".into() },
             Splice::Table { stem: "a".into(), section: "limits".into() },
             Splice::Measured { record: "peers".into(), table: "ratios".into() },
             Splice::Check { stem: "a".into() },
@@ -187,7 +196,7 @@ mod tests {
             seen.push(splice.clone());
             Ok("!".into())
         });
-        assert_eq!(filled.as_deref(), Ok("<p>!!!!!!!!!"));
+        assert_eq!(filled.as_deref(), Ok("<p>!!!!!!!!!!"));
         assert_eq!(seen, splices);
         // The damaged twin: a broken mark is an error, not text.
         assert!(fill("<span data-splice=\"zz\"></span>", |_| Ok(String::new())).is_err());

@@ -9,9 +9,11 @@ pub use super::files::write_whole;
 use super::files::{Directories, failure};
 use super::number::exactly;
 use super::parameters::Settings;
-use super::{Answer, Claim, Example, Figure, Flag, ParameterSet, Report, Verdict};
+use super::recorded::{Asked, Recorded, recorded};
+use super::{Answer, Claim, Example, Figure, Flag, ParameterSet, Report, Trajectory, Verdict};
 use crate::error::{Error, Result};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
 use std::io::Write;
@@ -203,11 +205,92 @@ fn hint(error: &clap::Error, flags: &[Flag]) -> String {
     let Some(ContextValue::String(typed)) = error.get(ContextKind::InvalidArg) else {
         return String::new();
     };
+    if typed.trim_start_matches("--") == RECORDING {
+        return "\nthis example reads no recordings\n".into();
+    }
     let named = effects(flags).find(|flag| typed.trim_start_matches("--") == flag.name());
     named.map_or(String::new(), |flag| {
         let name = flag.name();
         format!("\n{name} is an effect: --{WITH} {name}=VALUE or --{WITHOUT} {name}\n")
     })
+}
+
+const RECORDING: &str = "recording";
+
+/// The flags of an example that reads recordings; `throws`: of several pieces one can be named.
+fn recording_args(throws: bool) -> Vec<Arg> {
+    let file = |name: &'static str, help: &'static str| {
+        Arg::new(name).long(name).value_name("FILE").help(help).value_parser(value_parser!(PathBuf))
+    };
+    let seconds = |name: &'static str, help: &'static str| {
+        let arg = Arg::new(name).long(name).value_name("SECONDS").help(help).requires(RECORDING);
+        arg.value_parser(|text: &str| number(text, "s"))
+    };
+    let throw = Arg::new("throw")
+        .long("throw")
+        .value_name("N")
+        .help("Which of its throws [the first that is nearly as long as the longest]");
+    let throw = throw.value_parser(value_parser!(usize)).requires(RECORDING);
+    let mut args = vec![
+        file(
+            RECORDING,
+            "Read what a phone's gyroscope recorded: a table with times and three rates",
+        )
+        .conflicts_with("check"),
+        seconds("from", "Where the piece of it begins that is fitted"),
+        seconds("to", "Where it ends"),
+        file("made-up", "Write a made-up recording to try that with"),
+    ];
+    if throws {
+        args.push(throw.conflicts_with_all(["from", "to"]));
+    }
+    args
+}
+
+/// The value of a flag that not all examples have.
+fn optional<'m, T: Clone + Send + Sync + 'static>(
+    matches: &'m ArgMatches,
+    name: &str,
+) -> Option<&'m T> {
+    matches.try_get_one::<T>(name).ok().flatten()
+}
+
+/// What is asked of a recording.
+fn asked(run: &dyn Run, matches: &ArgMatches) -> Asked {
+    let typed = |flag: &&Flag| matches.value_source(&flag.name()) == Some(ValueSource::CommandLine);
+    let flags = run.parameters().flags();
+    Asked {
+        from: optional(matches, "from").copied(),
+        to: optional(matches, "to").copied(),
+        throw: optional(matches, "throw").copied(),
+        given: parameters(flags).filter(typed).map(Flag::name).collect(),
+    }
+}
+
+/// What the example makes of these bytes, the file that `--recording` names; or what is printed instead.
+pub(super) fn recorded_for(
+    run: &mut dyn Run,
+    arguments: Vec<OsString>,
+    bytes: &[u8],
+) -> core::result::Result<Recorded, Outcome> {
+    let matches = set_up(run, arguments)?;
+    let file = optional::<PathBuf>(&matches, RECORDING).cloned().unwrap_or_default();
+    recorded(run, &file.to_string_lossy(), bytes, &asked(run, &matches)).map_err(Outcome::refused)
+}
+
+/// Prints what a recording says, with the files that are asked for.
+fn told_of(run: &dyn Run, path: &Path, matches: &ArgMatches, keep: Keep<'_>) -> Result<Outcome> {
+    let name = path.display().to_string();
+    let read = std::fs::read(path);
+    let bytes = read.map_err(|e| Error::Unread { path: name.clone(), reason: e.to_string() })?;
+    let told = recorded(run, &name, &bytes, &asked(run, matches))?;
+    let stdout = match matches.get_flag("json") {
+        true => told.json(run.stem())?,
+        false => told.report.output()?,
+    };
+    let figures = || told.all_figures();
+    let stderr = write_files(run.stem(), matches, &|| Ok(told.trajectory.clone()), &figures, keep)?;
+    Ok(Outcome { stdout, stderr, code: 0 })
 }
 
 /// `KEY=VALUE`, a reader's answer.
@@ -375,6 +458,8 @@ fn command(run: &dyn Run) -> Command {
         .args(parameters(defaults.flags()).map(|flag| arg(flag, defaults)))
         .next_help_heading("Effects")
         .args(effect_args(defaults))
+        .next_help_heading("Your own recording")
+        .args(run.reads().map(recording_args).unwrap_or_default())
         .next_help_heading("Output")
         .arg(
             Arg::new("check")
@@ -408,8 +493,16 @@ fn command(run: &dyn Run) -> Command {
 }
 
 fn outcome(run: &dyn Run, matches: &ArgMatches, keep: Keep<'_>) -> Result<Outcome> {
-    let report = report(run)?;
+    if let Some(path) = optional::<PathBuf>(matches, RECORDING) {
+        return told_of(run, path, matches, keep);
+    }
     let mut outcome = Outcome { stdout: String::new(), stderr: String::new(), code: 0 };
+    if let (Some(path), Some(made)) = (optional::<PathBuf>(matches, "made-up"), run.made()) {
+        outcome.stdout = format!("a made-up recording is written to {}\n", path.display());
+        keep(None, vec![(path.clone(), made)])?;
+        return Ok(outcome);
+    }
+    let report = report(run)?;
     if let Some(answers) = matches.get_many::<(String, Answer)>("check") {
         for (key, value) in answers {
             let (line, right) = judged(&report, key, value)?;
@@ -421,27 +514,34 @@ fn outcome(run: &dyn Run, matches: &ArgMatches, keep: Keep<'_>) -> Result<Outcom
     } else {
         outcome.stdout = report.output()?;
     }
-    outcome.stderr = write_files(run, matches, keep)?;
+    let (motion, drawn) = (|| run.trajectory(), || figures(run));
+    outcome.stderr = write_files(run.stem(), matches, &motion, &drawn, keep)?;
     Ok(outcome)
 }
 
 /// Makes the files that `--csv` and `--svg` ask for and hands them on; returns a line for each.
-fn write_files(run: &dyn Run, matches: &ArgMatches, keep: Keep<'_>) -> Result<String> {
+fn write_files(
+    stem: &str,
+    matches: &ArgMatches,
+    trajectory: &dyn Fn() -> Result<Trajectory>,
+    figures: &dyn Fn() -> Result<Vec<Figure>>,
+    keep: Keep<'_>,
+) -> Result<String> {
     let (mut files, mut told) = (Vec::new(), String::new());
     if let Some(path) = matches.get_one::<PathBuf>("csv") {
-        let trajectory = run.trajectory()?;
+        let trajectory = trajectory()?;
         let (rows, shown) = (trajectory.rows().len(), path.display());
         told += &format!("wrote {rows} samples to {shown}\n");
         files.push((path.clone(), trajectory.csv()));
     }
     let directory = matches.get_one::<PathBuf>("svg");
     if let Some(directory) = directory {
-        let figures = figures(run)?;
+        let figures = figures()?;
         let (count, shown) = (figures.len(), directory.display());
         told += &format!("wrote {count} figures to {shown}\n");
         for figure in figures {
             // As in the locked figures.
-            let name = format!("{}__{}.svg", run.stem(), figure.name);
+            let name = format!("{stem}__{}.svg", figure.name);
             files.push((directory.join(name), figure.svg()));
         }
     }

@@ -21,6 +21,10 @@ pub enum Error {
     UnknownKey { key: String, known: String },
     /// A file cannot be written.
     File { path: String, reason: String },
+    /// A recording cannot be read or used; in which line (from 1) and column, if it is one place.
+    Recording { line: Option<usize>, column: Option<String>, reason: String },
+    /// A file cannot be read.
+    Unread { path: String, reason: String },
 }
 
 /// `Result` with this crate's [`Error`].
@@ -50,6 +54,16 @@ impl fmt::Display for Error {
                 write!(f, "there is no {key}; there are: {known}")
             }
             Self::File { path, reason } => write!(f, "{path} cannot be written: {reason}"),
+            Self::Recording { line, column, reason } => {
+                match (line, column) {
+                    (Some(line), Some(column)) => write!(f, "line {line}, column {column}: ")?,
+                    (Some(line), None) => write!(f, "line {line}: ")?,
+                    (None, Some(column)) => write!(f, "column {column}: ")?,
+                    (None, None) => {}
+                }
+                f.write_str(reason)
+            }
+            Self::Unread { path, reason } => write!(f, "{path} cannot be read: {reason}"),
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::cli::{self, Leaf, Outcome};
 use super::live::set_lines;
 use super::parameters::{Settings, check, table};
+use super::recorded::{Asked, Recorded, Recordings};
 use super::{Figure, Flag, Grid, Lab, MovingPicture, ParameterSet, Report, Trajectory};
 use crate::error::{Error, Result};
 
@@ -35,6 +36,7 @@ use crate::error::{Error, Result};
 ///     figures: |_| Ok(Vec::new()),
 ///     trajectory: |_| Trajectory::new(["t [s]"]),
 ///     moving_picture: None,
+///     recordings: None,
 /// };
 /// let outcome = EXAMPLE.answer(["--length", "6", "--check", "inertia=3.0"]);
 /// assert_eq!((outcome.code, outcome.stdout.as_str()), (0, "right: inertia = 3.00000000000000 m^2\n"));
@@ -54,6 +56,8 @@ pub struct Example<P: 'static> {
     pub trajectory: fn(&P) -> Result<Trajectory>,
     /// The drawing that moves, if something does.
     pub moving_picture: Option<fn(&P) -> Result<MovingPicture>>,
+    /// What it does with a reader's own recording, if it reads any.
+    pub recordings: Option<Recordings<P>>,
 }
 
 impl<P: ParameterSet> Example<P> {
@@ -115,6 +119,12 @@ pub trait Run {
     fn trajectory(&self) -> Result<Trajectory>;
     fn moves(&self) -> bool;
     fn moving_picture(&self) -> Result<Option<MovingPicture>>;
+    /// Whether it reads recordings, and whether these hold several numbered pieces.
+    fn reads(&self) -> Option<bool>;
+    /// A made-up recording, if it reads any.
+    fn made(&self) -> Option<String>;
+    /// What it makes of a recording, if it reads any, parameters unchecked.
+    fn recorded(&self, name: &str, bytes: &[u8], asked: &Asked) -> Option<Result<Recorded>>;
 }
 
 /// An example with its parameters.
@@ -151,6 +161,16 @@ impl<P: ParameterSet> Run for Running<'_, P> {
     fn moving_picture(&self) -> Result<Option<MovingPicture>> {
         let picture = self.example.moving_picture;
         picture.map(|picture| picture(&self.parameters)).transpose()
+    }
+    fn reads(&self) -> Option<bool> {
+        self.example.recordings.as_ref().map(|recordings| recordings.throws)
+    }
+    fn made(&self) -> Option<String> {
+        self.example.recordings.as_ref().map(|recordings| (recordings.made)())
+    }
+    fn recorded(&self, name: &str, bytes: &[u8], asked: &Asked) -> Option<Result<Recorded>> {
+        let recordings = self.example.recordings.as_ref()?;
+        Some((recordings.recorded)(&self.parameters, name, bytes, asked))
     }
 }
 
@@ -206,7 +226,8 @@ fn set(parameters: &mut dyn Settings, flags: &[(&str, f64)]) -> Result<()> {
 
 /// Makes the [`EXAMPLE`](Example) of a file, and its `main`: the stem, one line for
 /// `--help`, and the functions `report`, `figures`, `trajectory` and, if something moves,
-/// `moving_picture`, in this order. The parameters are the type `Parameters` of the file.
+/// `moving_picture`, in this order; after a semicolon [`Recordings`](crate::Recordings), if it reads a
+/// reader's own. The parameters are the type `Parameters` of the file.
 ///
 /// In place of the function `report` may stand the report's title and description, and the
 /// functions that add its sections.
@@ -256,7 +277,7 @@ fn set(parameters: &mut dyn Settings, flags: &[(&str, f64)]) -> Result<()> {
 macro_rules! example {
     ($stem:ident: $about:literal;
      $title:literal, $description:literal, [$($section:path),+ $(,)?];
-     $figures:expr, $trajectory:expr $(, $moves:expr)?) => {
+     $figures:expr, $trajectory:expr $(, $moves:expr)? $(; $recordings:expr)?) => {
         /// Every number of the page.
         fn report(p: &Parameters) -> $crate::Result<$crate::Report> {
             let mut report = $crate::Report::new($title, $description)?;
@@ -264,9 +285,10 @@ macro_rules! example {
             Ok(report)
         }
 
-        $crate::example! { $stem: $about; report, $figures, $trajectory $(, $moves)? }
+        $crate::example! { $stem: $about; report, $figures, $trajectory $(, $moves)? $(; $recordings)? }
     };
-    ($stem:ident: $about:literal; $report:expr, $figures:expr, $trajectory:expr $(, $moves:expr)?) => {
+    ($stem:ident: $about:literal; $report:expr, $figures:expr, $trajectory:expr $(, $moves:expr)?
+     $(; $recordings:expr)?) => {
         /// The example, as the command line, the tests and the book see it.
         pub const EXAMPLE: $crate::Example<Parameters> = $crate::Example {
             stem: stringify!($stem),
@@ -274,7 +296,8 @@ macro_rules! example {
             report: $report,
             figures: $figures,
             trajectory: $trajectory,
-            moving_picture: $crate::example!(@moves $($moves)?),
+            moving_picture: $crate::example!(@maybe $($moves)?),
+            recordings: $crate::example!(@maybe $($recordings)?),
         };
 
         fn main() -> std::process::ExitCode {
@@ -292,8 +315,8 @@ macro_rules! example {
         #[cfg(not(only_checked))]
         $run()
     }};
-    (@moves) => { None };
-    (@moves $moves:expr) => { Some($moves) };
+    (@maybe) => { None };
+    (@maybe $part:expr) => { Some($part) };
 }
 
 /// An example whose type of parameters is not asked for: with their defaults it is what the
@@ -397,6 +420,23 @@ impl dyn Page + '_ {
     ) -> core::result::Result<Vec<Figure>, Outcome> {
         let arguments = arguments.into_iter().map(Into::into).collect();
         cli::figures_for(&mut *self.with_defaults(), arguments)
+    }
+    /// A made-up recording, if it reads any.
+    pub fn made(&self) -> Option<String> {
+        self.with_defaults().made()
+    }
+    /// What it makes of the bytes of a recording, with these arguments, of which `--recording` names
+    /// the file.
+    ///
+    /// # Errors
+    /// What is printed instead.
+    pub fn recorded_for(
+        &self,
+        arguments: Vec<String>,
+        bytes: &[u8],
+    ) -> core::result::Result<Recorded, Outcome> {
+        let arguments = arguments.into_iter().map(Into::into).collect();
+        cli::recorded_for(&mut *self.with_defaults(), arguments, bytes)
     }
 }
 

@@ -36,6 +36,7 @@ use core::fmt::Write;
 ///                 .figure()
 ///         })
 ///     }),
+///     recordings: None,
 /// };
 /// let picture = EXAMPLE.opened("length=0.5\n")?.expect("it moves");
 /// assert_ne!(picture.frame(0.0)?, EXAMPLE.opened("")?.expect("it moves").frame(0.0)?);
@@ -207,6 +208,7 @@ mod tests {
             figures: |_| Ok(Vec::new()),
             trajectory: |_| Trajectory::new(["t [s]"]),
             moving_picture: None,
+            recordings: None,
         };
         let told = declared(&example.run());
         assert!(told.starts_with(r#"{"stem": "rod", "about": "A \"rod\"", "moves": false, "flags": [{"name": "length", "#), "{told}");

@@ -218,6 +218,10 @@ impl Report {
     pub fn title(&self) -> &str {
         &self.title
     }
+    /// The line below it.
+    pub fn description(&self) -> &str {
+        &self.description
+    }
     /// The claims, in order.
     pub fn claims(&self) -> &[Claim] {
         &self.claims

@@ -147,6 +147,7 @@ mod tests {
                     .figure()
             })
         }),
+        recordings: None,
     };
 
     #[test]

@@ -8,6 +8,8 @@
 //! | [`ladder`] | `ch16_ex6_ladder` | the sliding ladder, in closed form |
 //! | [`naive`] | `hard_cases`, and the reference of the tests | what everyone writes first, and where it breaks |
 //! | [`plank`] | `ch15_3_plank` | a plank that falls over on a smooth floor, in closed form |
+//! | [`swings`] | `ch16_ex7_rod_and_disc` | a phone's recording of a swing: the pendulum that fits it |
+//! | [`throws`] | `further_1_phone` | a phone's recording of a throw: the free body that fits it, its table, its figures |
 //! | [`tops`] | `effects_2_top` | tops on a rounded tip that slides, creeps and rolls, from throw to fall |
 //! | [`truth`] | `hard_cases`, and attacks of the tests | a body that turns, to some thirty digits |
 //! | [`wedge`] | `ch16_1_incline` | a cylinder on the slope of a wedge, drawn |
@@ -18,6 +20,8 @@ pub mod heavy_top;
 pub mod ladder;
 pub mod naive;
 pub mod plank;
+pub mod swings;
+pub mod throws;
 pub mod tops;
 pub mod truth;
 pub mod wedge;

@@ -84,7 +84,7 @@ fn damage_is_named_with_its_line() {
             "\nx",
             &[(
                 5,
-                "unknown directive {{numb s:period}}; there are num, param, given, figure, stills, listing, output, table, measured, check, exercise, exercises, pages, test",
+                "unknown directive {{numb s:period}}; there are num, param, given, figure, stills, listing, output, table, measured, check, recording, exercise, exercises, pages, test",
             )],
         ),
         // Directives of a line, and their captions.

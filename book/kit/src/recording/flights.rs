@@ -1,0 +1,480 @@
+//! Which pieces of a recording are free flight.
+//!
+//! In flight no torque acts: d(J w)/dt + w x J w = 0 on the phone's axes. Over 20 ms that is
+//! J (w' - w) + integral of w x J w dt = 0, linear in the six elements of the tensor J. The tensor that makes
+//! the sum of squares of the left side least, in units of the sum of squares of J w times 20 ms, is an
+//! eigenvector of two matrices of six by six, which are sums over the samples. The eigenvalue is the mean
+//! square of |torque|/|L|: about the noise in flight, above 1/s in a hand.
+//!
+//! So the 120 ms of least torque begin a piece, which grows by 20 ms as long as one tensor explains
+//! it. Its ends are then found sample by sample, and cut: 20 ms at the beginning, where a hand lets go by
+//! and by, 10 ms at the end.
+//!
+//! Where accelerations are recorded, those of a flight are dw/dt x r + w x (w x r), with r the place of the
+//! accelerometer from the centre of mass: zero but for the turning. A piece for which no r explains them
+//! is carried by a hand or a table. The recorded |a| itself may be large: at 20 rad/s and 3 cm it is
+//! 12 m/s^2.
+
+use super::columns::GRAVITY;
+use super::read::GAP;
+use super::{FEWEST, Recording, middle, refused};
+use crate::error::Result;
+use core::f64::consts::SQRT_2;
+use core::ops::Range;
+use rotation_dynamics::nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3, Vector6};
+
+/// What turns more slowly is no throw that would tell moments (rad/s).
+const SLOWEST: f64 = 3.0;
+
+/// The time over which torque is measured (s): a catch takes as long.
+const LAG: f64 = 0.02;
+
+/// The lags with which a flight begins to be found: eighteen independent equations for five ratios.
+const SEED: usize = 6;
+
+/// The shortest flight (s): with 30 ms cut from 0.18 s, in which a phone falls 16 cm.
+const SHORTEST: f64 = 0.15;
+
+/// The longest (s): a throw 11 m high. What turns on a table may turn longer.
+const LONGEST: f64 = 3.0;
+
+/// The most torque of a flight, |torque|/|L| (1/s). A hand that takes a second to give or take L
+/// has as much; noise of 0.1 rad/s at 10 rad/s has 0.7.
+const MOST: f64 = 1.0;
+
+/// A flight ends where torque is this many times its mean, twice in a row: by chance that happens once
+/// in ten million samples.
+const ENDS: f64 = 3.5;
+
+/// A piece goes on beyond so short a time (s) without an equation that holds: a gap, stamps of time that are
+/// wrong, a flip too fast for straight lines. No hand catches and throws in it.
+const BRIDGE: f64 = 0.1;
+
+/// The most that accelerations may be off in flight (m/s^2), as a root of the mean square. A phone
+/// that is carried is off by one g.
+const MOST_OFF: f64 = 0.3 * GRAVITY;
+
+/// A piece in free flight.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Flight {
+    /// Which samples.
+    pub samples: Range<usize>,
+    /// The root of the mean square of |torque|/|L| over 20 ms (1/s): what is left by noise.
+    pub torque: f64,
+}
+
+/// Sums over equations from which the tensor follows.
+#[derive(Debug, Clone, Copy, Default)]
+struct Sums {
+    torque: [[f64; 6]; 6],
+    momentum: [[f64; 6]; 6],
+    count: f64,
+}
+
+impl Sums {
+    fn add(&mut self, equation: &Equation) {
+        let sums = [(&mut self.torque, &equation.torque), (&mut self.momentum, &equation.momentum)];
+        for (sum, of) in sums {
+            for i in 0..6 {
+                let [x, y, z] = of[i];
+                for j in 0..=i {
+                    let product = x * of[j][0] + y * of[j][1] + z * of[j][2];
+                    sum[i][j] += product;
+                    if j < i {
+                        sum[j][i] += product;
+                    }
+                }
+            }
+        }
+        self.count += 1.0;
+    }
+
+    fn with(mut self, other: &Self) -> Self {
+        for i in 0..6 {
+            for j in 0..6 {
+                self.torque[i][j] += other.torque[i][j];
+                self.momentum[i][j] += other.momentum[i][j];
+            }
+        }
+        self.count += other.count;
+        self
+    }
+
+    /// Whether every tensor leaves more |torque|/|L| than this: torque - most^2 momentum is positive definite. It
+    /// takes a hundredth of the time of the tensor.
+    fn exceeds(&self, most: f64) -> bool {
+        let mut m = self.torque;
+        for i in 0..6 {
+            for j in 0..=i {
+                m[i][j] -= most * most * self.momentum[i][j];
+            }
+        }
+        for k in 0..6 {
+            if m[k][k] <= 0.0 {
+                return false;
+            }
+            for i in k + 1..6 {
+                let factor = m[i][k] / m[k][k];
+                for j in k + 1..=i {
+                    m[i][j] -= factor * m[j][k];
+                }
+            }
+        }
+        true
+    }
+
+    /// The tensor of least torque.
+    fn tensor(&self) -> Option<Vector6<f64>> {
+        let [torque, mut momentum] =
+            [self.torque, self.momentum].map(|m| Matrix6::from_fn(|i, j| m[i][j]));
+        // Directions that no rate has are given a millionth, so that none is without momentum.
+        momentum += Matrix6::identity() * (1e-6 * momentum.trace());
+        let scale = momentum.cholesky()?.l();
+        let half = scale.solve_lower_triangular(&torque)?;
+        let whole = scale.solve_lower_triangular(&half.transpose())?;
+        let eigen = SymmetricEigen::new(0.5 * (whole + whole.transpose()));
+        let least = eigen.eigenvectors.column(eigen.eigenvalues.imin()).into_owned();
+        scale.transpose().solve_upper_triangular(&least)
+    }
+
+    /// The sum of the squares of torque or momentum with this tensor.
+    fn square(of: &[[f64; 6]; 6], tensor: &Vector6<f64>) -> f64 {
+        let row = |i: usize| (0..6).map(|j| of[i][j] * tensor[j]).sum::<f64>();
+        (0..6).map(|i| tensor[i] * row(i)).sum::<f64>().max(0.0)
+    }
+
+    /// The root of the mean square of |torque|/|L| with this tensor.
+    fn size(&self, tensor: &Vector6<f64>) -> f64 {
+        (Self::square(&self.torque, tensor) / Self::square(&self.momentum, tensor)).sqrt()
+    }
+
+    /// The part of that which noise of this standard deviation makes: 2 noise^2 |J|^2/|L dt|^2 in the mean
+    /// square, with the sum |J|^2 of the squares of all nine elements.
+    fn by_noise(&self, tensor: &Vector6<f64>, noise: f64) -> f64 {
+        let [xx, yy, zz, xy, yz, zx] = (*tensor).into();
+        let squares = xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + yz * yz + zx * zx);
+        noise * (2.0 * self.count * squares / Self::square(&self.momentum, tensor)).sqrt()
+    }
+
+    /// Whether there is torque beyond what noise makes, or noise hides it. (A tensor with hardly a moment about
+    /// the axis of the rates turns all torque into noise.)
+    fn is_forced(&self, tensor: &Vector6<f64>, noise: f64) -> bool {
+        let (size, by_noise) = (self.size(tensor), self.by_noise(tensor, noise));
+        size * size > MOST * MOST + by_noise * by_noise || by_noise > MOST
+    }
+}
+
+/// The equation of torque over a lag: for each element of the tensor, what is left of it and L dt.
+struct Equation {
+    torque: [[f64; 3]; 6],
+    momentum: [[f64; 3]; 6],
+}
+
+impl Equation {
+    /// The lengths of torque and momentum with this tensor.
+    fn sizes(&self, tensor: &Vector6<f64>) -> [f64; 2] {
+        [&self.torque, &self.momentum].map(|of| {
+            let mut sum = [0.0; 3];
+            for (e, own) in of.iter().enumerate() {
+                for k in 0..3 {
+                    sum[k] += tensor[e] * own[k];
+                }
+            }
+            Vector3::from(sum).norm()
+        })
+    }
+}
+
+/// Samples that turn fast.
+struct Fast<'a> {
+    times: &'a [f64],
+    rates: &'a [[f64; 3]],
+    /// To each sample, the integrals of x, y, z and of xx, yy, zz, xy, yz, zx, by straight lines.
+    integrals: Vec<[f64; 9]>,
+    first: usize,
+    /// Steps in a lag.
+    lag: usize,
+    /// Of a rate, its standard deviation (rad/s).
+    noise: f64,
+}
+
+impl<'a> Fast<'a> {
+    fn new(
+        times: &'a [f64],
+        rates: &'a [[f64; 3]],
+        first: usize,
+        lag: usize,
+        noise: f64,
+    ) -> Self {
+        let all = |[x, y, z]: [f64; 3]| [x, y, z, x * x, y * y, z * z, x * y, y * z, z * x];
+        let mut integrals = vec![[0.0; 9]];
+        for n in 1..times.len() {
+            let half = 0.5 * (times[n] - times[n - 1]);
+            let [mut sum, a, b] = [integrals[n - 1], all(rates[n - 1]), all(rates[n])];
+            for k in 0..9 {
+                sum[k] += half * (a[k] + b[k]);
+            }
+            integrals.push(sum);
+        }
+        Self { times, rates, integrals, first, lag, noise }
+    }
+
+    /// That from sample k.
+    fn equation(&self, k: usize) -> Equation {
+        let [from, to] = [k, k + self.lag].map(|n| self.integrals[n]);
+        let mut over = [0.0; 9];
+        for n in 0..9 {
+            over[n] = to[n] - from[n];
+        }
+        let [x, y, z, xx, yy, zz, xy, yz, zx] = over;
+        // w x (J w) for each element.
+        let mut torque = [
+            [0.0, zx, -xy],
+            [-yz, 0.0, xy],
+            [yz, -zx, 0.0],
+            [-zx, yz, xx - yy],
+            [yy - zz, -xy, zx],
+            [xy, zz - xx, -yz],
+        ];
+        let [a, b] = [k, k + self.lag].map(|n| self.rates[n]);
+        let change = momenta([b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
+        for (torque, change) in torque.iter_mut().zip(change) {
+            for k in 0..3 {
+                torque[k] += change[k];
+            }
+        }
+        Equation { torque, momentum: momenta([x, y, z]) }
+    }
+
+    fn equations(&self) -> usize {
+        self.times.len().saturating_sub(self.lag)
+    }
+
+    fn sums(&self, equations: impl Iterator<Item = usize>) -> Sums {
+        let mut sums = Sums::default();
+        equations.for_each(|k| sums.add(&self.equation(k)));
+        sums
+    }
+
+    /// The torque of these sums with their own tensor, or of noise if that has more; none if it is more than this, or
+    /// if a hand is in it.
+    fn unforced(&self, sums: &Sums, most: f64) -> Option<(f64, Vector6<f64>)> {
+        if sums.exceeds(most.min(SQRT_2 * MOST)) {
+            return None;
+        }
+        let tensor = sums.tensor().filter(|tensor| !sums.is_forced(tensor, self.noise))?;
+        let torque = sums.size(&tensor).max(sums.by_noise(&tensor, self.noise));
+        (torque <= most).then_some((torque, tensor))
+    }
+
+    /// The flights in these samples.
+    fn flights(&self, felt: Option<&[[f64; 3]]>, found: &mut Vec<Flight>) {
+        let count = self.equations() / self.lag;
+        let block = |n: usize| n * self.lag..(n + 1) * self.lag;
+        let blocks: Vec<Sums> = (0..count).map(|n| self.sums(block(n))).collect();
+        let seed = |n: usize| {
+            let sums = blocks[n..n + SEED].iter().fold(Sums::default(), |sums, own| sums.with(own));
+            Some((self.unforced(&sums, f64::INFINITY)?.0, n, sums))
+        };
+        let mut seeds: Vec<_> =
+            (0..(count + 1).saturating_sub(SEED)).step_by(2).filter_map(seed).collect();
+        seeds.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut taken = vec![false; count];
+        for (mut torque, seed, mut sums) in seeds {
+            let mut piece = seed..seed + SEED;
+            if taken[piece.clone()].contains(&true) {
+                continue;
+            }
+            // One block more at either end, as long as one tensor explains it all as well as before.
+            loop {
+                let earlier = piece.start.checked_sub(1).map(|n| (n, n..piece.end));
+                let ways = [Some((piece.end, piece.start..piece.end + 1)), earlier];
+                let fitting = |(n, wider): (usize, Range<usize>)| {
+                    let own = blocks.get(n).filter(|_| !taken[n])?;
+                    let all = sums.with(own);
+                    let (more, tensor) = self.unforced(&all, 2.0 * torque)?;
+                    (own.size(&tensor) <= ENDS * torque).then_some((more, wider, all))
+                };
+                let Some(wider) = ways.into_iter().flatten().find_map(fitting) else { break };
+                (torque, piece, sums) = wider;
+            }
+            taken[piece.clone()].fill(true);
+            let flight = self.ends(block(piece.start).start..block(piece.end).start, felt);
+            let Some(Flight { samples, torque }) = flight else { continue };
+            let end = samples.end.div_ceil(self.lag).min(count);
+            taken[(samples.start / self.lag).min(end)..end].fill(true);
+            let samples = self.first + samples.start..self.first + samples.end;
+            let apart = |other: &Flight| {
+                other.samples.end <= samples.start || samples.end <= other.samples.start
+            };
+            if found.iter().all(apart) {
+                found.push(Flight { samples, torque });
+            }
+        }
+    }
+
+    /// The flight to which these equations belong, with its ends.
+    fn ends(&self, mut equations: Range<usize>, felt: Option<&[[f64; 3]]>) -> Option<Flight> {
+        let (mut sums, mut torque) = (self.sums(equations.clone()), 0.0);
+        // The tensor of all of it tells the ends, and the ends the tensor.
+        for _ in 0..3 {
+            let tensor = sums.tensor()?;
+            torque = sums.size(&tensor);
+            if sums.is_forced(&tensor, self.noise) {
+                return None;
+            }
+            let middle = (equations.start + equations.end) / 2;
+            let reach = (LONGEST / self.step()) as usize;
+            let before: Vec<usize> = (middle.saturating_sub(reach)..middle).rev().collect();
+            let after: Vec<usize> = (middle..self.equations().min(middle + reach)).collect();
+            let [before, after] = [before, after].map(|way| {
+                let sizes = way.iter().map(|k| self.equation(*k).sizes(&tensor)).collect::<Vec<_>>();
+                let free = |[left, l]: &[f64; 2]| *left <= ENDS * torque * l;
+                let count = self.belong(&sizes, free);
+                way[..count].iter().copied().zip(sizes.iter().map(free)).collect::<Vec<_>>()
+            });
+            let next = middle - before.len()..middle + after.len();
+            if next == equations || next.len() < SEED {
+                break;
+            }
+            equations = next;
+            let free = before.into_iter().rev().chain(after).filter(|(_, free)| *free);
+            sums = self.sums(free.map(|(k, _)| k));
+        }
+        // An equation ends a lag after it begins.
+        let cut = self.lag.div_ceil(2);
+        let mut samples = equations.start + self.lag..equations.end + self.lag - cut;
+        if let Some(felt) = felt {
+            samples = self.carried_by_none(samples, felt)?;
+        }
+        let duration = self.times[samples.end.checked_sub(1)?] - self.times[samples.start];
+        let thrown = samples.len() >= FEWEST && (SHORTEST..=LONGEST).contains(&duration);
+        thrown.then_some(Flight { samples, torque })
+    }
+
+    /// How many of these equations belong to the flight in which they begin: until two in a row do not hold, unless
+    /// soon after as many hold as half a seed has, and |L| is the same there.
+    fn belong(&self, sizes: &[[f64; 2]], free: impl Fn(&[f64; 2]) -> bool) -> usize {
+        let (half, bridge) = (SEED / 2 * self.lag, (BRIDGE / self.step()) as usize + self.lag);
+        let momentum = |part: &[[f64; 2]]| {
+            part.iter().map(|[_, l]| l).sum::<f64>() / part.len() as f64
+        };
+        let mut n = 0;
+        while n < sizes.len() {
+            if free(&sizes[n]) || sizes.get(n + 1).is_some_and(&free) {
+                n += 1;
+                continue;
+            }
+            let goes_on = |m: &usize| {
+                let beyond = sizes.get(*m..m + half);
+                let beyond = beyond.filter(|part| part.iter().all(&free)).map(momentum);
+                let own = momentum(&sizes[n.saturating_sub(half)..n]);
+                let apart = (m - n + half) as f64 * self.step();
+                beyond.is_some_and(|beyond| (beyond - own).abs() <= MOST * apart * own)
+            };
+            match (n + 2..=n + bridge).find(goes_on) {
+                Some(m) => n = m + half,
+                None => break,
+            }
+        }
+        n
+    }
+
+    /// The mean step of time (s).
+    fn step(&self) -> f64 {
+        let last = self.times.len() - 1;
+        (self.times[last] - self.times[0]) / last as f64
+    }
+
+    /// The samples whose accelerations come from turning alone, around the middle of these.
+    fn carried_by_none(&self, samples: Range<usize>, felt: &[[f64; 3]]) -> Option<Range<usize>> {
+        let own = |k: usize| -> Matrix3<f64> {
+            let (a, b) = (k.saturating_sub(1), (k + 1).min(self.times.len() - 1));
+            let change = Vector3::from(self.rates[b]) - Vector3::from(self.rates[a]);
+            let w = Vector3::from(self.rates[k]).cross_matrix();
+            (change / (self.times[b] - self.times[a])).cross_matrix() + w * w
+        };
+        let recorded = |k: usize| Vector3::from(felt[self.first + k]);
+        let mut squares = Matrix3::identity() * 1e-9;
+        let mut products = Vector3::zeros();
+        for k in samples.clone() {
+            squares += own(k).transpose() * own(k);
+            products += own(k).transpose() * recorded(k);
+        }
+        let place = squares.cholesky()?.solve(&products);
+        let off = |k: usize| (recorded(k) - own(k) * place).norm();
+        let square = samples.clone().map(|k| off(k) * off(k)).sum::<f64>() / samples.len() as f64;
+        let middle = (samples.start + samples.end) / 2;
+        let carried = |k: &usize| off(*k) > MOST_OFF.max(ENDS * square.sqrt().min(MOST_OFF));
+        let end = (middle..samples.end).find(carried).unwrap_or(samples.end);
+        let start = (samples.start..middle).rev().find(carried).map_or(samples.start, |k| k + 1);
+        (square.sqrt() <= MOST_OFF).then_some(start..end)
+    }
+}
+
+/// The angular momenta of these rates with tensors that have one element alone: xx, yy, zz, xy, yz, zx.
+fn momenta([x, y, z]: [f64; 3]) -> [[f64; 3]; 6] {
+    [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z], [y, x, 0.0], [0.0, z, y], [z, 0.0, x]]
+}
+
+pub(super) fn find(recording: &Recording) -> Result<Vec<Flight>> {
+    let (times, rates) = (recording.times(), recording.rates());
+    let speed = |w: &[f64; 3]| Vector3::from(*w).norm();
+    // Where noise hides what torque does in 20 ms, twice the time may show it.
+    let found = [LAG, 2.0 * LAG].into_iter().map(|lag| flights(recording, lag));
+    if let Some(found) = found.into_iter().find(|found| !found.is_empty()) {
+        return Ok(found);
+    }
+    let fastest = (0..times.len()).max_by(|a, b| speed(&rates[*a]).total_cmp(&speed(&rates[*b])));
+    let fastest = fastest.unwrap_or(0);
+    Err(refused(format!(
+        "no free flight was found: looked for {SHORTEST} s to {LONGEST} s, faster than {SLOWEST} rad/s, in which \
+         the angular momentum changes by less than {MOST} of itself a second; the fastest rate is \
+         {:.3} rad/s, at {:.3} s. A piece can be set by hand, from one time to another",
+        speed(&rates[fastest]),
+        times[fastest]
+    )))
+}
+
+/// The flights by the torque over this time (s).
+fn flights(recording: &Recording, lag: f64) -> Vec<Flight> {
+    let (times, rates) = (recording.times(), recording.rates());
+    let step = recording.step();
+    let lag = ((lag / step).round() as usize).max(1);
+    let speed = |w: &[f64; 3]| Vector3::from(*w).norm();
+    let felt = recording.accelerations().filter(|felt| {
+        // Accelerations without gravity are computed from the rates, and tell no more than these.
+        let slow = felt.iter().zip(rates).filter(|(_, w)| speed(w) < 0.5);
+        middle(slow.map(|(a, _)| speed(a)).collect()) > 0.5 * GRAVITY
+    });
+    // The fourth difference of noise has 70 times its variance, that of motion is smaller. Half of a normal
+    // distribution lies within 0.6745 deviations.
+    let fourth = |w: &[[f64; 3]], k: usize| {
+        (w[4][k] - 4.0 * (w[3][k] + w[1][k]) + 6.0 * w[2][k] + w[0][k]).abs()
+    };
+    let differences = rates.windows(5).flat_map(|w| [0, 1, 2].map(|k| fourth(w, k))).collect();
+    let raw = middle(differences) / (0.6745 * 70.0_f64.sqrt());
+    // Means of samples within 5 ms of each have less noise, and still tell when a hand lets go.
+    let around = (0.25 * LAG / step) as usize;
+    let mean = |k: usize| {
+        let near = k.saturating_sub(around)..(k + around + 1).min(rates.len());
+        let sum = rates[near.clone()].iter().map(|w| Vector3::from(*w)).sum::<Vector3<f64>>();
+        (sum / near.len() as f64).into()
+    };
+    let rates: Vec<[f64; 3]> = (0..rates.len()).map(mean).collect();
+    let noise = raw / ((2 * around + 1) as f64).sqrt();
+    let longest = (GAP * step).max(BRIDGE);
+    let mut found = Vec::new();
+    let mut first = 0;
+    while first < times.len() {
+        let joined = |k: &usize| {
+            speed(&rates[*k]) >= SLOWEST && (*k == first || times[*k] - times[k - 1] <= longest)
+        };
+        let end = (first..times.len()).find(|k| !joined(k)).unwrap_or(times.len());
+        let run = first..end;
+        Fast::new(&times[run.clone()], &rates[run], first, lag, noise).flights(felt, &mut found);
+        first = end.max(first + 1);
+    }
+    found.sort_by_key(|flight| flight.samples.start);
+    found
+}
