@@ -271,7 +271,9 @@ impl<'a> Fast<'a> {
     fn flights(&self, felt: Option<&[[f64; 3]]>, found: &mut Vec<Flight>) {
         let count = self.equations() / self.lag;
         let block = |n: usize| n * self.lag..(n + 1) * self.lag;
-        let blocks: Vec<Sums> = (0..count).map(|n| self.sums(block(n))).collect();
+        // Two equations tell of a lag as much as all, but for noise.
+        let two = self.lag.div_ceil(2);
+        let blocks: Vec<Sums> = (0..count).map(|n| self.sums(block(n).step_by(two))).collect();
         let seed = |n: usize| {
             let sums = blocks[n..n + SEED].iter().fold(Sums::default(), |sums, own| sums.with(own));
             Some((self.unforced(&sums, f64::INFINITY)?.0, n, sums))
@@ -279,24 +281,31 @@ impl<'a> Fast<'a> {
         let mut seeds: Vec<_> =
             (0..(count + 1).saturating_sub(SEED)).step_by(2).filter_map(seed).collect();
         seeds.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let longest = (LONGEST / self.step()) as usize;
         let mut taken = vec![false; count];
         for (mut torque, seed, mut sums) in seeds {
             let mut piece = seed..seed + SEED;
             if taken[piece.clone()].contains(&true) {
                 continue;
             }
-            // One block more at either end, as long as one tensor explains it all as well as before.
-            loop {
-                let earlier = piece.start.checked_sub(1).map(|n| (n, n..piece.end));
-                let ways = [Some((piece.end, piece.start..piece.end + 1)), earlier];
-                let fitting = |(n, wider): (usize, Range<usize>)| {
+            // One block more at either end, as long as one tensor explains it all as well as before; no longer than
+            // any flight.
+            let (mut forward, mut stuck) = (true, 0);
+            while stuck < 2 && piece.len() * self.lag <= longest {
+                let n = if forward { Some(piece.end) } else { piece.start.checked_sub(1) };
+                let wider = n.and_then(|n| {
                     let own = blocks.get(n).filter(|_| !taken[n])?;
                     let all = sums.with(own);
                     let (more, tensor) = self.unforced(&all, 2.0 * torque)?;
-                    (own.size(&tensor) <= ENDS * torque).then_some((more, wider, all))
-                };
-                let Some(wider) = ways.into_iter().flatten().find_map(fitting) else { break };
-                (torque, piece, sums) = wider;
+                    (own.size(&tensor) <= ENDS * torque).then_some((n, more, all))
+                });
+                match wider {
+                    Some((n, more, all)) => {
+                        (torque, sums, stuck) = (more, all, 0);
+                        piece = piece.start.min(n)..piece.end.max(n + 1);
+                    }
+                    None => (forward, stuck) = (!forward, stuck + 1),
+                }
             }
             taken[piece.clone()].fill(true);
             let flight = self.ends(block(piece.start).start..block(piece.end).start, felt);
@@ -412,6 +421,10 @@ impl<'a> Fast<'a> {
     }
 }
 
+fn speed([x, y, z]: &[f64; 3]) -> f64 {
+    (x * x + y * y + z * z).sqrt()
+}
+
 /// The angular momenta of these rates with tensors that have one element alone: xx, yy, zz, xy, yz, zx.
 fn momenta([x, y, z]: [f64; 3]) -> [[f64; 3]; 6] {
     [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z], [y, x, 0.0], [0.0, z, y], [z, 0.0, x]]
@@ -419,7 +432,6 @@ fn momenta([x, y, z]: [f64; 3]) -> [[f64; 3]; 6] {
 
 pub(super) fn find(recording: &Recording) -> Result<Vec<Flight>> {
     let (times, rates) = (recording.times(), recording.rates());
-    let speed = |w: &[f64; 3]| Vector3::from(*w).norm();
     // Where noise hides what torque does in 20 ms, twice the time may show it.
     let found = [LAG, 2.0 * LAG].into_iter().map(|lag| flights(recording, lag));
     if let Some(found) = found.into_iter().find(|found| !found.is_empty()) {
@@ -441,25 +453,30 @@ fn flights(recording: &Recording, lag: f64) -> Vec<Flight> {
     let (times, rates) = (recording.times(), recording.rates());
     let step = recording.step();
     let lag = ((lag / step).round() as usize).max(1);
-    let speed = |w: &[f64; 3]| Vector3::from(*w).norm();
     let felt = recording.accelerations().filter(|felt| {
         // Accelerations without gravity are computed from the rates, and tell no more than these.
         let slow = felt.iter().zip(rates).filter(|(_, w)| speed(w) < 0.5);
         middle(slow.map(|(a, _)| speed(a)).collect()) > 0.5 * GRAVITY
     });
     // The fourth difference of noise has 70 times its variance, that of motion is smaller. Half of a normal
-    // distribution lies within 0.6745 deviations.
+    // distribution lies within 0.6745 deviations. Ten thousand tell it within a hundredth.
     let fourth = |w: &[[f64; 3]], k: usize| {
         (w[4][k] - 4.0 * (w[3][k] + w[1][k]) + 6.0 * w[2][k] + w[0][k]).abs()
     };
-    let differences = rates.windows(5).flat_map(|w| [0, 1, 2].map(|k| fourth(w, k))).collect();
+    let some = rates.windows(5).step_by(1 + rates.len() / 10_000);
+    let differences = some.flat_map(|w| [0, 1, 2].map(|k| fourth(w, k))).collect();
     let raw = middle(differences) / (0.6745 * 70.0_f64.sqrt());
     // Means of samples within 5 ms of each have less noise, and still tell when a hand lets go.
     let around = (0.25 * LAG / step) as usize;
     let mean = |k: usize| {
-        let near = k.saturating_sub(around)..(k + around + 1).min(rates.len());
-        let sum = rates[near.clone()].iter().map(|w| Vector3::from(*w)).sum::<Vector3<f64>>();
-        (sum / near.len() as f64).into()
+        let near = &rates[k.saturating_sub(around)..(k + around + 1).min(rates.len())];
+        let mut sum = [0.0; 3];
+        for w in near {
+            for i in 0..3 {
+                sum[i] += w[i];
+            }
+        }
+        sum.map(|sum| sum / near.len() as f64)
     };
     let rates: Vec<[f64; 3]> = (0..rates.len()).map(mean).collect();
     let noise = raw / ((2 * around + 1) as f64).sqrt();
@@ -472,7 +489,9 @@ fn flights(recording: &Recording, lag: f64) -> Vec<Flight> {
         };
         let end = (first..times.len()).find(|k| !joined(k)).unwrap_or(times.len());
         let run = first..end;
-        Fast::new(&times[run.clone()], &rates[run], first, lag, noise).flights(felt, &mut found);
+        if run.len() >= FEWEST {
+            Fast::new(&times[run.clone()], &rates[run], first, lag, noise).flights(felt, &mut found);
+        }
         first = end.max(first + 1);
     }
     found.sort_by_key(|flight| flight.samples.start);
