@@ -19,6 +19,7 @@ use super::columns::GRAVITY;
 use super::read::GAP;
 use super::{FEWEST, Recording, middle, refused};
 use crate::error::Result;
+use crate::number::short;
 use core::f64::consts::SQRT_2;
 use core::ops::Range;
 use rotation_dynamics::nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3, Vector6};
@@ -271,9 +272,7 @@ impl<'a> Fast<'a> {
     fn flights(&self, felt: Option<&[[f64; 3]]>, found: &mut Vec<Flight>) {
         let count = self.equations() / self.lag;
         let block = |n: usize| n * self.lag..(n + 1) * self.lag;
-        // Two equations tell of a lag as much as all, but for noise.
-        let two = self.lag.div_ceil(2);
-        let blocks: Vec<Sums> = (0..count).map(|n| self.sums(block(n).step_by(two))).collect();
+        let blocks: Vec<Sums> = (0..count).map(|n| self.sums(block(n))).collect();
         let seed = |n: usize| {
             let sums = blocks[n..n + SEED].iter().fold(Sums::default(), |sums, own| sums.with(own));
             Some((self.unforced(&sums, f64::INFINITY)?.0, n, sums))
@@ -439,12 +438,23 @@ pub(super) fn find(recording: &Recording) -> Result<Vec<Flight>> {
     }
     let fastest = (0..times.len()).max_by(|a, b| speed(&rates[*a]).total_cmp(&speed(&rates[*b])));
     let fastest = fastest.unwrap_or(0);
+    if let Some(limit) = recording.at_its_limit() {
+        return Err(refused(format!("no free flight was found: {limit}")));
+    }
+    let step = recording.step();
+    let coarse = match FEWEST as f64 * step > SHORTEST {
+        false => String::new(),
+        true => format!(
+            ". A fit needs {FEWEST} samples: {} a second are too few for a flight of less than {:.1} s",
+            short(1.0 / step, 3),
+            FEWEST as f64 * step + 1.5 * LAG
+        ),
+    };
     Err(refused(format!(
-        "no free flight was found: looked for {SHORTEST} s to {LONGEST} s, faster than {SLOWEST} rad/s, in which \
-         the angular momentum changes by less than {MOST} of itself a second; the fastest rate is \
-         {:.3} rad/s, at {:.3} s. A piece can be set by hand, from one time to another",
-        speed(&rates[fastest]),
-        times[fastest]
+        "no free flight was found, {SHORTEST} s to {LONGEST} s in which the phone turns freely and faster than \
+         {SLOWEST} rad/s; the fastest rate is {} rad/s, at {} s{coarse}. \"from\" and \"to\" set a piece by hand",
+        short(speed(&rates[fastest]), 4),
+        short(times[fastest], 5)
     )))
 }
 
@@ -494,6 +504,10 @@ fn flights(recording: &Recording, lag: f64) -> Vec<Flight> {
         }
         first = end.max(first + 1);
     }
+    // Rates at the end of a range are wrong.
+    let limited = recording.limited();
+    let apart = |a: &Range<usize>, b: &Range<usize>| a.end <= b.start || b.end <= a.start;
+    found.retain(|flight| limited.iter().all(|(_, samples)| apart(samples, &flight.samples)));
     found.sort_by_key(|flight| flight.samples.start);
     found
 }
