@@ -3,3 +3,4 @@
 mod bad;
 mod flights;
 mod formats;
+mod scan;

@@ -47,9 +47,12 @@ const MOST: f64 = 1.0;
 /// in ten million samples.
 const ENDS: f64 = 3.5;
 
+/// What straight lines between samples may leave as torque in a fast flip (1/s).
+const STRAIGHT: f64 = 0.2;
+
 /// A piece goes on beyond so short a time (s) without an equation that holds: a gap, stamps of time that are
 /// wrong, a flip too fast for straight lines. No hand catches and throws in it.
-const BRIDGE: f64 = 0.1;
+const BRIDGE: f64 = 0.15;
 
 /// The most that accelerations may be off in flight (m/s^2), as a root of the mean square. A phone
 /// that is carried is off by one g.
@@ -331,13 +334,14 @@ impl<'a> Fast<'a> {
             if sums.is_forced(&tensor, self.noise) {
                 return None;
             }
+            let limit = (ENDS * torque).max(STRAIGHT);
             let middle = (equations.start + equations.end) / 2;
             let reach = (LONGEST / self.step()) as usize;
             let before: Vec<usize> = (middle.saturating_sub(reach)..middle).rev().collect();
             let after: Vec<usize> = (middle..self.equations().min(middle + reach)).collect();
             let [before, after] = [before, after].map(|way| {
                 let sizes = way.iter().map(|k| self.equation(*k).sizes(&tensor)).collect::<Vec<_>>();
-                let free = |[left, l]: &[f64; 2]| *left <= ENDS * torque * l;
+                let free = |[left, l]: &[f64; 2]| *left <= limit * l;
                 let count = self.belong(&sizes, free);
                 way[..count].iter().copied().zip(sizes.iter().map(free)).collect::<Vec<_>>()
             });

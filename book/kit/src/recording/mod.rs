@@ -25,6 +25,7 @@ mod series;
 
 use crate::error::{Error, Result};
 use crate::number::short;
+use core::cmp::Ordering;
 use core::ops::Range;
 pub use flights::Flight;
 use rotation_dynamics::error::plain;
@@ -32,8 +33,10 @@ use rotation_dynamics::error::plain;
 /// The fewest samples that a fit of the library takes.
 const FEWEST: usize = 13;
 
-/// The least range of a phone's sensor, 250 degrees per second (rad/s).
-const LEAST_RANGE: f64 = 4.36;
+/// Where phones' sensors end (degrees per second): at 250 and its doubles, or at 2^15 steps of 8.75 thousandths and
+/// its doubles.
+const RANGES: [f64; 10] =
+    [250.0, 500.0, 1000.0, 2000.0, 4000.0, 286.7, 573.4, 1146.9, 2293.8, 4587.5];
 
 /// Rates about three axes, as a sensor recorded them.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,14 +91,16 @@ impl Recording {
     }
 
     /// Where a rate stays at its largest: the axis, and which samples. A turn passes its largest rate, a sensor stays
-    /// at its limit: it shows the same number for five samples, and more often than numbers up to 2 % below.
+    /// at its limit: it shows the same number for five samples, and more often than numbers up to 2 % below; and
+    /// that is the end of a usual range, but for an offset of 0.5 %.
     fn limited(&self) -> Vec<(usize, Range<usize>)> {
         let mut all = Vec::new();
         for (axis, sign) in [0, 1, 2].into_iter().flat_map(|axis| [(axis, 1.0), (axis, -1.0)]) {
             let values: Vec<f64> = self.rates.iter().map(|w| sign * w[axis]).collect();
             let most = values.iter().copied().fold(0.0, f64::max);
             let above = |least: f64| values.iter().filter(|value| **value >= least).count();
-            if most < LEAST_RANGE || 2 * above(most) <= above(0.98 * most) {
+            let ends = |range: &f64| (most / range.to_radians() - 1.0).abs() < 0.005;
+            if !RANGES.iter().any(ends) || 2 * above(most) <= above(0.98 * most) {
                 continue;
             }
             let mut first = 0;
@@ -151,8 +156,7 @@ impl Recording {
         let [begin, end] = [self.times[0], self.times[self.times.len() - 1]];
         let [from, to] = [from.unwrap_or(begin), to.unwrap_or(end)];
         let said = || format!("from {} s to {} s", plain(from), plain(to));
-        // A time that is no number is not below, either.
-        if !(from < to) {
+        if from.partial_cmp(&to) != Some(Ordering::Less) {
             return Err(refused(format!("{}: the end must be later", said())));
         }
         if from > end || to < begin {
