@@ -22,7 +22,7 @@ use crate::error::Result;
 use crate::number::short;
 use core::f64::consts::SQRT_2;
 use core::ops::Range;
-use rotation_dynamics::nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3, Vector6};
+use rotation_dynamics::nalgebra::{Matrix3, Vector3};
 
 /// What turns more slowly is no throw that would tell moments (rad/s).
 const SLOWEST: f64 = 3.0;
@@ -67,11 +67,67 @@ pub struct Flight {
     pub torque: f64,
 }
 
+type Square = [[f64; 6]; 6];
+
+/// xx, yy, zz, xy, yz, zx.
+type Tensor = [f64; 6];
+
+fn add(to: &mut Square, factor: f64, other: &Square) {
+    for i in 0..6 {
+        for j in 0..6 {
+            to[i][j] += factor * other[i][j];
+        }
+    }
+}
+
+fn dot(a: &Tensor, b: &Tensor) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] + a[4] * b[4] + a[5] * b[5]
+}
+
+fn product(m: &Square, v: &Tensor) -> Tensor {
+    [0, 1, 2, 3, 4, 5].map(|i| dot(&m[i], v))
+}
+
+/// L D L^T, of a matrix that is positive definite: L below the diagonal, D on it.
+fn factors(mut m: Square) -> Option<Square> {
+    for k in 0..6 {
+        if m[k][k] <= 0.0 {
+            return None;
+        }
+        for i in k + 1..6 {
+            let factor = m[i][k] / m[k][k];
+            for j in k + 1..=i {
+                m[i][j] -= factor * m[j][k];
+            }
+        }
+        let pivot = m[k][k];
+        for row in &mut m[k + 1..] {
+            row[k] /= pivot;
+        }
+    }
+    Some(m)
+}
+
+fn solved(factors: &Square, mut v: Tensor) -> Tensor {
+    for i in 0..6 {
+        for j in 0..i {
+            v[i] -= factors[i][j] * v[j];
+        }
+    }
+    for i in (0..6).rev() {
+        v[i] /= factors[i][i];
+        for j in i + 1..6 {
+            v[i] -= factors[j][i] * v[j];
+        }
+    }
+    v
+}
+
 /// Sums over equations from which the tensor follows.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sums {
-    torque: [[f64; 6]; 6],
-    momentum: [[f64; 6]; 6],
+    torque: Square,
+    momentum: Square,
     count: f64,
 }
 
@@ -81,12 +137,8 @@ impl Sums {
         for (sum, of) in sums {
             for i in 0..6 {
                 let [x, y, z] = of[i];
-                for j in 0..=i {
-                    let product = x * of[j][0] + y * of[j][1] + z * of[j][2];
-                    sum[i][j] += product;
-                    if j < i {
-                        sum[j][i] += product;
-                    }
+                for j in 0..6 {
+                    sum[i][j] += x * of[j][0] + y * of[j][1] + z * of[j][2];
                 }
             }
         }
@@ -94,75 +146,69 @@ impl Sums {
     }
 
     fn with(mut self, other: &Self) -> Self {
-        for i in 0..6 {
-            for j in 0..6 {
-                self.torque[i][j] += other.torque[i][j];
-                self.momentum[i][j] += other.momentum[i][j];
-            }
-        }
+        add(&mut self.torque, 1.0, &other.torque);
+        add(&mut self.momentum, 1.0, &other.momentum);
         self.count += other.count;
         self
     }
 
-    /// Whether every tensor leaves more |torque|/|L| than this: torque - most^2 momentum is positive definite. It
-    /// takes a hundredth of the time of the tensor.
+    /// Whether every tensor leaves more |torque|/|L| than this: torque - most^2 momentum is positive definite.
     fn exceeds(&self, most: f64) -> bool {
-        let mut m = self.torque;
-        for i in 0..6 {
-            for j in 0..=i {
-                m[i][j] -= most * most * self.momentum[i][j];
-            }
-        }
-        for k in 0..6 {
-            if m[k][k] <= 0.0 {
-                return false;
-            }
-            for i in k + 1..6 {
-                let factor = m[i][k] / m[k][k];
-                for j in k + 1..=i {
-                    m[i][j] -= factor * m[j][k];
-                }
-            }
-        }
-        true
+        let mut left = self.torque;
+        add(&mut left, -most * most, &self.momentum);
+        factors(left).is_some()
     }
 
-    /// The tensor of least torque.
-    fn tensor(&self) -> Option<Vector6<f64>> {
-        let [torque, mut momentum] =
-            [self.torque, self.momentum].map(|m| Matrix6::from_fn(|i, j| m[i][j]));
-        // Directions that no rate has are given a millionth, so that none is without momentum.
-        momentum += Matrix6::identity() * (1e-6 * momentum.trace());
-        let scale = momentum.cholesky()?.l();
-        let half = scale.solve_lower_triangular(&torque)?;
-        let whole = scale.solve_lower_triangular(&half.transpose())?;
-        let eigen = SymmetricEigen::new(0.5 * (whole + whole.transpose()));
-        let least = eigen.eigenvectors.column(eigen.eigenvalues.imin()).into_owned();
-        scale.transpose().solve_upper_triangular(&least)
+    /// The tensor of least torque, by inverse iteration.
+    fn tensor(&self) -> Option<Tensor> {
+        let mut momentum = self.momentum;
+        let trace: f64 = (0..6).map(|i| momentum[i][i]).sum();
+        for i in 0..6 {
+            // Directions that no rate has are given a millionth, so that none is without momentum.
+            momentum[i][i] += 1e-6 * trace;
+        }
+        // Less torque than 0.01/s is none.
+        let mut torque = self.torque;
+        add(&mut torque, 1e-4, &momentum);
+        let factors = factors(torque)?;
+        let mut tensor = [1.0, 1.1, 1.2, 0.1, 0.2, 0.3];
+        let mut last = 0.0;
+        for _ in 0..50 {
+            let momenta = product(&momentum, &tensor);
+            let size = dot(&tensor, &momenta).sqrt();
+            let right = momenta.map(|l| l / size);
+            tensor = solved(&factors, right);
+            // One over the least torque.
+            let own = dot(&tensor, &right);
+            if own - last <= 1e-6 * own {
+                break;
+            }
+            last = own;
+        }
+        Some(tensor)
     }
 
     /// The sum of the squares of torque or momentum with this tensor.
-    fn square(of: &[[f64; 6]; 6], tensor: &Vector6<f64>) -> f64 {
-        let row = |i: usize| (0..6).map(|j| of[i][j] * tensor[j]).sum::<f64>();
-        (0..6).map(|i| tensor[i] * row(i)).sum::<f64>().max(0.0)
+    fn square(of: &Square, tensor: &Tensor) -> f64 {
+        dot(tensor, &product(of, tensor)).max(0.0)
     }
 
     /// The root of the mean square of |torque|/|L| with this tensor.
-    fn size(&self, tensor: &Vector6<f64>) -> f64 {
+    fn size(&self, tensor: &Tensor) -> f64 {
         (Self::square(&self.torque, tensor) / Self::square(&self.momentum, tensor)).sqrt()
     }
 
     /// The part of that which noise of this standard deviation makes: 2 noise^2 |J|^2/|L dt|^2 in the mean
     /// square, with the sum |J|^2 of the squares of all nine elements.
-    fn by_noise(&self, tensor: &Vector6<f64>, noise: f64) -> f64 {
-        let [xx, yy, zz, xy, yz, zx] = (*tensor).into();
+    fn by_noise(&self, tensor: &Tensor, noise: f64) -> f64 {
+        let [xx, yy, zz, xy, yz, zx] = *tensor;
         let squares = xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + yz * yz + zx * zx);
         noise * (2.0 * self.count * squares / Self::square(&self.momentum, tensor)).sqrt()
     }
 
     /// Whether there is torque beyond what noise makes, or noise hides it. (A tensor with hardly a moment about
     /// the axis of the rates turns all torque into noise.)
-    fn is_forced(&self, tensor: &Vector6<f64>, noise: f64) -> bool {
+    fn is_forced(&self, tensor: &Tensor, noise: f64) -> bool {
         let (size, by_noise) = (self.size(tensor), self.by_noise(tensor, noise));
         size * size > MOST * MOST + by_noise * by_noise || by_noise > MOST
     }
@@ -176,7 +222,7 @@ struct Equation {
 
 impl Equation {
     /// The lengths of torque and momentum with this tensor.
-    fn sizes(&self, tensor: &Vector6<f64>) -> [f64; 2] {
+    fn sizes(&self, tensor: &Tensor) -> [f64; 2] {
         [&self.torque, &self.momentum].map(|of| {
             let mut sum = [0.0; 3];
             for (e, own) in of.iter().enumerate() {
@@ -184,7 +230,7 @@ impl Equation {
                     sum[k] += tensor[e] * own[k];
                 }
             }
-            Vector3::from(sum).norm()
+            speed(&sum)
         })
     }
 }
@@ -262,7 +308,7 @@ impl<'a> Fast<'a> {
 
     /// The torque of these sums with their own tensor, or of noise if that has more; none if it is more than this, or
     /// if a hand is in it.
-    fn unforced(&self, sums: &Sums, most: f64) -> Option<(f64, Vector6<f64>)> {
+    fn unforced(&self, sums: &Sums, most: f64) -> Option<(f64, Tensor)> {
         if sums.exceeds(most.min(SQRT_2 * MOST)) {
             return None;
         }
