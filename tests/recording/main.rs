@@ -3,4 +3,3 @@
 mod bad;
 mod flights;
 mod formats;
-mod scan;

@@ -132,12 +132,13 @@ struct Sums {
 }
 
 impl Sums {
+    /// Below the diagonal and on it.
     fn add(&mut self, equation: &Equation) {
         let sums = [(&mut self.torque, &equation.torque), (&mut self.momentum, &equation.momentum)];
         for (sum, of) in sums {
             for i in 0..6 {
                 let [x, y, z] = of[i];
-                for j in 0..6 {
+                for j in 0..=i {
                     sum[i][j] += x * of[j][0] + y * of[j][1] + z * of[j][2];
                 }
             }
@@ -145,11 +146,16 @@ impl Sums {
         self.count += 1.0;
     }
 
-    fn with(mut self, other: &Self) -> Self {
+    fn of(parts: &[Self]) -> Self {
+        let mut sums = Self::default();
+        parts.iter().for_each(|part| sums.join(part));
+        sums
+    }
+
+    fn join(&mut self, other: &Self) {
         add(&mut self.torque, 1.0, &other.torque);
         add(&mut self.momentum, 1.0, &other.momentum);
         self.count += other.count;
-        self
     }
 
     /// Whether every tensor leaves more |torque|/|L| than this: torque - most^2 momentum is positive definite.
@@ -303,6 +309,12 @@ impl<'a> Fast<'a> {
     fn sums(&self, equations: impl Iterator<Item = usize>) -> Sums {
         let mut sums = Sums::default();
         equations.for_each(|k| sums.add(&self.equation(k)));
+        for i in 0..6 {
+            for j in i + 1..6 {
+                sums.torque[i][j] = sums.torque[j][i];
+                sums.momentum[i][j] = sums.momentum[j][i];
+            }
+        }
         sums
     }
 
@@ -323,19 +335,19 @@ impl<'a> Fast<'a> {
         let block = |n: usize| n * self.lag..(n + 1) * self.lag;
         let blocks: Vec<Sums> = (0..count).map(|n| self.sums(block(n))).collect();
         let seed = |n: usize| {
-            let sums = blocks[n..n + SEED].iter().fold(Sums::default(), |sums, own| sums.with(own));
-            Some((self.unforced(&sums, f64::INFINITY)?.0, n, sums))
+            Some((self.unforced(&Sums::of(&blocks[n..n + SEED]), f64::INFINITY)?.0, n))
         };
         let mut seeds: Vec<_> =
             (0..(count + 1).saturating_sub(SEED)).step_by(2).filter_map(seed).collect();
         seeds.sort_by(|a, b| a.0.total_cmp(&b.0));
         let longest = (LONGEST / self.step()) as usize;
         let mut taken = vec![false; count];
-        for (mut torque, seed, mut sums) in seeds {
+        for (mut torque, seed) in seeds {
             let mut piece = seed..seed + SEED;
             if taken[piece.clone()].contains(&true) {
                 continue;
             }
+            let mut sums = Sums::of(&blocks[piece.clone()]);
             // One block more at either end, as long as one tensor explains it all as well as before; no longer than
             // any flight.
             let (mut forward, mut stuck) = (true, 0);
@@ -343,7 +355,8 @@ impl<'a> Fast<'a> {
                 let n = if forward { Some(piece.end) } else { piece.start.checked_sub(1) };
                 let wider = n.and_then(|n| {
                     let own = blocks.get(n).filter(|_| !taken[n])?;
-                    let all = sums.with(own);
+                    let mut all = sums;
+                    all.join(own);
                     let (more, tensor) = self.unforced(&all, 2.0 * torque)?;
                     (own.size(&tensor) <= ENDS * torque).then_some((n, more, all))
                 });
@@ -411,7 +424,7 @@ impl<'a> Fast<'a> {
     }
 
     /// How many of these equations belong to the flight in which they begin: until two in a row do not hold, unless
-    /// soon after as many hold as half a seed has, and |L| is the same there.
+    /// soon after four fifths of as many hold as half a seed has, and |L| is the same there.
     fn belong(&self, sizes: &[[f64; 2]], free: impl Fn(&[f64; 2]) -> bool) -> usize {
         let (half, bridge) = (SEED / 2 * self.lag, (BRIDGE / self.step()) as usize + self.lag);
         let momentum = |part: &[[f64; 2]]| {
@@ -425,7 +438,7 @@ impl<'a> Fast<'a> {
             }
             let goes_on = |m: &usize| {
                 let beyond = sizes.get(*m..m + half);
-                let beyond = beyond.filter(|part| part.iter().all(&free)).map(momentum);
+                let beyond = beyond.filter(|part| 5 * part.iter().filter(|own| free(own)).count() >= 4 * half).map(momentum);
                 let own = momentum(&sizes[n.saturating_sub(half)..n]);
                 let apart = (m - n + half) as f64 * self.step();
                 beyond.is_some_and(|beyond| (beyond - own).abs() <= MOST * apart * own)

@@ -287,8 +287,7 @@ impl Table {
                 true => at(None, None, format!("lines with rates: {lines}; {fewest}")),
                 false => {
                     let reason = format!(
-                        "{lines} lines have {different} different times; {fewest}: are they written with all \
-                         digits?"
+                        "different times in {lines} lines: {different}; {fewest}: are they written with all digits?"
                     );
                     at(None, Some(self.name(series.sensor.time)), reason)
                 }
