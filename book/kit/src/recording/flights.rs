@@ -229,15 +229,11 @@ struct Equation {
 impl Equation {
     /// The lengths of torque and momentum with this tensor.
     fn sizes(&self, tensor: &Tensor) -> [f64; 2] {
-        [&self.torque, &self.momentum].map(|of| {
-            let mut sum = [0.0; 3];
-            for (e, own) in of.iter().enumerate() {
-                for k in 0..3 {
-                    sum[k] += tensor[e] * own[k];
-                }
-            }
-            speed(&sum)
-        })
+        let along = |of: &[[f64; 3]; 6], k: usize| {
+            dot(tensor, &[of[0][k], of[1][k], of[2][k], of[3][k], of[4][k], of[5][k]])
+        };
+        let size = |of: &[[f64; 3]; 6]| speed(&[along(of, 0), along(of, 1), along(of, 2)]);
+        [size(&self.torque), size(&self.momentum)]
     }
 }
 
@@ -277,29 +273,31 @@ impl<'a> Fast<'a> {
 
     /// That from sample k.
     fn equation(&self, k: usize) -> Equation {
-        let [from, to] = [k, k + self.lag].map(|n| self.integrals[n]);
-        let mut over = [0.0; 9];
-        for n in 0..9 {
-            over[n] = to[n] - from[n];
-        }
-        let [x, y, z, xx, yy, zz, xy, yz, zx] = over;
-        // w x (J w) for each element.
-        let mut torque = [
-            [0.0, zx, -xy],
-            [-yz, 0.0, xy],
-            [yz, -zx, 0.0],
-            [-zx, yz, xx - yy],
-            [yy - zz, -xy, zx],
-            [xy, zz - xx, -yz],
+        let (from, to) = (&self.integrals[k], &self.integrals[k + self.lag]);
+        let over = |n: usize| to[n] - from[n];
+        let (xx, yy, zz) = (over(3), over(4), over(5));
+        let (xy, yz, zx) = (over(6), over(7), over(8));
+        let (a, b) = (&self.rates[k], &self.rates[k + self.lag]);
+        let (dx, dy, dz) = (b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+        // d(J w) + w x (J w) for each element.
+        let torque = [
+            [dx, zx, -xy],
+            [-yz, dy, xy],
+            [yz, -zx, dz],
+            [dy - zx, dx + yz, xx - yy],
+            [yy - zz, dz - xy, dy + zx],
+            [dz + xy, zz - xx, dx - yz],
         ];
-        let [a, b] = [k, k + self.lag].map(|n| self.rates[n]);
-        let change = momenta([b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
-        for (torque, change) in torque.iter_mut().zip(change) {
-            for k in 0..3 {
-                torque[k] += change[k];
-            }
-        }
-        Equation { torque, momentum: momenta([x, y, z]) }
+        let (x, y, z) = (over(0), over(1), over(2));
+        let momentum = [
+            [x, 0.0, 0.0],
+            [0.0, y, 0.0],
+            [0.0, 0.0, z],
+            [y, x, 0.0],
+            [0.0, z, y],
+            [z, 0.0, x],
+        ];
+        Equation { torque, momentum }
     }
 
     fn equations(&self) -> usize {
@@ -485,11 +483,6 @@ impl<'a> Fast<'a> {
 
 fn speed([x, y, z]: &[f64; 3]) -> f64 {
     (x * x + y * y + z * z).sqrt()
-}
-
-/// The angular momenta of these rates with tensors that have one element alone: xx, yy, zz, xy, yz, zx.
-fn momenta([x, y, z]: [f64; 3]) -> [[f64; 3]; 6] {
-    [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z], [y, x, 0.0], [0.0, z, y], [z, 0.0, x]]
 }
 
 pub(super) fn find(recording: &Recording) -> Result<Vec<Flight>> {
