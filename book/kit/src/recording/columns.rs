@@ -165,9 +165,7 @@ fn column(cell: &str) -> Result<Option<Column>, String> {
                 "the unit ({unit}) of {cell:?} is not known: expected (rad/s), (mrad/s), (deg/s), (rev/s) or (rpm)"
             ));
         }
-        _ if about(&["gyr", "angularv", "rotationrate", "omega"]) || single("w") => {
-            (rate, None)
-        }
+        _ if about(&["gyr", "angularv", "rotationrate", "omega"]) || single("w") => (rate, None),
         None if single("g") => (Quantity::Letter, None),
         None if measure(&compact).is_some_and(|(quantity, _)| quantity == Quantity::Time) => {
             (Quantity::Time, measure(&compact).map(|(_, unit)| unit))

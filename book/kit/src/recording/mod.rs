@@ -22,6 +22,7 @@ mod flights;
 pub mod made;
 mod read;
 mod series;
+mod torque;
 
 use crate::error::{Error, Result};
 use crate::number::short;

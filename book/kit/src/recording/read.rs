@@ -317,11 +317,15 @@ impl Table {
         }
         match series.sensor.unit {
             Some(1.0) => {}
-            Some(unit) => notes.push(format!("The rates were converted from {}.", columns::said(unit))),
+            Some(unit) => {
+                notes.push(format!("The rates were converted from {}.", columns::said(unit)))
+            }
             None => notes.push("The rates have no unit: they were taken as rad/s.".into()),
         }
         if layout.uncalibrated {
-            notes.push("Of calibrated and uncalibrated rates the calibrated ones were taken.".into());
+            notes.push(
+                "Of calibrated and uncalibrated rates the calibrated ones were taken.".into(),
+            );
         }
         if let Some((repeated, done)) = settled {
             notes.push(format!("Lines with the time of the line before: {repeated}; {done}."));

@@ -86,9 +86,9 @@ impl Series {
         let usual = middle(groups.iter().filter_map(step).collect());
         let many = groups.iter().filter(|group| group.len() > 1);
         let off = many.clone().filter_map(step).map(|step| (step / usual - 1.0).abs()).collect();
-        let differ = many.clone().any(|group| {
-            self.values[group.clone()].windows(2).any(|pair| pair[0] != pair[1])
-        });
+        let differ = many
+            .clone()
+            .any(|group| self.values[group.clone()].windows(2).any(|pair| pair[0] != pair[1]));
         // Two lines for one step are off by a half.
         if differ && middle(off) < 0.25 {
             let times = groups.iter().flat_map(|group| {
@@ -100,7 +100,8 @@ impl Series {
             return Some((repeated, "samples come regularly, so they were spread evenly"));
         }
         let mean = |group: &Range<usize>| {
-            let sum = |k: usize| self.values[group.clone()].iter().map(|value| value[k]).sum::<f64>();
+            let sum =
+                |k: usize| self.values[group.clone()].iter().map(|value| value[k]).sum::<f64>();
             [0, 1, 2].map(|k| sum(k) / group.len() as f64)
         };
         self.values = groups.iter().map(mean).collect();
