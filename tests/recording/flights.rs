@@ -89,7 +89,7 @@ fn each_of_several_throws_is_found() {
 fn what_is_no_flight_is_none() {
     let refusal = |made: Made| recording(&made).flights().unwrap_err().to_string();
     let rest = Made { motion: Motion::Rest(5.0), ..Made::default() };
-    insta::assert_snapshot!(refusal(rest), @r#"no free flight was found, 0.15 s to 3 s in which the phone turns freely and faster than 3 rad/s; the fastest rate is 0.09136 rad/s, at 0.69203 s. "from" and "to" set a piece by hand"#);
+    insta::assert_snapshot!(refusal(rest), @r#"no free flight was found, 0.15 s to 3 s in which the phone turns freely and faster than 3 rad/s; the fastest rate is 0.09136 rad/s, at 0.69203 s. A piece is set by hand with --from and --to, on the page with the fields "from" and "to""#);
     let swing = Motion::Swing {
         length: 0.5,
         gravity: 9.81,
@@ -98,7 +98,7 @@ fn what_is_no_flight_is_none() {
         quadratic: 0.0,
         duration: 10.0,
     };
-    insta::assert_snapshot!(refusal(Made { motion: swing, ..Made::default() }), @r#"no free flight was found, 0.15 s to 3 s in which the phone turns freely and faster than 3 rad/s; the fastest rate is 2.194 rad/s, at 0.32211 s. "from" and "to" set a piece by hand"#);
+    insta::assert_snapshot!(refusal(Made { motion: swing, ..Made::default() }), @r#"no free flight was found, 0.15 s to 3 s in which the phone turns freely and faster than 3 rad/s; the fastest rate is 2.194 rad/s, at 0.32211 s. A piece is set by hand with --from and --to, on the page with the fields "from" and "to""#);
 }
 
 /// A recording of these, with some of its samples changed.
@@ -117,8 +117,7 @@ fn a_flight_is_one_beyond_gaps_stamps_and_fast_flips() {
         // Nearly about the middle axis, so that it flips, with little noise.
         let release = [random.between(-1.0, 1.0), random.between(12.0, 25.0), 0.3];
         let releases = vec![release];
-        let motion =
-            Motion::Throws { moments: [1.0, 4.1, 4.8], releases, flight: 0.8, drag: 0.0 };
+        let motion = Motion::Throws { moments: [1.0, 4.1, 4.8], releases, flight: 0.8, drag: 0.0 };
         let frequency = [100.0, 200.0, 400.0][case % 3];
         let made = Made { motion, frequency, noise: 0.003, seed: case as u64, ..Made::default() };
         let gap = random.between(1.4, 1.8);
@@ -161,14 +160,14 @@ fn a_sensor_at_its_limit_is_told_instead_of_a_flight() {
     };
     assert_eq!(limited(2000.0).expect("a flight").len(), 1);
     let error = limited(500.0).unwrap_err().to_string();
-    insta::assert_snapshot!(error, @"no free flight was found: from 1.5125 s to 1.6879 s (and 3 times more) the rate about x stays at 8.727 rad/s, the end of the sensor's range: throw more slowly");
+    insta::assert_snapshot!(error, @"no free flight was found: from 1.5125 s to 1.6879 s (pieces like this: 4) the rate about x stays at 8.727 rad/s, the end of the sensor's range: throw more slowly");
 }
 
 #[test]
 fn too_few_samples_a_second_are_told() {
     let slow = Made { frequency: 10.0, ..Made::default() };
     let error = recording(&slow).flights().unwrap_err().to_string();
-    insta::assert_snapshot!(error, @r#"no free flight was found, 0.15 s to 3 s in which the phone turns freely and faster than 3 rad/s; the fastest rate is 9.379 rad/s, at 1.9466 s. A fit needs 13 samples: 9.89 a second are too few for a flight of less than 1.3 s. "from" and "to" set a piece by hand"#);
+    insta::assert_snapshot!(error, @r#"no free flight was found, 0.15 s to 3 s in which the phone turns freely and faster than 3 rad/s; the fastest rate is 9.379 rad/s, at 1.9466 s. A fit needs 13 samples: 9.89 a second are too few for a flight of less than 1.3 s. A piece is set by hand with --from and --to, on the page with the fields "from" and "to""#);
 }
 
 /// A phone that turns on a table, less and less; with an accelerometer or none.

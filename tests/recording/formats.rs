@@ -197,9 +197,10 @@ fn other_tables_are_read_too() {
         table("time,ax,ay,az,gx,gy,gz,mx,my,mz", |t, [x, y, z]| {
             format!("{t},1,{t},3,{x},{y},{z},7,8,9").replace('-', "\u{2212}")
         }),
-        table("t,GyroscopeUncalibrated_x,GyroscopeUncalibrated_y,GyroscopeUncalibrated_z,Gyroscope_x,Gyroscope_y,Gyroscope_z", |t, [x, y, z]| {
-            format!("{t},1,{t},3,{x},{y},{z}")
-        }),
+        table(
+            "t,GyroscopeUncalibrated_x,GyroscopeUncalibrated_y,GyroscopeUncalibrated_z,Gyroscope_x,Gyroscope_y,Gyroscope_z",
+            |t, [x, y, z]| format!("{t},1,{t},3,{x},{y},{z}"),
+        ),
         table("% t (s) wx (rad/s) wy (rad/s) wz (rad/s)", |t, [x, y, z]| {
             format!("{t} {x} {y} {z}")
         }),
@@ -262,6 +263,22 @@ fn repeated_times_are_averaged_and_gaps_told() {
 }
 
 #[test]
+fn the_app_and_the_calibrated_rates_are_told() {
+    let notes = |bytes: &[u8]| Recording::read("", bytes).expect("read").notes().join(" ");
+    let german =
+        table("Zeit (s);wx (°/s);wy (°/s);wz (°/s)", |t, [x, y, z]| format!("{t};{x};{y};{z}"));
+    let latin = german.chars().map(|c| u8::try_from(u32::from(c)).expect("Latin-1"));
+    let said = notes(&latin.collect::<Vec<_>>());
+    assert!(said.starts_with("Read as a table. "), "{said}");
+    let both = "t,gyroUncal_x,gyroUncal_y,gyroUncal_z,gyro_x,gyro_y,gyro_z";
+    let both = table(both, |t, [x, y, z]| format!("{t},1,2,3,{x},{y},{z}"));
+    let alone = both.replace(",gyro_", ",other_");
+    let calibrated = "the calibrated ones were taken";
+    assert!(notes(both.as_bytes()).contains(calibrated));
+    assert!(Recording::read("", alone.as_bytes()).is_err(), "1, 2, 3 are constant");
+}
+
+#[test]
 fn stamps_that_repeat_are_spread_over_regular_samples() {
     // Stamps in steps of 20 ms, or one in ten that is late.
     let stamps: [fn(f64) -> f64; 2] = [
@@ -278,7 +295,10 @@ fn stamps_that_repeat_are_spread_over_regular_samples() {
             assert!((t - 0.005 * k as f64).abs() < 1e-9, "{k} {t}");
         }
         let notes = recording.notes().join("\n");
-        assert!(notes.contains(&format!("line before: {repeated}; samples come regularly")), "{notes}");
+        assert!(
+            notes.contains(&format!("line before: {repeated}; samples come regularly")),
+            "{notes}"
+        );
     }
 }
 

@@ -124,7 +124,7 @@ impl Recording {
         let axis = ["x", "y", "z"][*axis];
         let more = match limited.len() - 1 {
             0 => String::new(),
-            more => format!(" (and {more} times more)"),
+            more => format!(" (pieces like this: {})", more + 1),
         };
         Some(format!(
             "from {from} s to {to} s{more} the rate about {axis} stays at {most} rad/s, the end of the sensor's \

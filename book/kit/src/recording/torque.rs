@@ -1,7 +1,7 @@
 //! The tensor for which the least torque is left in some equations.
 //!
-//! In plain loops: the page kit is compiled without optimisation where examples are run, and there the solvers of
-//! nalgebra take twenty times as long.
+//! In plain loops: the page kit is compiled without optimisation where examples are run, and there the search of
+//! 300,000 samples took 27 s with the solvers of nalgebra, where this takes 3 s.
 
 /// The most torque of a flight, |torque|/|L| (1/s). A hand that takes a second to give or take L
 /// has as much; noise of 0.1 rad/s at 10 rad/s has 0.7.
@@ -42,7 +42,7 @@ fn factors(mut m: Square) -> Option<Square> {
         let column = m.map(|row| row[k]);
         for (i, row) in m.iter_mut().enumerate().skip(k + 1) {
             row[k] /= pivot;
-            for j in k + 1..=i {
+            for j in k + 1..i + 1 {
                 row[j] -= row[k] * column[j];
             }
         }
@@ -80,7 +80,7 @@ impl Sums {
         for (sum, of) in sums {
             for i in 0..6 {
                 let [x, y, z] = of[i];
-                for j in 0..=i {
+                for j in 0..i + 1 {
                     sum[i][j] += x * of[j][0] + y * of[j][1] + z * of[j][2];
                 }
             }
