@@ -148,6 +148,22 @@ fn a_flight_is_one_beyond_gaps_stamps_and_fast_flips() {
 }
 
 #[test]
+fn a_knock_parts_a_flight() {
+    // The twin: the same tensor before and after it, but another |L|.
+    let releases = vec![[0.1, 0.2, 15.0]];
+    let motion = Motion::Throws { moments: [1.0, 4.1, 4.8], releases, flight: 0.8, drag: 0.0 };
+    let made = Made { motion, ..Made::default() };
+    let knocked = |kept: f64| {
+        let recording = changed(&made, |samples| {
+            let all = samples.times.iter().zip(samples.rates.iter_mut());
+            all.filter(|(t, _)| **t > 1.6).for_each(|(_, w)| *w = w.map(|w| kept * w));
+        });
+        recording.flights().expect("flights").len()
+    };
+    assert_eq!([1.0, 0.7].map(knocked), [1, 2]);
+}
+
+#[test]
 fn a_sensor_at_its_limit_is_told_instead_of_a_flight() {
     let release = vec![[1.0, 14.0, 2.0]];
     let motion =
