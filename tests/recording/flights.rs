@@ -1,8 +1,8 @@
 //! Flights are found in recordings of which they are known.
 
 use core::f64::consts::TAU;
-use kit::recording::Recording;
-use kit::recording::made::{Format, Made, Motion};
+use kit::recording::made::{Format, Made, Motion, Samples};
+use kit::recording::{Flight, Recording};
 use support::Random;
 
 fn recording(made: &Made) -> Recording {
@@ -89,7 +89,7 @@ fn each_of_several_throws_is_found() {
 fn what_is_no_flight_is_none() {
     let refusal = |made: Made| recording(&made).flights().unwrap_err().to_string();
     let rest = Made { motion: Motion::Rest(5.0), ..Made::default() };
-    insta::assert_snapshot!(refusal(rest), @"no free flight was found: looked for 0.15 s to 3 s, faster than 3 rad/s, in which the angular momentum changes by less than 1 of itself a second; the fastest rate is 0.091 rad/s, at 0.692 s. A piece can be set by hand, from one time to another");
+    insta::assert_snapshot!(refusal(rest), @r#"no free flight was found, 0.15 s to 3 s in which the phone turns freely and faster than 3 rad/s; the fastest rate is 0.09136 rad/s, at 0.69203 s. A piece is set by hand with --from and --to, on the page with the fields "from" and "to""#);
     let swing = Motion::Swing {
         length: 0.5,
         gravity: 9.81,
@@ -98,7 +98,92 @@ fn what_is_no_flight_is_none() {
         quadratic: 0.0,
         duration: 10.0,
     };
-    insta::assert_snapshot!(refusal(Made { motion: swing, ..Made::default() }), @"no free flight was found: looked for 0.15 s to 3 s, faster than 3 rad/s, in which the angular momentum changes by less than 1 of itself a second; the fastest rate is 2.194 rad/s, at 0.322 s. A piece can be set by hand, from one time to another");
+    insta::assert_snapshot!(refusal(Made { motion: swing, ..Made::default() }), @r#"no free flight was found, 0.15 s to 3 s in which the phone turns freely and faster than 3 rad/s; the fastest rate is 2.194 rad/s, at 0.32211 s. A piece is set by hand with --from and --to, on the page with the fields "from" and "to""#);
+}
+
+/// A recording of these, with some of its samples changed.
+fn changed(made: &Made, change: impl Fn(&mut Samples)) -> Recording {
+    let mut samples = made.samples().expect("samples");
+    change(&mut samples);
+    let text = samples.text(Format::Phyphox);
+    Recording::read("made.csv", text.as_bytes()).expect("a recording")
+}
+
+#[test]
+fn a_flight_is_one_beyond_gaps_stamps_and_fast_flips() {
+    let mut random = Random(12);
+    let mut tried = 0;
+    for case in 0..40 {
+        // Nearly about the middle axis, so that it flips, with little noise.
+        let release = [random.between(-1.0, 1.0), random.between(12.0, 25.0), 0.3];
+        let releases = vec![release];
+        let motion = Motion::Throws { moments: [1.0, 4.1, 4.8], releases, flight: 0.8, drag: 0.0 };
+        let frequency = [100.0, 200.0, 400.0][case % 3];
+        let made = Made { motion, frequency, noise: 0.003, seed: case as u64, ..Made::default() };
+        let gap = random.between(1.4, 1.8);
+        let late: Vec<bool> = (0..1500).map(|_| random.unit() < 0.05).collect();
+        let recording = changed(&made, |samples| match case % 4 {
+            0 => {
+                let keep = |t: &f64| *t < gap || *t > gap + 0.05;
+                let times = samples.times.clone();
+                samples.times.retain(keep);
+                let mut kept = times.iter().map(keep);
+                samples.rates.retain(|_| kept.next() == Some(true));
+            }
+            1 | 2 => (1..samples.times.len()).filter(|k| late[*k]).for_each(|k| {
+                samples.times[k] = samples.times[k - 1];
+            }),
+            _ => {}
+        });
+        let found = recording.flights().expect("a flight");
+        let ends = |flight: &Flight| {
+            [flight.samples.start, flight.samples.end - 1].map(|k| recording.times()[k])
+        };
+        let found: Vec<[f64; 2]> = found.iter().map(ends).collect();
+        let [[begin, end]] = found[..] else { panic!("{case}: {found:?}") };
+        assert!((1.19..1.24).contains(&begin) && (1.96..2.0).contains(&end), "{case}: {found:?}");
+        tried += 1;
+    }
+    assert_eq!(tried, 40);
+}
+
+#[test]
+fn a_knock_parts_a_flight() {
+    // The twin: the same tensor before and after it, but another |L|.
+    let releases = vec![[0.1, 0.2, 15.0]];
+    let motion = Motion::Throws { moments: [1.0, 4.1, 4.8], releases, flight: 0.8, drag: 0.0 };
+    let made = Made { motion, ..Made::default() };
+    let knocked = |kept: f64| {
+        let recording = changed(&made, |samples| {
+            let all = samples.times.iter().zip(samples.rates.iter_mut());
+            all.filter(|(t, _)| **t > 1.6).for_each(|(_, w)| *w = w.map(|w| kept * w));
+        });
+        recording.flights().expect("flights").len()
+    };
+    assert_eq!([1.0, 0.7].map(knocked), [1, 2]);
+}
+
+#[test]
+fn a_sensor_at_its_limit_is_told_instead_of_a_flight() {
+    let release = vec![[1.0, 14.0, 2.0]];
+    let motion =
+        Motion::Throws { moments: [1.0, 4.1, 4.8], releases: release, flight: 0.8, drag: 0.0 };
+    let made = Made { motion, ..Made::default() };
+    let limited = |degrees: f64| {
+        let limit = f64::to_radians(degrees);
+        let clip = |w: &mut f64| *w = w.clamp(-limit, limit);
+        changed(&made, |samples| samples.rates.iter_mut().flatten().for_each(clip)).flights()
+    };
+    assert_eq!(limited(2000.0).expect("a flight").len(), 1);
+    let error = limited(500.0).unwrap_err().to_string();
+    insta::assert_snapshot!(error, @"no free flight was found: from 1.5125 s to 1.6879 s (pieces like this: 4) the rate about x stays at 8.727 rad/s, the end of the sensor's range: throw more slowly");
+}
+
+#[test]
+fn too_few_samples_a_second_are_told() {
+    let slow = Made { frequency: 10.0, ..Made::default() };
+    let error = recording(&slow).flights().unwrap_err().to_string();
+    insta::assert_snapshot!(error, @r#"no free flight was found, 0.15 s to 3 s in which the phone turns freely and faster than 3 rad/s; the fastest rate is 9.379 rad/s, at 1.9466 s. A fit needs 13 samples: 9.89 a second are too few for a flight of less than 1.3 s. A piece is set by hand with --from and --to, on the page with the fields "from" and "to""#);
 }
 
 /// A phone that turns on a table, less and less; with an accelerometer or none.

@@ -84,7 +84,7 @@ fn what_was_recognised_is_told() {
     Read as a table of Sensor Logger. 560 samples in 2.795 s, 200.0 a second. The rates have no unit: they were taken as rad/s.
     Read as a table of MATLAB Mobile. Times count from the first sample. 560 samples in 2.795 s, 200.0 a second. The rates have no unit: they were taken as rad/s.
     Read as a table of AndroSensor. 560 samples in 2.795 s, 200.0 a second. Accelerations were read as well.
-    Read as a table. 560 samples in 2.795 s, 200.0 a second. The rates were converted from degrees per second.
+    Read as a table. 560 samples in 2.795 s, 200.0 a second. The rates were converted from deg/s.
     Read as a table without a header. The times have no unit: by their steps of 0.005016 they are in s. 560 samples in 2.795 s, 200.0 a second. The rates have no unit: they were taken as rad/s.
     "#);
 }
@@ -175,6 +175,32 @@ fn other_tables_are_read_too() {
             format!("{t},{x},{y},{z}")
         }),
         table("# made by hand\n#  t   wz   wy   wx", |t, [x, y, z]| format!("{t}  {z} {y} {x}")),
+        // A line of units.
+        table("t,x,y,z\n(s),(deg/s),(deg/s),(deg/s)", |t, w| {
+            let [x, y, z] = w.map(degrees);
+            format!("{t},{x},{y},{z}")
+        }),
+        table("us;x;y;z", |t, [x, y, z]| format!("{};{x};{y};{z}", (1e6 * t).round())),
+        table("t (s),gyro x (rpm),gyro y (rpm),gyro z (rpm)", |t, w| {
+            let [x, y, z] = w.map(|w| 30.0 * w / PI);
+            format!("{t},{x},{y},{z}")
+        }),
+        table("t (s),gx (rev/s),gy (rev/s),gz (rev/s)", |t, w| {
+            let [x, y, z] = w.map(|w| 0.5 * w / PI);
+            format!("{t},{x},{y},{z}")
+        }),
+        table("t (s),gx (mrad/s),gy (mrad/s),gz (mrad/s)", |t, w| {
+            let [x, y, z] = w.map(|w| 1e3 * w);
+            format!("{t},{x},{y},{z}")
+        }),
+        // Other sensors, and a minus of printers.
+        table("time,ax,ay,az,gx,gy,gz,mx,my,mz", |t, [x, y, z]| {
+            format!("{t},1,{t},3,{x},{y},{z},7,8,9").replace('-', "\u{2212}")
+        }),
+        table(
+            "t,GyroscopeUncalibrated_x,GyroscopeUncalibrated_y,GyroscopeUncalibrated_z,Gyroscope_x,Gyroscope_y,Gyroscope_z",
+            |t, [x, y, z]| format!("{t},1,{t},3,{x},{y},{z}"),
+        ),
         table("% t (s) wx (rad/s) wy (rad/s) wz (rad/s)", |t, [x, y, z]| {
             format!("{t} {x} {y} {z}")
         }),
@@ -194,7 +220,7 @@ fn other_tables_are_read_too() {
         }
         tried += 1;
     }
-    assert_eq!(tried, 16);
+    assert_eq!(tried, 23);
 }
 
 #[test]
@@ -215,19 +241,65 @@ fn accelerations_with_a_clock_of_their_own_are_interpolated() {
 
 #[test]
 fn repeated_times_are_averaged_and_gaps_told() {
+    // Every tenth line is there twice.
     let mut text = table("time (s),wx (rad/s),wy (rad/s),wz (rad/s)", |t, [x, y, z]| {
-        format!("{t},{x},{y},{z}\n{t},{},{y},{}", x + 0.2, z - 0.4)
+        let again = format!("\n{t},{},{y},{}", x + 0.2, z - 0.4);
+        let again = if (200.0 * t).round() % 10.0 == 0.0 { again } else { String::new() };
+        format!("{t},{x},{y},{z}{again}")
     });
     text.push_str("\n1.5,1,2,3");
     let recording = Recording::read("", text.as_bytes()).expect("read");
     assert_eq!(recording.times().len(), 201);
-    for (t, w) in recording.times().iter().zip(recording.rates()).take(200) {
+    for (t, w) in recording.times().iter().zip(recording.rates()).step_by(10).take(20) {
         let [x, y, z] = rates(*t);
         assert!((w[0] - x - 0.1).abs() < 1e-12 && w[1] == y && (w[2] - z + 0.2).abs() < 1e-12);
     }
     let notes = recording.notes().join("\n");
-    assert!(notes.contains("200 lines repeat the time of the line before"), "{notes}");
+    assert!(notes.contains("line before: 20; they were averaged"), "{notes}");
     assert!(notes.contains("1; the first is from 0.9950 s to 1.5000 s"), "{notes}");
+    // Two are averaged, and the header is a line.
+    assert_eq!(recording.place(10), "line 13, t = 0.0500000 s");
+    assert_eq!(recording.place(999), "sample 999, of 201");
+}
+
+#[test]
+fn the_app_and_the_calibrated_rates_are_told() {
+    let notes = |bytes: &[u8]| Recording::read("", bytes).expect("read").notes().join(" ");
+    let german =
+        table("Zeit (s);wx (°/s);wy (°/s);wz (°/s)", |t, [x, y, z]| format!("{t};{x};{y};{z}"));
+    let latin = german.chars().map(|c| u8::try_from(u32::from(c)).expect("Latin-1"));
+    let said = notes(&latin.collect::<Vec<_>>());
+    assert!(said.starts_with("Read as a table. "), "{said}");
+    let both = "t,gyroUncal_x,gyroUncal_y,gyroUncal_z,gyro_x,gyro_y,gyro_z";
+    let both = table(both, |t, [x, y, z]| format!("{t},1,2,3,{x},{y},{z}"));
+    let alone = both.replace(",gyro_", ",other_");
+    let calibrated = "the calibrated ones were taken";
+    assert!(notes(both.as_bytes()).contains(calibrated));
+    assert!(Recording::read("", alone.as_bytes()).is_err(), "1, 2, 3 are constant");
+}
+
+#[test]
+fn stamps_that_repeat_are_spread_over_regular_samples() {
+    // Stamps in steps of 20 ms, or one in ten that is late.
+    let stamps: [fn(f64) -> f64; 2] = [
+        |t| 0.02 * (50.0 * t + 1e-9).floor(),
+        |t| if (200.0 * t).round() % 10.0 == 5.0 { t - 0.005 } else { t },
+    ];
+    for (stamp, repeated) in stamps.into_iter().zip([150, 20]) {
+        let text = table("time (s),wx (rad/s),wy (rad/s),wz (rad/s)", |t, [x, y, z]| {
+            format!("{:.6},{x},{y},{z}", stamp(t))
+        });
+        let recording = Recording::read("", text.as_bytes()).expect("read");
+        assert_eq!(recording.times().len(), 200);
+        for (k, t) in recording.times().iter().enumerate() {
+            assert!((t - 0.005 * k as f64).abs() < 1e-9, "{k} {t}");
+        }
+        let notes = recording.notes().join("\n");
+        assert!(
+            notes.contains(&format!("line before: {repeated}; samples come regularly")),
+            "{notes}"
+        );
+    }
 }
 
 #[test]
@@ -238,8 +310,10 @@ fn a_sensor_at_its_limit_is_told() {
     };
     let notes =
         |limit| Recording::read("", text(limit).as_bytes()).expect("read").notes().join(" ");
-    assert!(notes(2000.0).contains("A rate stays at 34.91 rad/s"), "{}", notes(2000.0));
+    assert!(notes(2000.0).contains("rate about z stays at 34.91 rad/s"), "{}", notes(2000.0));
     assert!(!notes(4000.0).contains("stays"));
+    // No sensor ends there.
+    assert!(!notes(1700.0).contains("stays"));
 }
 
 #[test]
@@ -250,8 +324,10 @@ fn pieces_by_hand() {
     assert_eq!(between(None, None), Ok(0..200));
     assert_eq!(between(Some(0.1), Some(0.2)), Ok(20..41));
     assert_eq!(between(Some(0.101), None), Ok(21..200));
-    insta::assert_snapshot!(between(Some(0.1), Some(0.12)).unwrap_err(), @"from 0.1 s to 0.12 s there are 5 samples: a fit needs 13 or more");
+    assert_eq!(between(Some(-1.0), Some(9.0)), Ok(0..200));
+    insta::assert_snapshot!(between(Some(0.1), Some(0.12)).unwrap_err(), @"from 0.1 s to 0.12 s there are 5 samples; a fit needs 13 or more");
     insta::assert_snapshot!(between(Some(0.3), Some(0.2)).unwrap_err(), @"from 0.3 s to 0.2 s: the end must be later");
-    insta::assert_snapshot!(between(Some(-1.0), None).unwrap_err(), @"-1 s is not in the recording, from 0 s to 0.995 s");
-    insta::assert_snapshot!(between(None, Some(f64::NAN)).unwrap_err(), @"NaN s is not in the recording, from 0 s to 0.995 s");
+    insta::assert_snapshot!(between(Some(-1.0), Some(-0.5)).unwrap_err(), @"from -1 s to -0.5 s: the recording is from 0 s to 0.995 s");
+    insta::assert_snapshot!(between(Some(1.0), Some(2.0)).unwrap_err(), @"from 1 s to 2 s: the recording is from 0 s to 0.995 s");
+    insta::assert_snapshot!(between(None, Some(f64::NAN)).unwrap_err(), @"from 0 s to NaN s: the end must be later");
 }

@@ -4,7 +4,7 @@
 //! Logger `time,seconds_elapsed,z,y,x`, with the sensor's name in that of the file; AndroSensor
 //! `GYROSCOPE X (rad/s)`, `Time since start in ms`; MATLAB Mobile `Timestamp,X,Y,Z`.
 
-use core::f64::consts::PI;
+use core::f64::consts::{PI, TAU};
 
 /// Standard gravity (m/s^2), in which apps count accelerations "in g".
 pub(super) const GRAVITY: f64 = 9.80665;
@@ -17,6 +17,9 @@ pub(super) const EXPECTED: &str = "expected a time and three rates, such as \"Ti
 enum Quantity {
     Time,
     Rate,
+    /// `gx`, `gy`, `gz`: the gyroscope of many tables.
+    Letter,
+    Uncalibrated,
     /// With gravity, as the sensor measures it.
     Acceleration,
     /// Less what the phone takes for gravity.
@@ -50,13 +53,15 @@ pub(super) struct Sensor {
 pub(super) struct Layout {
     pub(super) rates: Sensor,
     pub(super) acceleration: Option<Sensor>,
+    /// Whether there are uncalibrated rates as well.
+    pub(super) uncalibrated: bool,
     pub(super) app: &'static str,
 }
 
 /// Four columns without a header.
 pub(super) fn bare() -> Layout {
     let rates = Sensor { time: 0, time_unit: None, axes: [1, 2, 3], unit: None };
-    Layout { rates, acceleration: None, app: "a table without a header" }
+    Layout { rates, acceleration: None, uncalibrated: false, app: "a table without a header" }
 }
 
 /// The layout of a table with this header, in a file of this name; else what is missing.
@@ -66,11 +71,11 @@ pub(super) fn layout(header: &[String], file: &str) -> Result<Layout, String> {
         let header: String = header.join(" | ").chars().take(200).collect();
         format!("the header has no column for {what}: {header}; {EXPECTED}")
     };
-    let mut kind = Quantity::Rate;
-    let mut axes = three(&columns, Quantity::Rate);
-    if axes.iter().all(Option::is_none) {
-        axes = three(&columns, Quantity::Bare);
-        kind = Quantity::Bare;
+    let kinds = [Quantity::Rate, Quantity::Letter, Quantity::Uncalibrated, Quantity::Bare];
+    let some = |kind: &Quantity| three(&columns, *kind).iter().any(Option::is_some);
+    let kind = kinds.into_iter().find(some).unwrap_or(Quantity::Bare);
+    let axes = three(&columns, kind);
+    if kind == Quantity::Bare {
         let file = file.rsplit(['/', '\\']).next().unwrap_or(file).to_lowercase();
         let others = ["acc", "magn", "grav", "orient"].iter().any(|word| file.contains(word));
         let others = others && !file.contains("gyr");
@@ -101,7 +106,9 @@ pub(super) fn layout(header: &[String], file: &str) -> Result<Layout, String> {
         [Some(x), Some(y), Some(z)] => sensor([x, y, z]),
         _ => None,
     });
-    Ok(Layout { rates, acceleration, app: app(header, kind == Quantity::Bare) })
+    let uncalibrated = kind != Quantity::Uncalibrated && some(&Quantity::Uncalibrated);
+    let app = app(header, kind == Quantity::Bare);
+    Ok(Layout { rates, acceleration, uncalibrated, app })
 }
 
 /// The first column for each axis; where no name has an axis, the first three in order.
@@ -141,18 +148,27 @@ fn column(cell: &str) -> Result<Option<Column>, String> {
     let single = |letters: &str| {
         axis.is_some() && compact.len() == letters.len() + 1 && compact.starts_with(letters)
     };
+    let rate = match about(&["uncal"]) {
+        true => Quantity::Uncalibrated,
+        false => Quantity::Rate,
+    };
     let (quantity, unit) = match unit.as_deref().map(|unit| (measure(unit), unit)) {
         _ if compact.starts_with("grav") || about(&["accuracy", "magnet"]) => return Ok(None),
+        // Gravity.
+        Some((Some((Quantity::Acceleration, _)), _)) if single("g") => return Ok(None),
         Some((Some((Quantity::Acceleration, unit)), _)) => (acceleration, Some(unit)),
+        Some((Some((Quantity::Rate, unit)), _)) => (rate, Some(unit)),
         Some((Some((quantity, unit)), _)) => (quantity, Some(unit)),
         _ if single("gf") => (acceleration, Some(GRAVITY)),
         Some((None, unit)) if axis.is_some() && about(&["gyr", "angularv", "rotationrate"]) => {
             return Err(format!(
-                "the unit ({unit}) of {cell:?} is not known: expected (rad/s) or (deg/s)"
+                "the unit ({unit}) of {cell:?} is not known: expected (rad/s), (mrad/s), (deg/s), (rev/s) or (rpm)"
             ));
         }
-        _ if about(&["gyr", "angularv", "rotationrate", "omega"]) || single("w") => {
-            (Quantity::Rate, None)
+        _ if about(&["gyr", "angularv", "rotationrate", "omega"]) || single("w") => (rate, None),
+        None if single("g") => (Quantity::Letter, None),
+        None if measure(&compact).is_some_and(|(quantity, _)| quantity == Quantity::Time) => {
+            (Quantity::Time, measure(&compact).map(|(_, unit)| unit))
         }
         _ if about(&["accel"]) || single("acc") || single("a") => (acceleration, None),
         _ if compact.starts_with("seconds") => (Quantity::Time, Some(1.0)),
@@ -191,31 +207,49 @@ fn named(plain: &str) -> (String, Option<String>) {
     }
 }
 
+/// Units: what is measured, how they are written, and what they are in SI.
+const UNITS: [(Quantity, &[&str], f64); 11] = [
+    (Quantity::Time, &["s", "sec", "secs", "second", "seconds"], 1.0),
+    (Quantity::Time, &["ms", "msec", "millis", "milliseconds"], 1e-3),
+    (Quantity::Time, &["us", "usec", "micros", "microseconds"], 1e-6),
+    (Quantity::Time, &["ns", "nsec", "nanos", "nanoseconds"], 1e-9),
+    (Quantity::Rate, &["rad/s", "rads/s", "radian/s", "radians/s"], 1.0),
+    (Quantity::Rate, &["mrad/s"], 1e-3),
+    (Quantity::Rate, &["deg/s", "degrees/s", "degree/s", "°/s", "dps"], DEGREE),
+    (Quantity::Rate, &["rev/s", "rps", "turns/s"], TAU),
+    (Quantity::Rate, &["rpm", "rev/min", "1/min"], TAU / 60.0),
+    (Quantity::Acceleration, &["m/s2", "m/s/s", "ms-2"], 1.0),
+    (Quantity::Acceleration, &["g", "gs", "g-force"], GRAVITY),
+];
+
+/// A degree per second (rad/s).
+const DEGREE: f64 = PI / 180.0;
+
 /// What is measured in this unit, and the unit in SI.
 fn measure(unit: &str) -> Option<(Quantity, f64)> {
     let unit: String = unit.chars().filter(|c| !matches!(c, ' ' | '^' | '*' | '·' | '⋅')).collect();
-    let one_of = |words: &[&str]| words.contains(&unit.as_str());
-    let per_second = |angle: &[&str]| {
-        let rest = angle.iter().find_map(|angle| unit.strip_prefix(angle));
-        rest.is_some_and(|rest| {
-            ["/s", "/sec", "/second", "s-1", "s−1", "persecond", "ps"].contains(&rest)
-        })
-    };
-    Some(match () {
-        () if one_of(&["s", "sec", "secs", "second", "seconds"]) => (Quantity::Time, 1.0),
-        () if one_of(&["ms", "msec", "millis", "milliseconds"]) => (Quantity::Time, 1e-3),
-        () if one_of(&["us", "usec", "micros", "microseconds"]) => (Quantity::Time, 1e-6),
-        () if one_of(&["ns", "nsec", "nanos", "nanoseconds"]) => (Quantity::Time, 1e-9),
-        () if per_second(&["radians", "radian", "rads", "rad"]) => (Quantity::Rate, 1.0),
-        () if per_second(&["degrees", "degree", "deg", "°"]) || unit == "dps" => {
-            (Quantity::Rate, PI / 180.0)
+    let ends = ["persecond", "second", "sec", "s-1", "ps"];
+    let mut unit = unit.replace("/sec2", "/s2");
+    if let Some(angle) = ends.into_iter().find_map(|end| unit.strip_suffix(end)) {
+        let angle = angle.trim_end_matches('/');
+        if ["rad", "deg", "°", "rev"].iter().any(|known| angle.contains(known)) {
+            unit = format!("{angle}/s");
         }
-        () if one_of(&["m/s2", "m/s/s", "ms-2", "ms−2", "m/sec2"]) => {
-            (Quantity::Acceleration, 1.0)
-        }
-        () if one_of(&["g", "gs", "g-force"]) => (Quantity::Acceleration, GRAVITY),
-        () => return None,
-    })
+    }
+    let known = UNITS.iter().find(|(_, names, _)| names.contains(&unit.as_str()));
+    known.map(|(quantity, _, unit)| (*quantity, *unit))
+}
+
+/// Whether a cell is a unit of time or of a rate.
+pub(super) fn is_unit(cell: &str) -> bool {
+    let plain: String = cell.trim().to_lowercase().chars().map(latin).collect();
+    plain.len() > 1 && measure(plain.trim_matches(['(', ')', '[', ']'])).is_some()
+}
+
+/// The first name of a unit of rates.
+pub(super) fn said(unit: f64) -> &'static str {
+    let is = |(quantity, _, own): &&(Quantity, _, f64)| *quantity == Quantity::Rate && *own == unit;
+    UNITS.iter().find(is).map_or("another unit", |(_, names, _)| names[0])
 }
 
 /// The axis of a name: a word `x`, `y` or `z`, else the last letter of it all.
@@ -234,7 +268,7 @@ fn app(header: &[String], bare: bool) -> &'static str {
         () if has("seconds_elapsed") => "a table of Sensor Logger",
         () if has("Gyroscope x (") => "a table of phyphox",
         () if has("GYROSCOPE X (") => "a table of AndroSensor",
-        () if has("wx") || has("ω") => "a table of Physics Toolbox",
+        () if header[0] == "time" && (has("wx") || has("ω")) => "a table of Physics Toolbox",
         () if bare && has("Timestamp") => "a table of MATLAB Mobile",
         () => "a table",
     }

@@ -3,7 +3,7 @@
 //! In flight no torque acts: d(J w)/dt + w x J w = 0 on the phone's axes. Over 20 ms that is
 //! J (w' - w) + integral of w x J w dt = 0, linear in the six elements of the tensor J. The tensor that makes
 //! the sum of squares of the left side least, in units of the sum of squares of J w times 20 ms, is an
-//! eigenvector of two matrices of six by six, which are sums over the samples. The eigenvalue is the mean
+//! eigenvector of two matrices of six by six ([`super::torque`]), which are sums over the samples. The eigenvalue is the mean
 //! square of |torque|/|L|: about the noise in flight, above 1/s in a hand.
 //!
 //! So the 120 ms of least torque begin a piece, which grows by 20 ms as long as one tensor explains
@@ -17,11 +17,13 @@
 
 use super::columns::GRAVITY;
 use super::read::GAP;
+use super::torque::{Equation, MOST, Sums, Tensor, speed};
 use super::{FEWEST, Recording, middle, refused};
 use crate::error::Result;
+use crate::number::short;
 use core::f64::consts::SQRT_2;
 use core::ops::Range;
-use rotation_dynamics::nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3, Vector6};
+use rotation_dynamics::nalgebra::{Matrix3, Vector3};
 
 /// What turns more slowly is no throw that would tell moments (rad/s).
 const SLOWEST: f64 = 3.0;
@@ -38,17 +40,17 @@ const SHORTEST: f64 = 0.15;
 /// The longest (s): a throw 11 m high. What turns on a table may turn longer.
 const LONGEST: f64 = 3.0;
 
-/// The most torque of a flight, |torque|/|L| (1/s). A hand that takes a second to give or take L
-/// has as much; noise of 0.1 rad/s at 10 rad/s has 0.7.
-const MOST: f64 = 1.0;
-
 /// A flight ends where torque is this many times its mean, twice in a row: by chance that happens once
 /// in ten million samples.
 const ENDS: f64 = 3.5;
 
-/// A piece goes on beyond so short a time (s) without an equation that holds: a gap, stamps of time that are
-/// wrong, a flip too fast for straight lines. No hand catches and throws in it.
-const BRIDGE: f64 = 0.1;
+/// What straight lines between samples may leave as torque in a fast flip (1/s): of 1,278 made-up flights
+/// fast flips ended two too soon at 0.1, none at 0.2.
+const STRAIGHT: f64 = 0.2;
+
+/// A piece goes on beyond so short a time (s) without equations that hold: a gap, stamps of time that are wrong, a flip
+/// too fast for straight lines. No hand catches and throws in it.
+const BRIDGE: f64 = 0.15;
 
 /// The most that accelerations may be off in flight (m/s^2), as a root of the mean square. A phone
 /// that is carried is off by one g.
@@ -61,128 +63,6 @@ pub struct Flight {
     pub samples: Range<usize>,
     /// The root of the mean square of |torque|/|L| over 20 ms (1/s): what is left by noise.
     pub torque: f64,
-}
-
-/// Sums over equations from which the tensor follows.
-#[derive(Debug, Clone, Copy, Default)]
-struct Sums {
-    torque: [[f64; 6]; 6],
-    momentum: [[f64; 6]; 6],
-    count: f64,
-}
-
-impl Sums {
-    fn add(&mut self, equation: &Equation) {
-        let sums = [(&mut self.torque, &equation.torque), (&mut self.momentum, &equation.momentum)];
-        for (sum, of) in sums {
-            for i in 0..6 {
-                let [x, y, z] = of[i];
-                for j in 0..=i {
-                    let product = x * of[j][0] + y * of[j][1] + z * of[j][2];
-                    sum[i][j] += product;
-                    if j < i {
-                        sum[j][i] += product;
-                    }
-                }
-            }
-        }
-        self.count += 1.0;
-    }
-
-    fn with(mut self, other: &Self) -> Self {
-        for i in 0..6 {
-            for j in 0..6 {
-                self.torque[i][j] += other.torque[i][j];
-                self.momentum[i][j] += other.momentum[i][j];
-            }
-        }
-        self.count += other.count;
-        self
-    }
-
-    /// Whether every tensor leaves more |torque|/|L| than this: torque - most^2 momentum is positive definite. It
-    /// takes a hundredth of the time of the tensor.
-    fn exceeds(&self, most: f64) -> bool {
-        let mut m = self.torque;
-        for i in 0..6 {
-            for j in 0..=i {
-                m[i][j] -= most * most * self.momentum[i][j];
-            }
-        }
-        for k in 0..6 {
-            if m[k][k] <= 0.0 {
-                return false;
-            }
-            for i in k + 1..6 {
-                let factor = m[i][k] / m[k][k];
-                for j in k + 1..=i {
-                    m[i][j] -= factor * m[j][k];
-                }
-            }
-        }
-        true
-    }
-
-    /// The tensor of least torque.
-    fn tensor(&self) -> Option<Vector6<f64>> {
-        let [torque, mut momentum] =
-            [self.torque, self.momentum].map(|m| Matrix6::from_fn(|i, j| m[i][j]));
-        // Directions that no rate has are given a millionth, so that none is without momentum.
-        momentum += Matrix6::identity() * (1e-6 * momentum.trace());
-        let scale = momentum.cholesky()?.l();
-        let half = scale.solve_lower_triangular(&torque)?;
-        let whole = scale.solve_lower_triangular(&half.transpose())?;
-        let eigen = SymmetricEigen::new(0.5 * (whole + whole.transpose()));
-        let least = eigen.eigenvectors.column(eigen.eigenvalues.imin()).into_owned();
-        scale.transpose().solve_upper_triangular(&least)
-    }
-
-    /// The sum of the squares of torque or momentum with this tensor.
-    fn square(of: &[[f64; 6]; 6], tensor: &Vector6<f64>) -> f64 {
-        let row = |i: usize| (0..6).map(|j| of[i][j] * tensor[j]).sum::<f64>();
-        (0..6).map(|i| tensor[i] * row(i)).sum::<f64>().max(0.0)
-    }
-
-    /// The root of the mean square of |torque|/|L| with this tensor.
-    fn size(&self, tensor: &Vector6<f64>) -> f64 {
-        (Self::square(&self.torque, tensor) / Self::square(&self.momentum, tensor)).sqrt()
-    }
-
-    /// The part of that which noise of this standard deviation makes: 2 noise^2 |J|^2/|L dt|^2 in the mean
-    /// square, with the sum |J|^2 of the squares of all nine elements.
-    fn by_noise(&self, tensor: &Vector6<f64>, noise: f64) -> f64 {
-        let [xx, yy, zz, xy, yz, zx] = (*tensor).into();
-        let squares = xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + yz * yz + zx * zx);
-        noise * (2.0 * self.count * squares / Self::square(&self.momentum, tensor)).sqrt()
-    }
-
-    /// Whether there is torque beyond what noise makes, or noise hides it. (A tensor with hardly a moment about
-    /// the axis of the rates turns all torque into noise.)
-    fn is_forced(&self, tensor: &Vector6<f64>, noise: f64) -> bool {
-        let (size, by_noise) = (self.size(tensor), self.by_noise(tensor, noise));
-        size * size > MOST * MOST + by_noise * by_noise || by_noise > MOST
-    }
-}
-
-/// The equation of torque over a lag: for each element of the tensor, what is left of it and L dt.
-struct Equation {
-    torque: [[f64; 3]; 6],
-    momentum: [[f64; 3]; 6],
-}
-
-impl Equation {
-    /// The lengths of torque and momentum with this tensor.
-    fn sizes(&self, tensor: &Vector6<f64>) -> [f64; 2] {
-        [&self.torque, &self.momentum].map(|of| {
-            let mut sum = [0.0; 3];
-            for (e, own) in of.iter().enumerate() {
-                for k in 0..3 {
-                    sum[k] += tensor[e] * own[k];
-                }
-            }
-            Vector3::from(sum).norm()
-        })
-    }
 }
 
 /// Samples that turn fast.
@@ -199,13 +79,7 @@ struct Fast<'a> {
 }
 
 impl<'a> Fast<'a> {
-    fn new(
-        times: &'a [f64],
-        rates: &'a [[f64; 3]],
-        first: usize,
-        lag: usize,
-        noise: f64,
-    ) -> Self {
+    fn new(times: &'a [f64], rates: &'a [[f64; 3]], first: usize, lag: usize, noise: f64) -> Self {
         let all = |[x, y, z]: [f64; 3]| [x, y, z, x * x, y * y, z * z, x * y, y * z, z * x];
         let mut integrals = vec![[0.0; 9]];
         for n in 1..times.len() {
@@ -221,29 +95,25 @@ impl<'a> Fast<'a> {
 
     /// That from sample k.
     fn equation(&self, k: usize) -> Equation {
-        let [from, to] = [k, k + self.lag].map(|n| self.integrals[n]);
-        let mut over = [0.0; 9];
-        for n in 0..9 {
-            over[n] = to[n] - from[n];
-        }
-        let [x, y, z, xx, yy, zz, xy, yz, zx] = over;
-        // w x (J w) for each element.
-        let mut torque = [
-            [0.0, zx, -xy],
-            [-yz, 0.0, xy],
-            [yz, -zx, 0.0],
-            [-zx, yz, xx - yy],
-            [yy - zz, -xy, zx],
-            [xy, zz - xx, -yz],
+        let (from, to) = (&self.integrals[k], &self.integrals[k + self.lag]);
+        let over = |n: usize| to[n] - from[n];
+        let (xx, yy, zz) = (over(3), over(4), over(5));
+        let (xy, yz, zx) = (over(6), over(7), over(8));
+        let (a, b) = (&self.rates[k], &self.rates[k + self.lag]);
+        let (dx, dy, dz) = (b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+        // d(J w) + w x (J w) for each element.
+        let torque = [
+            [dx, zx, -xy],
+            [-yz, dy, xy],
+            [yz, -zx, dz],
+            [dy - zx, dx + yz, xx - yy],
+            [yy - zz, dz - xy, dy + zx],
+            [dz + xy, zz - xx, dx - yz],
         ];
-        let [a, b] = [k, k + self.lag].map(|n| self.rates[n]);
-        let change = momenta([b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
-        for (torque, change) in torque.iter_mut().zip(change) {
-            for k in 0..3 {
-                torque[k] += change[k];
-            }
-        }
-        Equation { torque, momentum: momenta([x, y, z]) }
+        let (x, y, z) = (over(0), over(1), over(2));
+        let momentum =
+            [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z], [y, x, 0.0], [0.0, z, y], [z, 0.0, x]];
+        Equation { torque, momentum }
     }
 
     fn equations(&self) -> usize {
@@ -253,12 +123,18 @@ impl<'a> Fast<'a> {
     fn sums(&self, equations: impl Iterator<Item = usize>) -> Sums {
         let mut sums = Sums::default();
         equations.for_each(|k| sums.add(&self.equation(k)));
+        for i in 0..6 {
+            for j in i + 1..6 {
+                sums.torque[i][j] = sums.torque[j][i];
+                sums.momentum[i][j] = sums.momentum[j][i];
+            }
+        }
         sums
     }
 
     /// The torque of these sums with their own tensor, or of noise if that has more; none if it is more than this, or
     /// if a hand is in it.
-    fn unforced(&self, sums: &Sums, most: f64) -> Option<(f64, Vector6<f64>)> {
+    fn unforced(&self, sums: &Sums, most: f64) -> Option<(f64, Tensor)> {
         if sums.exceeds(most.min(SQRT_2 * MOST)) {
             return None;
         }
@@ -272,31 +148,38 @@ impl<'a> Fast<'a> {
         let count = self.equations() / self.lag;
         let block = |n: usize| n * self.lag..(n + 1) * self.lag;
         let blocks: Vec<Sums> = (0..count).map(|n| self.sums(block(n))).collect();
-        let seed = |n: usize| {
-            let sums = blocks[n..n + SEED].iter().fold(Sums::default(), |sums, own| sums.with(own));
-            Some((self.unforced(&sums, f64::INFINITY)?.0, n, sums))
-        };
+        let seed =
+            |n: usize| Some((self.unforced(&Sums::of(&blocks[n..n + SEED]), f64::INFINITY)?.0, n));
         let mut seeds: Vec<_> =
             (0..(count + 1).saturating_sub(SEED)).step_by(2).filter_map(seed).collect();
         seeds.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let longest = (LONGEST / self.step()) as usize;
         let mut taken = vec![false; count];
-        for (mut torque, seed, mut sums) in seeds {
+        for (mut torque, seed) in seeds {
             let mut piece = seed..seed + SEED;
             if taken[piece.clone()].contains(&true) {
                 continue;
             }
-            // One block more at either end, as long as one tensor explains it all as well as before.
-            loop {
-                let earlier = piece.start.checked_sub(1).map(|n| (n, n..piece.end));
-                let ways = [Some((piece.end, piece.start..piece.end + 1)), earlier];
-                let fitting = |(n, wider): (usize, Range<usize>)| {
+            let mut sums = Sums::of(&blocks[piece.clone()]);
+            // One block more at either end, as long as one tensor explains it all as well as before; no longer than
+            // any flight.
+            let (mut forward, mut stuck) = (true, 0);
+            while stuck < 2 && piece.len() * self.lag <= longest {
+                let n = if forward { Some(piece.end) } else { piece.start.checked_sub(1) };
+                let wider = n.and_then(|n| {
                     let own = blocks.get(n).filter(|_| !taken[n])?;
-                    let all = sums.with(own);
+                    let mut all = sums;
+                    all.join(own);
                     let (more, tensor) = self.unforced(&all, 2.0 * torque)?;
-                    (own.size(&tensor) <= ENDS * torque).then_some((more, wider, all))
-                };
-                let Some(wider) = ways.into_iter().flatten().find_map(fitting) else { break };
-                (torque, piece, sums) = wider;
+                    (own.size(&tensor) <= ENDS * torque).then_some((n, more, all))
+                });
+                match wider {
+                    Some((n, more, all)) => {
+                        (torque, sums, stuck) = (more, all, 0);
+                        piece = piece.start.min(n)..piece.end.max(n + 1);
+                    }
+                    None => (forward, stuck) = (!forward, stuck + 1),
+                }
             }
             taken[piece.clone()].fill(true);
             let flight = self.ends(block(piece.start).start..block(piece.end).start, felt);
@@ -323,17 +206,22 @@ impl<'a> Fast<'a> {
             if sums.is_forced(&tensor, self.noise) {
                 return None;
             }
+            let limit = (ENDS * torque).max(STRAIGHT);
             let middle = (equations.start + equations.end) / 2;
             let reach = (LONGEST / self.step()) as usize;
             let before: Vec<usize> = (middle.saturating_sub(reach)..middle).rev().collect();
             let after: Vec<usize> = (middle..self.equations().min(middle + reach)).collect();
             let [before, after] = [before, after].map(|way| {
-                let sizes = way.iter().map(|k| self.equation(*k).sizes(&tensor)).collect::<Vec<_>>();
-                let free = |[left, l]: &[f64; 2]| *left <= ENDS * torque * l;
+                let sizes =
+                    way.iter().map(|k| self.equation(*k).sizes(&tensor)).collect::<Vec<_>>();
+                let free = |[left, l]: &[f64; 2]| *left <= limit * l;
                 let count = self.belong(&sizes, free);
                 way[..count].iter().copied().zip(sizes.iter().map(free)).collect::<Vec<_>>()
             });
             let next = middle - before.len()..middle + after.len();
+            if next.len() > reach {
+                return None;
+            }
             if next == equations || next.len() < SEED {
                 break;
             }
@@ -353,12 +241,11 @@ impl<'a> Fast<'a> {
     }
 
     /// How many of these equations belong to the flight in which they begin: until two in a row do not hold, unless
-    /// soon after as many hold as half a seed has, and |L| is the same there.
+    /// soon after four fifths of as many hold as half a seed has, and |L| is the same there.
     fn belong(&self, sizes: &[[f64; 2]], free: impl Fn(&[f64; 2]) -> bool) -> usize {
         let (half, bridge) = (SEED / 2 * self.lag, (BRIDGE / self.step()) as usize + self.lag);
-        let momentum = |part: &[[f64; 2]]| {
-            part.iter().map(|[_, l]| l).sum::<f64>() / part.len() as f64
-        };
+        let momentum =
+            |part: &[[f64; 2]]| part.iter().map(|[_, l]| l).sum::<f64>() / part.len() as f64;
         let mut n = 0;
         while n < sizes.len() {
             if free(&sizes[n]) || sizes.get(n + 1).is_some_and(&free) {
@@ -367,7 +254,9 @@ impl<'a> Fast<'a> {
             }
             let goes_on = |m: &usize| {
                 let beyond = sizes.get(*m..m + half);
-                let beyond = beyond.filter(|part| part.iter().all(&free)).map(momentum);
+                let beyond = beyond
+                    .filter(|part| 5 * part.iter().filter(|own| free(own)).count() >= 4 * half)
+                    .map(momentum);
                 let own = momentum(&sizes[n.saturating_sub(half)..n]);
                 let apart = (m - n + half) as f64 * self.step();
                 beyond.is_some_and(|beyond| (beyond - own).abs() <= MOST * apart * own)
@@ -412,14 +301,8 @@ impl<'a> Fast<'a> {
     }
 }
 
-/// The angular momenta of these rates with tensors that have one element alone: xx, yy, zz, xy, yz, zx.
-fn momenta([x, y, z]: [f64; 3]) -> [[f64; 3]; 6] {
-    [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z], [y, x, 0.0], [0.0, z, y], [z, 0.0, x]]
-}
-
 pub(super) fn find(recording: &Recording) -> Result<Vec<Flight>> {
     let (times, rates) = (recording.times(), recording.rates());
-    let speed = |w: &[f64; 3]| Vector3::from(*w).norm();
     // Where noise hides what torque does in 20 ms, twice the time may show it.
     let found = [LAG, 2.0 * LAG].into_iter().map(|lag| flights(recording, lag));
     if let Some(found) = found.into_iter().find(|found| !found.is_empty()) {
@@ -427,12 +310,23 @@ pub(super) fn find(recording: &Recording) -> Result<Vec<Flight>> {
     }
     let fastest = (0..times.len()).max_by(|a, b| speed(&rates[*a]).total_cmp(&speed(&rates[*b])));
     let fastest = fastest.unwrap_or(0);
+    if let Some(limit) = recording.at_its_limit() {
+        return Err(refused(format!("no free flight was found: {limit}")));
+    }
+    let step = recording.step();
+    let coarse = match FEWEST as f64 * step > SHORTEST {
+        false => String::new(),
+        true => format!(
+            ". A fit needs {FEWEST} samples: {} a second are too few for a flight of less than {:.1} s",
+            short(1.0 / step, 3),
+            FEWEST as f64 * step + 1.5 * LAG
+        ),
+    };
     Err(refused(format!(
-        "no free flight was found: looked for {SHORTEST} s to {LONGEST} s, faster than {SLOWEST} rad/s, in which \
-         the angular momentum changes by less than {MOST} of itself a second; the fastest rate is \
-         {:.3} rad/s, at {:.3} s. A piece can be set by hand, from one time to another",
-        speed(&rates[fastest]),
-        times[fastest]
+        "no free flight was found, {SHORTEST} s to {LONGEST} s in which the phone turns freely and faster than \
+         {SLOWEST} rad/s; the fastest rate is {} rad/s, at {} s{coarse}. A piece is set by hand with --from and --to, on the page with the fields \"from\" and \"to\"",
+        short(speed(&rates[fastest]), 4),
+        short(times[fastest], 5)
     )))
 }
 
@@ -441,25 +335,30 @@ fn flights(recording: &Recording, lag: f64) -> Vec<Flight> {
     let (times, rates) = (recording.times(), recording.rates());
     let step = recording.step();
     let lag = ((lag / step).round() as usize).max(1);
-    let speed = |w: &[f64; 3]| Vector3::from(*w).norm();
     let felt = recording.accelerations().filter(|felt| {
         // Accelerations without gravity are computed from the rates, and tell no more than these.
         let slow = felt.iter().zip(rates).filter(|(_, w)| speed(w) < 0.5);
         middle(slow.map(|(a, _)| speed(a)).collect()) > 0.5 * GRAVITY
     });
     // The fourth difference of noise has 70 times its variance, that of motion is smaller. Half of a normal
-    // distribution lies within 0.6745 deviations.
+    // distribution lies within 0.6745 deviations. Ten thousand tell it within a hundredth.
     let fourth = |w: &[[f64; 3]], k: usize| {
         (w[4][k] - 4.0 * (w[3][k] + w[1][k]) + 6.0 * w[2][k] + w[0][k]).abs()
     };
-    let differences = rates.windows(5).flat_map(|w| [0, 1, 2].map(|k| fourth(w, k))).collect();
+    let some = rates.windows(5).step_by(1 + rates.len() / 10_000);
+    let differences = some.flat_map(|w| [0, 1, 2].map(|k| fourth(w, k))).collect();
     let raw = middle(differences) / (0.6745 * 70.0_f64.sqrt());
     // Means of samples within 5 ms of each have less noise, and still tell when a hand lets go.
     let around = (0.25 * LAG / step) as usize;
     let mean = |k: usize| {
-        let near = k.saturating_sub(around)..(k + around + 1).min(rates.len());
-        let sum = rates[near.clone()].iter().map(|w| Vector3::from(*w)).sum::<Vector3<f64>>();
-        (sum / near.len() as f64).into()
+        let near = &rates[k.saturating_sub(around)..(k + around + 1).min(rates.len())];
+        let mut sum = [0.0; 3];
+        for w in near {
+            for i in 0..3 {
+                sum[i] += w[i];
+            }
+        }
+        sum.map(|sum| sum / near.len() as f64)
     };
     let rates: Vec<[f64; 3]> = (0..rates.len()).map(mean).collect();
     let noise = raw / ((2 * around + 1) as f64).sqrt();
@@ -472,9 +371,16 @@ fn flights(recording: &Recording, lag: f64) -> Vec<Flight> {
         };
         let end = (first..times.len()).find(|k| !joined(k)).unwrap_or(times.len());
         let run = first..end;
-        Fast::new(&times[run.clone()], &rates[run], first, lag, noise).flights(felt, &mut found);
+        if run.len() >= FEWEST {
+            Fast::new(&times[run.clone()], &rates[run], first, lag, noise)
+                .flights(felt, &mut found);
+        }
         first = end.max(first + 1);
     }
+    // Rates at the end of a range are wrong.
+    let limited = recording.limited();
+    let apart = |a: &Range<usize>, b: &Range<usize>| a.end <= b.start || b.end <= a.start;
+    found.retain(|flight| limited.iter().all(|(_, samples)| apart(samples, &flight.samples)));
     found.sort_by_key(|flight| flight.samples.start);
     found
 }

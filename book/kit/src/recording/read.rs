@@ -5,22 +5,20 @@ use super::series::{Series, Wrong, brief, number};
 use super::{FEWEST, Recording, middle};
 use crate::error::{Error, Result};
 use crate::number::short;
+use core::ops::RangeInclusive;
 use csv::{Reader, ReaderBuilder, StringRecord};
 use rotation_dynamics::error::plain;
 use std::borrow::Cow;
 
-/// No body turns so fast and keeps a phone whole (rad/s).
-const FASTEST: f64 = 1e4;
+/// The sensors of phones end at 2000, few at 4000 degrees per second (70 rad/s): larger numbers are in another
+/// unit.
+const FASTEST: f64 = 100.0;
 
-/// The sensors of phones end at 2000, few at 4000 degrees per second (70 rad/s): numbers above this are
-/// degrees, where no unit is stated.
-const FASTEST_UNSTATED: f64 = 100.0;
+/// Samples a second of phones, with room; else times are in another unit.
+const FREQUENCIES: RangeInclusive<f64> = 1.0..=20_000.0;
 
 /// A step is a gap where it is longer than this many usual ones: two samples are missing, not one.
 pub(super) const GAP: f64 = 2.5;
-
-/// A turn passes its largest rate; a sensor at its limit shows the same number for so many samples.
-const LEVEL: usize = 5;
 
 /// How many lines of other text may stand above the header.
 const PREAMBLE: usize = 100;
@@ -51,7 +49,8 @@ pub(super) fn recording(name: &str, bytes: &[u8]) -> Result<Recording> {
         .flexible(true)
         .comment(Some(b'#'))
         .from_reader(text.as_bytes());
-    let mut lines = Lines { text: &text, delimiter, reader, record: StringRecord::new() };
+    let record = StringRecord::new();
+    let mut lines = Lines { text: &text, delimiter, reader, record, line: 1, passed: 0 };
     let (header, layout, at_numbers) = header(name, &mut lines)?;
     let mut table = Table {
         rates: Series::new(&layout.rates),
@@ -62,8 +61,14 @@ pub(super) fn recording(name: &str, bytes: &[u8]) -> Result<Recording> {
     };
     let mut more = at_numbers || lines.next();
     while more {
-        if let Err((column, reason)) = table.take(&lines.record) {
-            return Err(at(Some(lines.line()), Some(table.name(column)), reason));
+        if let Err((column, reason)) = table.take(&lines.record, lines.line) {
+            return Err(match lines.record.iter().any(|cell| number(cell).is_some()) {
+                true => at(Some(lines.line), Some(table.name(column)), reason),
+                false => {
+                    let text = lines.record.iter().collect::<Vec<_>>().join(",");
+                    at(Some(lines.line), None, format!("{:?} are no numbers", brief(&text)))
+                }
+            });
         }
         more = lines.next();
     }
@@ -89,14 +94,30 @@ fn header(name: &str, lines: &mut Lines) -> Result<(Vec<String>, Layout, bool)> 
                 (None, Err(_)) if cells == 4 => Ok((Vec::new(), columns::bare(), true)),
                 (None, Err(_)) => {
                     let reason = format!("there are {cells} columns and no header; {EXPECTED}");
-                    Err(at(Some(lines.line()), None, reason))
+                    Err(at(Some(lines.line), None, reason))
                 }
             };
         }
         let cells = names(lines.record.iter());
         match columns::layout(&cells, name) {
-            Ok(layout) => return Ok((cells, layout, false)),
-            Err(missing) => last = Some((lines.line(), missing)),
+            Ok(layout) => {
+                let more = lines.next();
+                let units = names(lines.record.iter()).into_iter();
+                if !more || !units.clone().any(|unit| columns::is_unit(&unit)) {
+                    return Ok((cells, layout, more));
+                }
+                // Units in a line of their own.
+                let bare = |unit: &str| unit.trim_matches(['(', ')', '[', ']']).to_string();
+                let both = cells.iter().zip(units.chain(core::iter::repeat(String::new())));
+                let cells: Vec<_> =
+                    both.map(|(name, unit)| format!("{name} ({})", bare(&unit))).collect();
+                let layout = columns::layout(&cells, name);
+                return match layout {
+                    Ok(layout) => Ok((cells, layout, false)),
+                    Err(missing) => Err(at(Some(lines.line), None, missing)),
+                };
+            }
+            Err(missing) => last = Some((lines.line, missing)),
         }
     }
     Err(at(None, None, format!("the file has no table of numbers; {EXPECTED}")))
@@ -121,19 +142,21 @@ struct Lines<'a> {
     delimiter: u8,
     reader: Reader<&'a [u8]>,
     record: StringRecord,
+    /// Which line `record` is, from 1. (What the reader says is off where lines are passed over.)
+    line: usize,
+    /// The bytes before its end.
+    passed: usize,
 }
 
 impl Lines<'_> {
     /// Whether there is another one.
     fn next(&mut self) -> bool {
-        self.reader.read_record(&mut self.record).unwrap_or(false)
-    }
-
-    /// Which one `record` is, from 1. (What the reader says is off where lines are passed over.)
-    fn line(&self) -> usize {
-        let end = self.reader.position().byte() as usize;
-        let before = &self.text.as_bytes()[..end.min(self.text.len()).saturating_sub(1)];
-        1 + before.iter().filter(|byte| **byte == b'\n').count()
+        let more = self.reader.read_record(&mut self.record).unwrap_or(false);
+        let end = (self.reader.position().byte() as usize).min(self.text.len());
+        let passed = end.saturating_sub(1).max(self.passed);
+        self.line += self.text[self.passed..passed].matches('\n').count();
+        self.passed = passed;
+        more
     }
 }
 
@@ -158,6 +181,10 @@ fn text(bytes: &[u8]) -> Result<Cow<'_, str>> {
             Ok(text) => Cow::Borrowed(text.strip_prefix('\u{FEFF}').unwrap_or(text)),
             Err(_) => Cow::Owned(bytes.iter().map(|byte| char::from(*byte)).collect()),
         },
+    };
+    let text = match text.contains('\u{2212}') {
+        true => Cow::Owned(text.replace('\u{2212}', "-")),
+        false => text,
     };
     match text.trim().is_empty() {
         true => Err(at(None, None, format!("the file is empty; {EXPECTED}"))),
@@ -201,19 +228,31 @@ struct Table {
 }
 
 impl Table {
-    fn take(&mut self, record: &StringRecord) -> core::result::Result<(), Wrong> {
-        if self.rates.take(record, &mut self.origin)? {
-            let unit = self.rates.sensor.unit;
-            let most = if unit.is_some() { FASTEST } else { FASTEST_UNSTATED };
+    fn take(&mut self, record: &StringRecord, line: usize) -> core::result::Result<(), Wrong> {
+        let [cells, names] = [record.len(), self.header.len()];
+        if names >= 4 && cells + 1 >= 2 * names {
+            let reason = format!(
+                "there are {cells} cells under {names} names: if commas are both decimal and between \
+                 columns, export with decimal points or with semicolons"
+            );
+            return Err((names, reason));
+        }
+        if self.rates.take(record, line, &mut self.origin)? {
+            let unit = self.rates.sensor.unit.unwrap_or(1.0);
             let values = self.rates.values.last().copied().unwrap_or_default();
             for (n, value) in self.rates.sensor.axes.into_iter().zip(values) {
-                let rate = value * unit.unwrap_or(1.0);
-                if rate.abs() > most {
+                let rate = value * unit;
+                if rate.abs() > FASTEST {
+                    let why = match unit {
+                        1.0 => {
+                            ": these are probably degrees per second, which the header must say, as in \
+                             \"Gyroscope x (deg/s)\""
+                        }
+                        _ => "",
+                    };
+                    let [value, rate] = [value, rate].map(plain);
                     let reason = format!(
-                        "{} would be {} rad/s, more than {most}: if these are degrees per second, the \
-                         header must say so, as in \"Gyroscope x (deg/s)\"",
-                        plain(value),
-                        plain(rate)
+                        "{value} would be {rate} rad/s; no phone shows more than {FASTEST}{why}"
                     );
                     return Err((n, reason));
                 }
@@ -222,7 +261,7 @@ impl Table {
             self.left_out += 1;
         }
         if let Some(accelerations) = &mut self.accelerations {
-            accelerations.take(record, &mut self.origin)?;
+            accelerations.take(record, line, &mut self.origin)?;
         }
         Ok(())
     }
@@ -235,12 +274,24 @@ impl Table {
         }
     }
 
-    fn finished(self, layout: &Layout) -> Result<Recording> {
+    fn finished(mut self, layout: &Layout) -> Result<Recording> {
+        let lines = self.rates.times.len();
+        let settled = self.rates.settle();
+        self.accelerations.as_mut().and_then(Series::settle);
         let Self { rates: series, left_out, .. } = &self;
         let count = series.times.len();
-        if count < FEWEST {
-            let reason = format!("samples of the rates: {count}; expected {FEWEST} or more");
-            return Err(at(None, None, reason));
+        let different = series.times.chunk_by(|a, b| a == b).count();
+        if different < FEWEST {
+            let fewest = format!("expected {FEWEST} or more");
+            return Err(match lines < FEWEST {
+                true => at(None, None, format!("lines with rates: {lines}; {fewest}")),
+                false => {
+                    let reason = format!(
+                        "different times in {lines} lines: {different}; {fewest}: are they written with all digits?"
+                    );
+                    at(None, Some(self.name(series.sensor.time)), reason)
+                }
+            });
         }
         for (k, n) in series.sensor.axes.into_iter().enumerate() {
             let first = series.values[0][k];
@@ -256,19 +307,31 @@ impl Table {
         let duration = times[count - 1] - times[0];
         let frequency = (count - 1) as f64 / duration;
         notes.push(format!("{count} samples in {duration:.3} s, {frequency:.1} a second."));
+        if !FREQUENCIES.contains(&frequency) {
+            let reason = format!(
+                "{} samples a second: are the times in {}?",
+                short(frequency, 2),
+                if unit < 1.0 { "s" } else { "ms" }
+            );
+            return Err(at(None, Some(self.name(series.sensor.time)), reason));
+        }
         match series.sensor.unit {
             Some(1.0) => {}
-            Some(_) => notes.push("The rates were converted from degrees per second.".into()),
+            Some(unit) => {
+                notes.push(format!("The rates were converted from {}.", columns::said(unit)))
+            }
             None => notes.push("The rates have no unit: they were taken as rad/s.".into()),
         }
-        if series.duplicates > 0 {
-            notes.push(format!(
-                "{} lines repeat the time of the line before: they were averaged.",
-                series.duplicates
-            ));
+        if layout.uncalibrated {
+            notes.push(
+                "Of calibrated and uncalibrated rates the calibrated ones were taken.".into(),
+            );
+        }
+        if let Some((repeated, done)) = settled {
+            notes.push(format!("Lines with the time of the line before: {repeated}; {done}."));
         }
         if *left_out > 0 {
-            notes.push(format!("{left_out} lines without rates were left out."));
+            notes.push(format!("Lines without rates, left out: {left_out}."));
         }
         let step = middle(times.windows(2).map(|pair| pair[1] - pair[0]).collect());
         let mut gaps = times.windows(2).filter(|pair| pair[1] - pair[0] > GAP * step).peekable();
@@ -278,16 +341,6 @@ impl Table {
                 gaps.count(),
                 first[0],
                 first[1]
-            ));
-        }
-        let largest = series.values.iter().flatten().fold(0.0, |most: f64, w| most.max(w.abs()));
-        let ends = |k: usize| {
-            series.values.windows(LEVEL).any(|w| w.iter().all(|w| w[k].abs() == largest))
-        };
-        if (0..3).any(ends) {
-            let largest = short(largest * series.sensor.unit.unwrap_or(1.0), 4);
-            notes.push(format!(
-                "A rate stays at {largest} rad/s, the largest: the sensor may end there."
             ));
         }
         let accelerations = self.accelerations.as_ref().and_then(|series| {
@@ -307,6 +360,11 @@ impl Table {
         });
         let unit = series.sensor.unit.unwrap_or(1.0);
         let rates = series.values.iter().map(|rate| rate.map(|w| unit * w)).collect();
-        Ok(Recording { times, rates, accelerations, notes })
+        let lines = self.rates.lines;
+        let mut recording = Recording { times, rates, accelerations, notes, lines };
+        if let Some(limit) = recording.at_its_limit() {
+            recording.notes.push(format!("F{}.", &limit[1..]));
+        }
+        Ok(recording)
     }
 }

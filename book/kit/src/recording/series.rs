@@ -3,6 +3,7 @@
 use super::columns::Sensor;
 use super::middle;
 use crate::number::short;
+use core::ops::Range;
 use csv::StringRecord;
 
 /// A column, and what is wrong there.
@@ -14,10 +15,8 @@ pub(super) struct Series {
     /// In the unit of the table, less the origin.
     pub(super) times: Vec<f64>,
     pub(super) values: Vec<[f64; 3]>,
-    /// How many lines repeat the time of the line before.
-    pub(super) duplicates: usize,
-    /// Of how many lines the last value is the mean.
-    lines: usize,
+    /// In which line of the file each is.
+    pub(super) lines: Vec<usize>,
     /// What midnights add to the times of a clock (s).
     days: f64,
     by_clock: bool,
@@ -29,8 +28,7 @@ impl Series {
             sensor: sensor.clone(),
             times: Vec::new(),
             values: Vec::new(),
-            duplicates: 0,
-            lines: 1,
+            lines: Vec::new(),
             days: 0.0,
             by_clock: false,
         }
@@ -41,6 +39,7 @@ impl Series {
     pub(super) fn take(
         &mut self,
         record: &StringRecord,
+        line: usize,
         origin: &mut Option<i64>,
     ) -> Result<bool, Wrong> {
         let cells = self.sensor.axes.map(|n| record.get(n).unwrap_or("").trim());
@@ -53,29 +52,62 @@ impl Series {
         }
         let cell = record.get(self.sensor.time).unwrap_or("").trim();
         let t = self.time(cell, origin).map_err(|reason| (self.sensor.time, reason))?;
-        match self.times.last() {
-            Some(last) if t < *last => {
-                let reason = format!(
-                    "the time {} is before that of a line above: times must ascend",
-                    brief(cell)
-                );
-                return Err((self.sensor.time, reason));
-            }
-            Some(last) if t == *last => {
-                self.lines += 1;
-                self.duplicates += 1;
-                for (mean, value) in self.values.iter_mut().last().into_iter().flatten().zip(value)
-                {
-                    *mean += (value - *mean) / self.lines as f64;
-                }
-            }
-            _ => {
-                self.lines = 1;
-                self.times.push(t);
-                self.values.push(value);
-            }
+        if self.times.last().is_some_and(|last| t < *last) {
+            let cell = brief(cell);
+            let reason =
+                format!("the time {cell} is before that of a line above: times must ascend");
+            return Err((self.sensor.time, reason));
         }
+        self.times.push(t);
+        self.values.push(value);
+        self.lines.push(line);
         Ok(true)
+    }
+
+    /// Makes times that repeat ascend: how many repeat, and what was done.
+    ///
+    /// Where n lines have one time and the next time follows after n usual steps, samples came regularly and their
+    /// stamps did not: they are spread evenly. Else, or where all values repeat as well, they are averaged.
+    pub(super) fn settle(&mut self) -> Option<(usize, &'static str)> {
+        let groups: Vec<_> = self.times.chunk_by(|a, b| a == b).map(<[f64]>::len).collect();
+        let repeated = self.times.len() - groups.len();
+        if repeated == 0 {
+            return None;
+        }
+        let ends = groups.iter().scan(0, |end, count| {
+            *end += count;
+            Some(*end)
+        });
+        let groups: Vec<_> = ends.zip(&groups).map(|(end, count)| end - count..end).collect();
+        let step = |group: &Range<usize>| {
+            let next = self.times.get(group.end);
+            next.map(|next| (next - self.times[group.start]) / group.len() as f64)
+        };
+        let usual = middle(groups.iter().filter_map(step).collect());
+        let many = groups.iter().filter(|group| group.len() > 1);
+        let off = many.clone().filter_map(step).map(|step| (step / usual - 1.0).abs()).collect();
+        let differ = many
+            .clone()
+            .any(|group| self.values[group.clone()].windows(2).any(|pair| pair[0] != pair[1]));
+        // Two lines for one step are off by a half.
+        if differ && middle(off) < 0.25 {
+            let times = groups.iter().flat_map(|group| {
+                let step = step(group).map_or(usual, |step| step.min(usual));
+                let first = self.times[group.start];
+                (0..group.len()).map(move |n| first + step * n as f64)
+            });
+            self.times = times.collect();
+            return Some((repeated, "samples come regularly, so they were spread evenly"));
+        }
+        let mean = |group: &Range<usize>| {
+            let sum =
+                |k: usize| self.values[group.clone()].iter().map(|value| value[k]).sum::<f64>();
+            [0, 1, 2].map(|k| sum(k) / group.len() as f64)
+        };
+        self.values = groups.iter().map(mean).collect();
+        self.times = groups.iter().map(|group| self.times[group.start]).collect();
+        self.lines = groups.iter().map(|group| self.lines[group.start]).collect();
+        Some((repeated, "they were averaged"))
     }
 
     /// The time of a cell, in its unit, less the origin.
