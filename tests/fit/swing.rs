@@ -9,7 +9,7 @@
 
 use rotation_dynamics::Error;
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
-use rotation_dynamics::fit::{Swing, SwingFit};
+use rotation_dynamics::fit::{Swing, SwingFit, Swinging};
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::integrators::{Dop853, second_order};
 use support::Random;
@@ -158,6 +158,9 @@ fn the_interval_holds_what_is_true_in_95_of_100_swings() {
         let fit = Swing::new(times, rates).expect("a swing").fit().expect("a fit");
         let length = fit.length(GRAVITY).expect("gravity");
         damaged += u32::from(length.holds(1.005 * rod.length));
+        for damping in [fit.linear(), fit.quadratic()].into_iter().flatten() {
+            assert!(!damping.holds(0.0), "called for: {damping:?}");
+        }
         let estimates = [
             (Some(length), rod.length),
             (Some(fit.amplitude()), rod.amplitude()),
@@ -210,6 +213,10 @@ fn without_noise_all_is_found() {
         }
     }
     assert_eq!(cases, 12);
+    // No pendulum without damping is best here, and what it brings is told all the same.
+    let slowed = Rod { length: 4.0, start: [1.4, 0.0], linear: 0.15, seconds: 40.0, ..clean() };
+    let gained = slowed.fit().expect("a fit").decisions()[0].improvement;
+    assert!(gained > 1e3 && gained < 1e6, "{gained}");
     // 20 s at 400 samples a second, with a gap of a second.
     let long = Rod { linear: 0.03, noise: 0.02, seconds: 20.0, step: 0.0025, ..clean() };
     let (times, rates) = long.recorded(&mut Random(3));
@@ -300,7 +307,8 @@ fn other_methods_give_the_fitted_motion() {
 /// A recording of a rod that lies, is lifted, held, let go, swings, is stopped and rests: times, rates, and
 /// from when to when it swings.
 fn course(rod: &Rod, random: &mut Random) -> (Vec<f64>, Vec<DesignVector>, [f64; 2]) {
-    let [lies, lift, hold] = [(0.3, 3.0), (0.6, 2.0), (0.2, 1.5)].map(|(a, b)| random.between(a, b));
+    let [lies, lift, hold] =
+        [(0.3, 3.0), (0.6, 2.0), (0.2, 1.5)].map(|(a, b)| random.between(a, b));
     let [stop, rests] = [(0.1, 0.3), (0.3, 3.0)].map(|(a, b)| random.between(a, b));
     let lifted = lies + lift;
     let [from, to] = [lifted + hold, lifted + hold + rod.seconds];
@@ -340,24 +348,21 @@ fn course(rod: &Rod, random: &mut Random) -> (Vec<f64>, Vec<DesignVector>, [f64;
 #[test]
 fn the_piece_that_swings_is_found() {
     let mut random = Random(12);
-    let (swings, mut held, mut least) = (often(), 0, 1.0_f64);
+    // Each takes as long as two that are a swing alone.
+    let (swings, mut held, mut least) = (often() / 2, 0, 1.0_f64);
     for n in 0..swings {
         let amplitude = random.size(5.0, 170.0).to_radians();
         let mut rod = Rod { start: [amplitude, 0.0], ..Rod::drawn(&mut random) };
         rod.noise = rod.noise.min(0.02);
-        rod.seconds = random.between(8.0, 15.0);
+        rod.seconds = random.between(8.0, 12.0);
         rod.linear = [0.0, 0.03][n as usize % 2];
         rod.quadratic = [0.0, 0.0, 0.03][n as usize % 3];
         let (times, rates, [from, to]) = course(&rod, &mut random);
         let what = format!("{n}: {rod:?}, {amplitude} from {from} to {to}");
-        if std::env::var("FROM").is_ok_and(|f| n < f.parse().unwrap()) { continue; }
-        let clock = std::time::Instant::now();
         let found = Swing::find(&times, &rates).expect(&what);
         let [first, last] = found.between;
-        println!("took {:?} {}", clock.elapsed(), times.len());
-        if !(first >= from && last <= to) { println!("OUTSIDE {what}: {found}"); }
+        assert!(first >= from && last <= to, "{what}: {found}");
         let part = (last - first) / (to - from);
-        if std::env::var("TELL").is_ok() && part < 0.85 { println!("{part} {what}: {found}"); }
         least = least.min(part);
         let piece = |k: std::ops::Range<usize>| (times[k.clone()].to_vec(), rates[k].to_vec());
         let (times, rates) = piece(found.samples);
@@ -365,9 +370,10 @@ fn the_piece_that_swings_is_found() {
         let fit = Swing::of_sensor(times, rates).expect(&what).fit().expect(&what);
         held += u32::from(fit.length(GRAVITY).expect("gravity").holds(rod.length));
     }
+    assert!(swings >= 20);
     println!("of {swings}: {held} held, at least {least} of each");
     assert_part("length", held, swings, [0.92, 0.99]);
-    assert!(least > 0.0, "{least}");
+    assert!(least > 0.8, "{least}");
 }
 
 #[test]
@@ -400,6 +406,8 @@ fn what_is_no_swing_is_refused() {
     let made = |times: &[f64], rates: &[f64]| Swing::new(times.to_vec(), rates.to_vec())?.fit();
     let (mut back, mut broken) = (times.clone(), rates.clone());
     back[7] = back[6];
+    let mut endless = times.clone();
+    endless[799] = f64::INFINITY;
     broken[3] = f64::INFINITY;
     let mut random = Random(2);
     let noise: Vec<f64> = times.iter().map(|_| random.between(-1.0, 1.0)).collect();
@@ -422,6 +430,33 @@ fn what_is_no_swing_is_refused() {
         (slow, "over the top"),
         (Rod { step: 0.22, seconds: 30.0, ..clean() }.fit(), "six are needed in a small swing"),
     ];
+    // Lying still, and waved about.
+    let still: Vec<_> = noise.iter().map(|w| DesignVector::new(0.01 * w, 0.02, 0.0)).collect();
+    let waved: Vec<_> = (0..800).map(|_| DesignVector::from(random.vector())).collect();
+    let part = |t: &f64| DesignVector::new((5.0 * t).sin() + (8.3 * t).sin(), 0.0, 0.0);
+    let beating: Vec<_> = times.iter().map(part).collect();
+    for (n, rates) in [still, waved, beating].into_iter().enumerate() {
+        let told = Swing::find(&times, &rates).expect_err("no swing").to_string();
+        println!("{told}");
+        assert!(told.starts_with("nothing in this recording swings"), "{n}: {told}");
+        assert!(told.contains("--from and --to"), "{n}: {told}");
+    }
+    let along = |rates: &[f64]| rates.iter().map(|w| DesignVector::new(*w, 0.0, 0.0)).collect();
+    let find = |times: &[f64], rates: Vec<DesignVector>| Swing::find(times, &rates);
+    let swings = |found: Result<Swinging, Error>| found.expect("a swing").to_string();
+    assert_eq!(swings(find(&times, along(&rates))), "from 0.00 s to 7.99 s: 6.0 swings to and fro");
+    for (refused, words) in [
+        (find(&times[..19], along(&rates)), "800 given"),
+        (find(&[], Vec::new()), "samples: 0"),
+        (find(&times, along(&broken)), "rates[3]"),
+        (find(&back, along(&rates)), "later than 0.06"),
+        (find(&endless, along(&rates)), "times[799]"),
+        (find(&times, along(&[0.0; 800])), "fastest rate"),
+        (find(&times, along(&huge)), "nothing in this recording"),
+    ] {
+        let told = refused.expect_err(words).to_string();
+        assert!(told.contains(words), "{told}");
+    }
     for (n, (refused, words)) in refused.into_iter().enumerate() {
         let told = refused.map(|fit| fit.length(GRAVITY)).expect_err(words).to_string();
         println!("{told}");

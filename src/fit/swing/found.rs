@@ -186,11 +186,7 @@ impl SwingFit {
     }
 
     /// The same by some of the candidates, the best among them.
-    fn among(
-        &self,
-        those: impl Fn(&Candidate) -> bool,
-        of: impl Fn(&Numbers) -> f64,
-    ) -> Estimate {
+    fn among(&self, those: impl Fn(&Candidate) -> bool, of: impl Fn(&Numbers) -> f64) -> Estimate {
         let own = |candidate: &Candidate| {
             let Some(covariance) = &candidate.covariance else { return 0.0 };
             let slope = |i: usize| {

@@ -8,15 +8,16 @@ use crate::math::exp;
 use core::fmt;
 use core::ops::Range;
 
-/// Where the equation is seen to hold, as many steps of [`STEP`]/W are left out beside what does not swing. A
-/// pendulum that is let go from 170 degrees is off a phone that is held by `LEFT` of its speed after 0.23/W.
+/// Where the equation is seen to hold, as many steps of [`STEP`]/W are left out beside what does not swing. Held
+/// at 170 degrees and let go, a pendulum is off its own past by `LEFT` of its speed within 0.23/W; a slow stop
+/// in noise was seen 0.83/W too late, the latest of 500.
 const INSIDE: f64 = 5.0;
 /// The equation holds where means over [`STEP`]/W are off it by less than five of their standard deviations, or
 /// by this part of the speed with which the swing passes the hanging position: two of a hundred are the wobble of
 /// a hinge and what a swing ahead is not known by.
 const LEFT: f64 = 0.02;
 /// Of the squares of what swings, a pendulum leaves no more than this part: at 50 samples a second, with noise of
-/// a sixth of the fastest rate, it is a 70th.
+/// a sixth of the fastest rate, and a length of 1.3 m, it is a 65th.
 const UNEXPLAINED: f64 = 0.05;
 /// So many of the longest rows of half-swings are tried: each takes a fit.
 const TRIED: usize = 8;
@@ -50,17 +51,21 @@ struct Half {
 }
 
 impl Swing {
-    /// The longest piece of a recording that swings: times (s), and the rates (rad/s) on the sensor's axes.
+    /// The piece of a recording that swings longest, by the number of half-swings, from times (s) and the
+    /// rates (rad/s) on the sensor's axes.
     ///
     /// Looked for are three half-swings or more, about an axis of the sensor or the principal axis, each 0.7 to
     /// 1.1 times as long and 0.5 to 1.1 times as fast as the one before. The pendulum that fits them is followed
-    /// to both sides as far as the rates obey its equation, and fitted anew. The ends lie 0.6/W inside.
+    /// to both sides as far as the rates obey its equation, and fitted anew. Where that ends before the
+    /// recording does, 1/W or more, a sixth of a small swing, is left out: it does not reach into a hold or stop.
     ///
     /// # Errors
     /// `NoSwing` if there is no such piece; those of [`Flight::new`] for times and rates that belong to none.
     pub fn find(times: &[f64], rates: &[DesignVector]) -> Result<Swinging> {
-        let finite = |rate: &DesignVector| rate.norm().is_finite();
-        if times.len() != rates.len() || times.len() < 3 || !rates.iter().all(finite) {
+        let finite = rates.iter().all(|rate| rate.norm().is_finite());
+        let rising =
+            times.windows(2).all(|pair| (pair[1] - pair[0]).is_finite() && pair[0] < pair[1]);
+        if times.len() != rates.len() || times.len() < 3 || !finite || !rising {
             Flight::new(times.to_vec(), rates.to_vec())?;
         }
         let (about, _) = principal(rates);
@@ -70,17 +75,16 @@ impl Swing {
             let along: Vec<f64> = rates.iter().map(|rate| rate.dot(&axis)).collect();
             rows.extend(in_row(times, &along));
         }
-        let length = |row: &Vec<Range<usize>>| times[row[0].end - 1] - times[row[0].start];
-        rows.sort_by(|a, b| length(b).total_cmp(&length(a)));
-        for core in rows.iter().take(TRIED).flatten() {
+        rows.sort_by_key(|(halves, _)| core::cmp::Reverse(*halves));
+        for core in rows.iter().take(TRIED).flat_map(|(_, tries)| tries) {
             if let Some(found) = grown(times, rates, core.clone()) {
                 return Ok(found);
             }
         }
         // What is no recording at all is told first.
         Flight::new(times.to_vec(), rates.to_vec())?;
-        let seen = rows.first().map_or("no three half-swings in a row".into(), |row| {
-            let [from, to] = [row[0].start, row[0].end - 1].map(|k| times[k]);
+        let seen = rows.first().map_or("no three half-swings in a row".into(), |(_, tries)| {
+            let [from, to] = [tries[0].start, tries[0].end - 1].map(|k| times[k]);
             format!("half-swings from {from:.2} s to {to:.2} s, but not those of a pendulum")
         });
         Err(Error::no_swing(format!(
@@ -90,9 +94,9 @@ impl Swing {
     }
 }
 
-/// Rows of half-swings of which each follows from the one before; of each row, pieces with which a fit may
+/// Rows of half-swings of which each follows from the one before: how many, and pieces with which a fit may
 /// begin, the best one first.
-fn in_row(times: &[f64], rates: &[f64]) -> Vec<Vec<Range<usize>>> {
+fn in_row(times: &[f64], rates: &[f64]) -> Vec<(usize, Vec<Range<usize>>)> {
     let quantile = |mut of: Vec<f64>, part: f64| {
         of.sort_by(f64::total_cmp);
         of[(part * (of.len() - 1) as f64) as usize]
@@ -141,7 +145,7 @@ fn in_row(times: &[f64], rates: &[f64]) -> Vec<Vec<Range<usize>>> {
             let inner = (first + aside, last - aside);
             let tries = [inner, (first, last), (first + 1, last), (first, last - 1)];
             let long = tries.into_iter().filter(|(first, last)| last - first >= 2);
-            rows.push(long.map(|(first, last)| piece(first, last)).collect());
+            rows.push((last - first, long.map(|(first, last)| piece(first, last)).collect()));
         }
         first = last.map_or(first, |last| last - 2) + 1;
     }
@@ -172,12 +176,15 @@ fn grown(times: &[f64], rates: &[DesignVector], mut samples: Range<usize>) -> Op
         let after = (last + 1..=end).map(sample).map(|(t, rate)| (t - times[last], rate));
         let ahead = followed(&fit.numbers, 1.0, states[last - first], noise, after);
         let inside = INSIDE * STEP * exp(-0.5 * fit.numbers[0]);
+        // Little more than that is no gain: the fit would creep along what no longer swings.
         let start = match back {
-            Some(back) => times.partition_point(|t| *t < times[first] - back + inside).min(first),
+            Some(back) if back < 1.5 * inside => first,
+            Some(back) => times.partition_point(|t| *t < times[first] - back + inside),
             None => 0,
         };
         let stop = match ahead {
-            Some(ahead) => times.partition_point(|t| *t <= times[last] + ahead - inside).max(last + 1),
+            Some(ahead) if ahead < 1.5 * inside => last + 1,
+            Some(ahead) => times.partition_point(|t| *t <= times[last] + ahead - inside),
             None => end + 1,
         };
         if (start..stop) == samples {
