@@ -19,7 +19,7 @@ const LEFT: f64 = 0.02;
 /// Of the squares of what swings, a pendulum leaves no more than this part: at 50 samples a second, with noise of
 /// a sixth of the fastest rate, and a length of 1.3 m, it is a 65th.
 const UNEXPLAINED: f64 = 0.05;
-/// So many of the longest rows of half-swings are tried: each takes a fit.
+/// So many rows of half-swings, those of the largest rates, are tried: each takes a fit.
 const TRIED: usize = 8;
 
 /// A piece of a recording that swings, by [`Swing::find`].
@@ -51,8 +51,8 @@ struct Half {
 }
 
 impl Swing {
-    /// The piece of a recording that swings longest, by the number of half-swings, from times (s) and the
-    /// rates (rad/s) on the sensor's axes.
+    /// The piece of a recording that swings through the largest angle in all, from times (s) and the rates
+    /// (rad/s) on the sensor's axes.
     ///
     /// Looked for are three half-swings or more, about an axis of the sensor or the principal axis, each 0.7 to
     /// 1.1 times as long and 0.5 to 1.1 times as fast as the one before. The pendulum that fits them is followed
@@ -75,7 +75,7 @@ impl Swing {
             let along: Vec<f64> = rates.iter().map(|rate| rate.dot(&axis)).collect();
             rows.extend(in_row(times, &along));
         }
-        rows.sort_by_key(|(halves, _)| core::cmp::Reverse(*halves));
+        rows.sort_by(|(a, _), (b, _)| b.total_cmp(a));
         for core in rows.iter().take(TRIED).flat_map(|(_, tries)| tries) {
             if let Some(found) = grown(times, rates, core.clone()) {
                 return Ok(found);
@@ -94,9 +94,9 @@ impl Swing {
     }
 }
 
-/// Rows of half-swings of which each follows from the one before: how many, and pieces with which a fit may
-/// begin, the best one first.
-fn in_row(times: &[f64], rates: &[f64]) -> Vec<(usize, Vec<Range<usize>>)> {
+/// Rows of half-swings of which each follows from the one before: the sum of their rates, and pieces with which
+/// a fit may begin, the best one first.
+fn in_row(times: &[f64], rates: &[f64]) -> Vec<(f64, Vec<Range<usize>>)> {
     let quantile = |mut of: Vec<f64>, part: f64| {
         of.sort_by(f64::total_cmp);
         of[(part * (of.len() - 1) as f64) as usize]
@@ -145,7 +145,8 @@ fn in_row(times: &[f64], rates: &[f64]) -> Vec<(usize, Vec<Range<usize>>)> {
             let inner = (first + aside, last - aside);
             let tries = [inner, (first, last), (first + 1, last), (first, last - 1)];
             let long = tries.into_iter().filter(|(first, last)| last - first >= 2);
-            rows.push((last - first, long.map(|(first, last)| piece(first, last)).collect()));
+            let swept = halves[first..=last].iter().map(|half| half.weight).sum();
+            rows.push((swept, long.map(|(first, last)| piece(first, last)).collect()));
         }
         first = last.map_or(first, |last| last - 2) + 1;
     }
