@@ -3,12 +3,13 @@
 use super::flight::Flight;
 use super::least_squares::{self, Fitted};
 use super::model::{Correction, Model, Named, Samples};
-use super::{Fit, NORMAL, spread, start};
+use super::{Fit, NORMAL, kept, spread, start};
 use crate::error::{Error, Result};
 use crate::exact::free_body::FreeBody;
 use crate::inertia::PrincipalMoments;
 use crate::math::{exp, log, sincos};
 use core::f64::consts::{PI, TAU};
+use nalgebra::{DMatrix, DVector};
 
 /// A correction is needed if chance would improve the fit as much once in a thousand flights.
 /// Distribution of chi squared for 1, 2 and 3 numbers.
@@ -27,7 +28,7 @@ const HOPELESS: f64 = 60.0;
 const NEAR: f64 = 0.05;
 
 /// Pieces of a flight that are fitted first, and the pieces of an integral of the start (turns).
-const PIECE: f64 = 2.0;
+const PIECE: f64 = 1.0;
 
 fn threshold(correction: Correction) -> f64 {
     BY_CHANCE[correction.numbers() - 1]
@@ -65,6 +66,8 @@ pub(super) struct Other {
     pub(super) logs: [f64; 3],
     /// Their covariance.
     pub(super) covariance: [[f64; 3]; 3],
+    /// ln(2 E I/L^2) with each of the moments, and its variance.
+    pub(super) separatrices: [(f64, f64); 3],
 }
 
 /// A combination of corrections, fitted.
@@ -115,24 +118,31 @@ impl Flight {
         };
         let mut candidates: Vec<Candidate> = Vec::new();
         let mut bound = f64::INFINITY;
-        let mut independent = None;
+        let mut independent = samples.times.len() as f64;
         for model in combinations.into_iter().rev() {
             let richer = candidates.iter().filter(|other| model.is_part_of(&other.model));
             let richer = richer.max_by(|a, b| a.fitted.squares.total_cmp(&b.fitted.squares));
             // No sum of squares is less than that of a richer combination.
-            let most = independent.map_or(f64::INFINITY, |independent| {
-                exp((bound + HOPELESS - price(&model)) / independent)
-            });
-            if richer.is_some_and(|richer| richer.fitted.squares > most) {
+            let most = exp((bound + HOPELESS - price(&model)) / independent);
+            let bounds =
+                |richer: &Candidate| richer.fitted.off <= NEAR && richer.fitted.squares > most;
+            if richer.is_some_and(bounds) {
                 continue;
             }
             let carried = richer.map(|other| model.carried(&other.model, &other.fitted.numbers));
-            let Ok(fitted) = self.fitted(&samples, &model, carried, most) else { continue };
-            let n = *independent.get_or_insert_with(|| free(&fitted));
-            if fitted.settled() {
-                bound = bound.min(n * self.log_squares(&fitted) + price(&model));
-            }
+            let trusted = richer.is_some_and(|richer| richer.fitted.off <= NEAR);
+            let Ok(fitted) = self.fitted(&samples, &model, carried, trusted, most) else {
+                continue;
+            };
             candidates.push(Candidate { model, fitted });
+            let fitted = candidates.iter().map(|of| &of.fitted);
+            if let Some(best) = fitted.min_by(|a, b| a.squares.total_cmp(&b.squares)) {
+                independent = free(best);
+            }
+            let costs = candidates.iter().filter(|of| of.fitted.settled());
+            let costs =
+                costs.map(|of| independent * self.log_squares(&of.fitted) + price(&of.model));
+            bound = costs.fold(f64::INFINITY, f64::min);
         }
         // A richer combination fits no worse: from the numbers of a simpler one, if those are better.
         for k in (0..candidates.len()).rev() {
@@ -149,7 +159,6 @@ impl Flight {
             }
         }
         candidates.reverse();
-        let independent = independent.unwrap_or(samples.times.len() as f64);
         self.chosen(&candidates, &steady, &Model::new(allowed), independent)
     }
 
@@ -166,46 +175,47 @@ impl Flight {
         samples: &Samples,
         model: &Model,
         carried: Option<Vec<f64>>,
+        trusted: bool,
         hopeless: f64,
     ) -> Result<Fitted> {
-        let count = samples.times.len();
-        let piece = PIECE * TAU / self.fastest();
-        // The richest combination, from which the others begin, is begun in all ways.
-        let richest = carried.is_none();
-        let mut starts: Vec<Vec<f64>> = carried.into_iter().collect();
         let turns = model.has(Correction::Axes);
         let resists = model.has(Correction::Offset) || model.has(Correction::Drag);
         let mut ways = vec![[turns, resists], [turns, false], [false, resists], [false, false]];
         ways.dedup();
-        ways.truncate(if richest { 4 } else { 1 });
-        for way in ways {
-            let Some(mut numbers) = start::numbers(samples, piece, model, way) else { continue };
-            let mut part = samples.times.partition_point(|t| *t < piece).max(2 * model.numbers());
-            while part < count {
-                if let Ok(fitted) = model.refined(&numbers, samples, part, hopeless) {
-                    numbers = fitted.numbers;
-                }
-                part *= 2;
-            }
-            starts.push(numbers);
-        }
-        starts.sort_by_cached_key(|numbers| model.squares(numbers, samples).to_bits());
-        let mut best = Err(Error::out_of_range(
-            "fastest rate",
-            self.fastest(),
-            "that of a body in free flight: its moments are not to be found",
-        ));
-        for numbers in starts {
+        let own = ways.into_iter().filter_map(|way| self.begun(samples, model, way));
+        let mut best: Option<Fitted> = None;
+        for numbers in carried.into_iter().chain(own) {
+            let count = samples.times.len();
             let Ok(fitted) = model.refined(&numbers, samples, count, hopeless) else { continue };
-            let done = fitted.settled() || fitted.squares > hopeless;
-            if best.as_ref().map_or(true, |best: &Fitted| fitted.squares < best.squares) {
-                best = Ok(fitted);
+            // Two starts that lead to the same place, or one from numbers that are good for more.
+            let same = |best: &Fitted| (fitted.squares / best.squares - 1.0).abs() < 1e-6;
+            let agreed = fitted.settled() && best.as_ref().is_some_and(same);
+            let done = agreed || trusted && (fitted.settled() || fitted.squares > hopeless);
+            if best.as_ref().is_none_or(|best| fitted.squares < best.squares) {
+                best = Some(fitted);
             }
-            if done && !richest {
+            if done {
                 break;
             }
         }
-        best
+        best.ok_or_else(|| {
+            let allowed = "that of a body in free flight: its moments are not to be found";
+            Error::out_of_range("fastest rate", self.fastest(), allowed)
+        })
+    }
+
+    /// Numbers from linear algebra, made better on pieces of the flight that grow.
+    fn begun(&self, samples: &Samples, model: &Model, way: [bool; 2]) -> Option<Vec<f64>> {
+        let piece = PIECE * TAU / self.fastest();
+        let mut numbers = start::numbers(samples, piece, model, way)?;
+        let mut part = samples.times.partition_point(|t| *t < piece).max(2 * model.numbers());
+        while part < samples.times.len() {
+            if let Ok(fitted) = model.refined(&numbers, samples, part, f64::INFINITY) {
+                numbers = fitted.numbers;
+            }
+            part = part * 4 / 3 + 1;
+        }
+        Some(numbers)
     }
 
     /// The best of the combinations, which are in the order of what they leave open.
@@ -250,10 +260,11 @@ impl Flight {
             };
             let change =
                 |of: &Candidate| if of.filters() { (misfit(of) - misfit(best)).abs() } else { 0.0 };
+            // What was left out is worse by HOPELESS at least.
             let without = candidates.iter().filter(|of| needed && !of.model.has(correction));
-            let without = without.map(|of| misfit(of) - misfit(best)).fold(f64::INFINITY, f64::min);
+            let without = without.map(|of| misfit(of) - misfit(best)).fold(HOPELESS, f64::min);
             let nearest = candidates.iter().find(beside).map(change);
-            let improvement = nearest.unwrap_or(if needed { without } else { 0.0 });
+            let improvement = nearest.unwrap_or(if needed { without.max(0.0) } else { 0.0 });
             Decision { correction, improvement, threshold: threshold(correction), needed }
         };
         let akaike = |of: &Candidate| misfit(of) + PER_NUMBER * of.model.numbers() as f64;
@@ -266,10 +277,11 @@ impl Flight {
         let other = |other: &Candidate| {
             let covariance = spread::covariance(&other.fitted);
             let Named { logs, axes, .. } = other.model.named(&other.fitted.numbers)?;
+            let separatrices = self.separatrices(other, &covariance)?;
             let slopes = [0, 1, 2].map(|k| other.model.slopes(&axes, [k, k]));
             let covariance = |i: usize, j: usize| slopes[i].dot(&(&covariance * &slopes[j]));
             let covariance = [0, 1, 2].map(|i| [0, 1, 2].map(|j| covariance(i, j)));
-            Ok(Other { weight: weight(other), logs, covariance })
+            Ok(Other { weight: weight(other), logs, covariance, separatrices })
         };
         // A weight below a thousandth changes no digit that is told.
         let weighty = candidates.iter().filter(|other| varied && weight(other) > 1e-3);
@@ -292,6 +304,32 @@ impl Flight {
             fitted: best.fitted.clone(),
             flight: self.clone(),
         })
+    }
+
+    /// ln(2 E I/L^2) with each of the moments, and its variance.
+    fn separatrices(&self, of: &Candidate, covariance: &DMatrix<f64>) -> Result<[(f64, f64); 3]> {
+        let values = |numbers: &[f64]| {
+            let named = of.model.named(numbers)?;
+            let moments = named.logs.map(exp);
+            let [energy, momentum] = kept(&moments, &named.start.to_array());
+            Ok(moments.map(|moment| log(2.0 * energy * moment / (momentum * momentum))))
+        };
+        let numbers = &of.fitted.numbers;
+        let scales = of.model.scales(self.fastest());
+        let mut slopes = [0; 3].map(|_| DVector::zeros(numbers.len()));
+        for (i, scale) in scales.iter().enumerate() {
+            let aside = |step: f64| {
+                let mut aside = numbers.clone();
+                aside[i] += step * scale;
+                values(&aside)
+            };
+            let (above, below) = (aside(1e-5)?, aside(-1e-5)?);
+            for (n, slopes) in slopes.iter_mut().enumerate() {
+                slopes[i] = (above[n] - below[n]) / (2e-5 * scale);
+            }
+        }
+        let best = values(numbers)?;
+        Ok([0, 1, 2].map(|n| (best[n], slopes[n].dot(&(covariance * &slopes[n])))))
     }
 
     /// A spin about a line that is fixed in the body, as a cube has it: no ratio is fitted.

@@ -21,8 +21,6 @@ pub(super) struct Fitted {
     pub(super) squares: f64,
     /// The length of Gauss and Newton's next step, in standard deviations.
     pub(super) off: f64,
-    /// How often the residuals were computed.
-    pub(super) evaluations: usize,
 }
 
 /// A step in a number, relative to its scale, for a central difference: about the cube root of round-off, at
@@ -31,6 +29,11 @@ const STEP: f64 = 1e-5;
 /// Beside a separatrix that is far too wide. A step is a tenth of itself, twice at most, if the second difference
 /// is more than this part of the first: its square is about the error of a slope.
 const BENT: f64 = 1e-3;
+/// But beside a separatrix residuals are bent within far less: by a step they shall change by this part of a
+/// standard deviation,
+const WHILE_STRAIGHT: f64 = 0.03;
+/// unless the step, relative to its scale, were so small that the slope is rounding.
+const LEAST_STEP: f64 = 1e-9;
 /// Directions in which the residuals change so little, relative to the steepest, are left alone: their slopes
 /// are errors of the differences.
 pub(super) const FLAT: f64 = 1e-9;
@@ -39,9 +42,7 @@ const SETTLED: f64 = 1e-3;
 /// What a change of one scale makes, times this, is the rounding of residuals that vanish, with a margin.
 const ROUNDING: f64 = 1e-10;
 /// Fits that find a minimum mostly take 5 to 15.
-const MOST_STEPS: usize = 100;
-/// After so many, where a fit began is forgotten.
-const FEW_STEPS: usize = 12;
+const MOST_STEPS: usize = 40;
 
 fn squares(residuals: &[f64]) -> f64 {
     residuals.iter().map(|r| r * r).sum()
@@ -65,7 +66,7 @@ pub(super) fn fit(
     scales: &[f64],
     residuals: &mut dyn FnMut(&[f64]) -> Result<Vec<f64>>,
 ) -> Result<Fitted> {
-    let fitted = descend(start, scales, &|_| false, residuals)?;
+    let fitted = descend(start, scales, &|_, _| false, residuals)?;
     if fitted.settled() {
         return Ok(fitted);
     }
@@ -73,14 +74,14 @@ pub(super) fn fit(
     Err(Error::out_of_range("distance of a fit from the best", fitted.off, allowed))
 }
 
-/// The same, with what is reached if it is no minimum. What is `given_up` is so after a few steps.
+/// The same, with what is reached if it is no minimum, or where it is `given_up` after so many steps.
 ///
 /// # Errors
 /// Those of `residuals` at the start; `Lengths` as above.
 pub(super) fn descend(
     start: &[f64],
     scales: &[f64],
-    given_up: &dyn Fn(&Fitted) -> bool,
+    given_up: &dyn Fn(&Fitted, usize) -> bool,
     residuals: &mut dyn FnMut(&[f64]) -> Result<Vec<f64>>,
 ) -> Result<Fitted> {
     let first = residuals(start)?;
@@ -95,19 +96,17 @@ pub(super) fn descend(
         residuals: first,
         jacobian: DMatrix::zeros(0, 0),
         off: f64::INFINITY,
-        evaluations: 1,
     };
     let (mut damping, mut harder) = (1e-3, 2.0);
     let mut sides: Vec<f64> = scales.iter().map(|scale| STEP * scale).collect();
     for steps in 0..MOST_STEPS {
         now.jacobian = slopes(&numbers, scales, &mut sides, &now.residuals, residuals)?;
-        now.evaluations += 2 * numbers.len();
         if now.jacobian.iter().any(|slope| !slope.is_finite()) {
             break;
         }
         let linear = Linear::new(&now.jacobian, scales, &now.residuals);
         now.off = linear.off;
-        if now.settled() || (steps >= FEW_STEPS && given_up(&now)) {
+        if now.settled() || given_up(&now, steps) {
             break;
         }
         let reached = loop {
@@ -116,7 +115,6 @@ pub(super) fn descend(
             if small || !promised.is_finite() {
                 break None;
             }
-            now.evaluations += 2;
             // Along the step the residuals are bent: the second derivative, by a difference over a tenth.
             let near: DVector<f64> = &numbers - 0.1 * &step;
             let bend = residuals(near.as_slice()).ok().map(|near| {
@@ -228,8 +226,10 @@ fn slopes(
     residuals: &mut dyn FnMut(&[f64]) -> Result<Vec<f64>>,
 ) -> Result<DMatrix<f64>> {
     let mut slopes = DMatrix::zeros(now.len(), numbers.len());
+    let degrees = now.len() - numbers.len();
+    let change_wanted = WHILE_STRAIGHT * (squares(now) / degrees as f64).sqrt();
     for i in (0..numbers.len()).rev() {
-        let least = 0.02 * STEP * scales[i];
+        let least = LEAST_STEP * scales[i];
         let mut aside = |step: f64| {
             let mut aside = numbers.clone();
             aside[i] += step;
@@ -253,10 +253,11 @@ fn slopes(
                 first += change * change;
                 second += (above - 2.0 * now + below) * (above - 2.0 * now + below);
             }
-            if second <= BENT * BENT * first || sides[i] <= least {
+            let straight = second <= BENT * BENT * first && first.sqrt() <= 3.0 * change_wanted;
+            if straight || sides[i] <= least {
                 break;
             }
-            sides[i] *= 0.1;
+            sides[i] = (sides[i] * (change_wanted / first.sqrt()).min(0.1)).max(least);
         }
     }
     Ok(slopes)

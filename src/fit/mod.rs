@@ -156,7 +156,7 @@ impl Fit {
     fn log_ratio(&self, i: usize, j: usize) -> (f64, f64) {
         let value = self.named.logs[i] - self.named.logs[j];
         let (mut whole, mut sum) = (0.0, 0.0);
-        for Other { weight, logs, covariance } in &self.others {
+        for Other { weight, logs, covariance, .. } in &self.others {
             let apart = logs[i] - logs[j] - value;
             let own = covariance[i][i] + covariance[j][j] - 2.0 * covariance[i][j];
             whole += weight;
@@ -226,30 +226,23 @@ impl Fit {
     }
 
     /// 2 E I_mid/L^2: 1 on the separatrix; below 1 the momentum circles the axis of the largest moment, above
-    /// 1 that of the least. `None` if there is no [`Self::middle_axis`]. The interval is that of the curvature,
-    /// without the other combinations of corrections.
+    /// 1 that of the least. `None` if there is no [`Self::middle_axis`]. With a drag the interval is wider by the
+    /// part of L that is lost: how it is divided among the axes, which would change this number, is not fitted.
     pub fn separatrix(&self) -> Option<Estimate> {
         let middle = self.middle_axis()?;
-        let value = |numbers: &[f64]| {
-            let named = self.model.named(numbers)?;
-            let moments = named.logs.map(exp);
-            let [energy, momentum] = kept(&moments, &named.start.to_array());
-            Ok(log(2.0 * energy * moments[middle] / (momentum * momentum)))
+        let (whole, mean) = self.others.iter().fold((0.0, 0.0), |(whole, mean), other| {
+            (whole + other.weight, mean + other.weight * other.separatrices[middle].0)
+        });
+        let mean: f64 = mean / whole;
+        let spread = |other: &Other| {
+            let (value, variance) = other.separatrices[middle];
+            other.weight * (variance + (value - mean) * (value - mean))
         };
-        let numbers = &self.fitted.numbers;
-        let scales = self.model.scales(self.flight.fastest());
-        let slope = |i: usize| {
-            let aside = |step: f64| {
-                let mut aside = numbers.clone();
-                aside[i] += step * scales[i];
-                value(&aside)
-            };
-            Ok((aside(1e-5)? - aside(-1e-5)?) / (2e-5 * scales[i]))
-        };
-        let slopes = (0..numbers.len()).map(slope).collect::<Result<Vec<f64>>>().ok()?;
-        let half = self.confidence * self.variance(&slopes.into()).sqrt();
-        let best = value(numbers).ok()?;
-        let [value, from, to] = [best, best - half, best + half].map(exp);
+        let variance = self.others.iter().map(spread).sum::<f64>() / whole;
+        let drag = self.model.place(Correction::Drag).map_or(0.0, |at| self.fitted.numbers[at]);
+        let lost = drag.abs() * self.flight.times[self.flight.times.len() - 1];
+        let half = self.confidence * variance.sqrt() + lost;
+        let [value, from, to] = [mean, mean - half, mean + half].map(exp);
         Some(Estimate { value, from, to })
     }
 
@@ -337,11 +330,6 @@ impl Fit {
         }
         let (first, last) = (crossings.first()?, crossings.last()?);
         (crossings.len() > 1).then(|| 2.0 * (last - first) / (crossings.len() - 1) as f64)
-    }
-
-    /// How often the rates of the whole flight were computed for the last fit.
-    pub fn evaluations(&self) -> usize {
-        self.fitted.evaluations
     }
 }
 

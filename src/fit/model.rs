@@ -50,6 +50,11 @@ const FILTER: [(f64, f64); 4] = [
     (9.395070912301133, 0.000539294705561327),
 ];
 
+/// After so many, where a fit began is forgotten.
+const FEW_STEPS: usize = 12;
+/// A part of a flight, from which the next begins, is fitted to this part of a standard deviation.
+const ROUGH: f64 = 0.5;
+
 /// Samples of a flight, or means of neighbours.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Samples {
@@ -250,12 +255,6 @@ impl Model {
         Ok(rates.into_iter().map(|rate| [0, 1, 2].map(|i| rate[i] + offset[i])).collect())
     }
 
-    /// The sum of the squares of what is left of these samples.
-    pub(super) fn squares(&self, numbers: &[f64], samples: &Samples) -> f64 {
-        let left = self.residuals(numbers, samples, samples.times.len(), &mut None);
-        left.map_or(f64::INFINITY, |left| left.iter().map(|r| r * r).sum())
-    }
-
     /// Whether tau^2 is not below 0. If it is, the fit is best without a filter.
     pub(super) fn filters(&self, numbers: &[f64]) -> bool {
         self.place(Correction::Filter).is_none_or(|at| numbers[at] >= 0.0)
@@ -271,7 +270,10 @@ impl Model {
         hopeless: f64,
     ) -> Result<Fitted> {
         let fastest = samples.rates.iter().flatten().fold(0.0_f64, |most, w| most.max(w.abs()));
-        let given_up = |now: &Fitted| now.squares > hopeless || !self.filters(&now.numbers);
+        let given_up = |now: &Fitted, steps: usize| match count < samples.times.len() {
+            true => now.off < ROUGH || steps >= FEW_STEPS,
+            false => steps >= FEW_STEPS && (now.squares > hopeless || !self.filters(&now.numbers)),
+        };
         let mut last = None;
         least_squares::descend(numbers, &self.scales(fastest), &given_up, &mut |numbers| {
             self.residuals(numbers, samples, count, &mut last)
