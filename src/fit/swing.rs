@@ -15,8 +15,8 @@
 //! in 96 of 100, the amplitude in 97, the offset in 95. Each damping was found in all of the 477 where it
 //! takes a quarter of the amplitude or more, and once in the 523 without. Of 750 recordings of a rod that is
 //! lifted, held, let go from 5 to 170 degrees and stopped within 0.2 s, [`Swing::find`] took a piece inside the
-//! swing, of 82 to 99 of its 100 parts; the length was held in 96 of 100 (`tests/fit/swing.rs`). A recording of 20 s at 400
-//! samples a second takes 0.05 s.
+//! swing, of 82 to 99 of its 100 parts; the length was held in 96 of 100 (`tests/fit/swing.rs`). A
+//! recording of 20 s at 400 samples a second takes 0.05 s to fit, and about as long to search.
 //!
 //! ```
 //! use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
