@@ -359,7 +359,7 @@ fn the_piece_that_swings_is_found() {
         let amplitude = random.size(5.0, 170.0).to_radians();
         let mut rod = Rod { start: [amplitude, 0.0], ..Rod::drawn(&mut random) };
         rod.noise = rod.noise.min(0.02);
-        rod.seconds = random.between(8.0, 12.0);
+        rod.seconds = random.between(8.0, 10.0);
         rod.linear = [0.0, 0.03][n as usize % 2];
         rod.quadratic = [0.0, 0.0, 0.03][n as usize % 3];
         let (times, rates, [from, to]) = course(&rod, &mut random);
