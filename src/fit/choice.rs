@@ -204,18 +204,24 @@ impl Flight {
         })
     }
 
-    /// Numbers from linear algebra, made better on pieces of the flight that grow.
+    /// Numbers from linear algebra, made better on pieces of the flight that grow: without filter and drag, which
+    /// change little in so short a time.
     fn begun(&self, samples: &Samples, model: &Model, way: [bool; 2]) -> Option<Vec<f64>> {
         let piece = PIECE * TAU / self.fastest();
-        let mut numbers = start::numbers(samples, piece, model, way)?;
+        let still =
+            |correction: &Correction| matches!(correction, Correction::Axes | Correction::Offset);
+        let simple: Vec<_> =
+            Correction::ALL.into_iter().filter(still).filter(|c| model.has(*c)).collect();
+        let simple = Model::new(&simple);
+        let mut numbers = start::numbers(samples, piece, &simple, way)?;
         let mut part = samples.times.partition_point(|t| *t < piece).max(2 * model.numbers());
         while part < samples.times.len() {
-            if let Ok(fitted) = model.refined(&numbers, samples, part, f64::INFINITY) {
+            if let Ok(fitted) = simple.refined(&numbers, samples, part, f64::INFINITY) {
                 numbers = fitted.numbers;
             }
             part = part * 4 / 3 + 1;
         }
-        Some(numbers)
+        Some(model.carried(&simple, &numbers))
     }
 
     /// The best of the combinations, which are in the order of what they leave open.
@@ -342,9 +348,10 @@ impl Flight {
             *number = samples.rates.iter().map(|rate| rate[i]).sum::<f64>() / count as f64;
         }
         let scales = model.scales(self.fastest());
-        let mut fitted = least_squares::fit(&start, &scales[2..], &mut |numbers| {
-            model.residuals(&whole(numbers), samples, count, &mut None)
-        })?;
+        let mut fitted =
+            least_squares::descend(&start, &scales[2..], &|_, _| false, &mut |numbers| {
+                model.residuals(&whole(numbers), samples, count, &mut None)
+            })?;
         fitted.numbers = whole(&fitted.numbers);
         fitted.jacobian = fitted.jacobian.insert_columns(0, 2, 0.0);
         Ok(Candidate { model, fitted })

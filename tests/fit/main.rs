@@ -236,7 +236,7 @@ fn a_somersault_is_explained_without_a_correction() {
         [0.05, 0.003, 0.0005].iter().flat_map(|tilt| (0..asked() / 4).map(move |k| (*tilt, k)))
     {
         let mut random = Random(u64::from(1000 + seed));
-        let (rate, toward) = (random.between(8.0, 25.0), random.between(0.0, 6.28));
+        let (rate, toward) = (random.between(8.0, 25.0), core::f64::consts::TAU * random.unit());
         let throw = Throw {
             moments: [random.between(0.7, 0.9), 0.2, 1.0],
             start: [rate, rate * tilt * f64::cos(toward), rate * tilt * f64::sin(toward)],
