@@ -104,6 +104,8 @@ pub enum Error {
     BouncesUnresolved { contact: &'static str, height: f64, t: f64, until: f64 },
     /// An event did not come.
     NotReached { name: &'static str, until: f64 },
+    /// A recording is of no swing that can be fitted; why.
+    NoSwing { reason: Cow<'static, str> },
     /// The condition of a motion is not known, because its inputs are not.
     ConditionUnknown { name: &'static str },
     /// The error that was requested cannot be delivered. `best`: the error that was reached; with a
@@ -155,6 +157,11 @@ impl Error {
     pub(crate) fn incompatible(effects: String, reason: impl Into<Cow<'static, str>>) -> Self {
         let reason = reason.into();
         Self::Incompatible { effects, reason }
+    }
+
+    /// [`Error::NoSwing`] for this reason.
+    pub(crate) fn no_swing(reason: impl Into<Cow<'static, str>>) -> Self {
+        Self::NoSwing { reason: reason.into() }
     }
 
     /// Two weights on one body.
@@ -299,6 +306,7 @@ impl fmt::Display for Error {
                 "the run ends between t = {} and t = {}, while \"{contact}\" bounces infinitely often, \
                  up to {height:.1e} high, and its speed is not known; end the run before or after", n(t), n(until);
             NotReached { name, until } => "\"{name}\" has not happened by t = {}", n(until);
+            NoSwing { reason } => "{reason}";
             ConditionUnknown { name } =>
                 "the condition of \"{name}\" is not known, because its inputs are not";
             NotDelivered { requested, best, condition: Some(_) } if best.is_nan() || *best >= PI =>

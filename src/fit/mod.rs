@@ -66,7 +66,7 @@ use least_squares::Fitted;
 pub use model::Correction;
 use model::{Model, Named, slowed_clock};
 use nalgebra::{DMatrix, DVector};
-pub use swing::{Damping, Hinge, Swing, SwingDecision, SwingFit};
+pub use swing::{Damping, Hinge, Swing, SwingDecision, SwingFit, Swinging};
 
 /// Half an interval of 95 per cent, in standard deviations that are known.
 const NORMAL: f64 = 1.96;

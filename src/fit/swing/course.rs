@@ -1,7 +1,7 @@
 //! The motion of a pendulum that is slowed, and numbers from which its fit begins.
 
 use crate::error::{Error, Result};
-use crate::math::{atan2, exp, log, sincos};
+use crate::math::{atan2, exp, log, sin, sincos};
 use nalgebra::{Matrix4, Vector4};
 
 /// ln W^2, angle and rate at the start, the sensor's offset, gamma, beta (s, rad).
@@ -89,6 +89,12 @@ pub(super) fn states(numbers: &Numbers, times: impl Iterator<Item = f64>) -> Res
         if finite { Ok(state) } else { Err(Error::out_of_range("rate", rate, allowed)) }
     };
     times.map(step).collect()
+}
+
+/// The energy of this state over that of the upright position: k^2.
+pub(super) fn energy(numbers: &Numbers, [angle, rate]: [f64; 2]) -> f64 {
+    let (half, swing) = (sin(0.5 * angle), 0.5 * rate * exp(-0.5 * numbers[0]));
+    half * half + swing * swing
 }
 
 /// The second derivative of the rate (rad/s^3).

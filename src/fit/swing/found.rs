@@ -1,11 +1,11 @@
 //! The pendulum that fits a swing, and how well its numbers are known.
 
 use super::course::{self, Numbers};
-use super::{Averaged, Swing};
+use super::{Averaged, Swing, WITHOUT};
 use crate::error::{Error, Result, positive};
 use crate::exact::carlson::rf;
 use crate::fit::{Estimate, NORMAL, OPEN, least_squares, spread};
-use crate::math::{asin, exp, log, sin};
+use crate::math::{asin, exp, log};
 use nalgebra::{DMatrix, DVector};
 
 /// Below this part of the rates residuals count as none: averages leave 4e-6 of them ([`Swing::fit`]).
@@ -29,7 +29,8 @@ pub enum Damping {
 pub struct SwingDecision {
     /// Which.
     pub damping: Damping,
-    /// n ln(S/S'), with the sums S and S' of squares without and with it, as of [`Swing::fit`].
+    /// n ln(S/S'), with the sums S and S' of squares without and with it, as of [`Swing::fit`]. Where no
+    /// pendulum without it fits best, S is that of a constant rate: at most as much is gained.
     pub improvement: f64,
     /// What chance reaches once in a thousand swings.
     pub threshold: f64,
@@ -42,7 +43,7 @@ pub struct SwingDecision {
 pub(super) struct Candidate {
     damped: [bool; 2],
     pub(super) numbers: Numbers,
-    residuals: Vec<f64>,
+    pub(super) residuals: Vec<f64>,
     pub(super) squares: f64,
     /// With zeros for a damping that it lacks.
     covariance: Option<DMatrix<f64>>,
@@ -135,8 +136,9 @@ impl SwingFit {
             let mut twin = best.damped;
             twin[i] = !needed;
             let twin = candidates.iter().find(|other| other.damped == twin);
-            let change = twin.map(|twin| (misfit(twin) - misfit(best)).abs());
-            let improvement = change.unwrap_or(if needed { f64::MAX } else { 0.0 });
+            let without = count as f64 / inflation * log(whole + floor);
+            let twin = twin.map_or(if needed { without } else { misfit(best) }, misfit);
+            let improvement = (twin - misfit(best)).abs();
             SwingDecision { damping, improvement, threshold: BY_CHANCE, needed }
         });
         let weighed = |of: &Candidate| (of.clone(), exp(0.5 * (price(best) - price(of))));
@@ -154,30 +156,37 @@ impl SwingFit {
     /// Refuses what is no swing, or an open one.
     fn checked(self, unexplained: f64) -> Result<Self> {
         if unexplained.is_nan() || unexplained > 0.25 {
-            let allowed = "at most 0.25: these rates are of no pendulum that swings to and fro";
-            return Err(Error::out_of_range(
-                "unexplained part of the variance",
-                unexplained,
-                allowed,
-            ));
+            let left = 100.0 * unexplained;
+            return Err(Error::no_swing(format!(
+                "the pendulum that fits these rates best leaves {left:.0} of 100 parts of their variance, and \
+                 25 are allowed. {WITHOUT}"
+            )));
         }
         let energy = energy(&self.best.numbers);
         if energy >= 1.0 {
-            let allowed = "below 1: fitted are swings to and fro, and this goes over the top";
-            return Err(Error::out_of_range("energy over that of upright", energy, allowed));
+            return Err(Error::no_swing(format!(
+                "the pendulum that fits these rates best would go over the top, with {energy:.5} times the \
+                 energy of the upright position. {WITHOUT}"
+            )));
         }
         let square = self.estimate(|numbers| numbers[0]);
         let factor = exp(0.5 * (square.to - square.from));
         if factor <= OPEN && self.best.covariance.is_some() {
             return Ok(self);
         }
-        let allowed = "at most 2: the recording is too short or too noisy to tell the length";
-        Err(Error::out_of_range("factor by which the length is open", factor, allowed))
+        Err(Error::no_swing(format!(
+            "this is too short or too noisy to tell the length: it is open by a factor of {factor:.3}"
+        )))
     }
 
     /// An estimate of a function of the numbers: the interval has the variance of the best, or that of all
     /// with their weights, whichever is larger.
     fn estimate(&self, of: impl Fn(&Numbers) -> f64) -> Estimate {
+        self.among(|_| true, of)
+    }
+
+    /// The same by some of the candidates, the best among them.
+    fn among(&self, those: impl Fn(&Candidate) -> bool, of: impl Fn(&Numbers) -> f64) -> Estimate {
         let own = |candidate: &Candidate| {
             let Some(covariance) = &candidate.covariance else { return 0.0 };
             let slope = |i: usize| {
@@ -196,7 +205,8 @@ impl SwingFit {
         let value = of(&self.best.numbers);
         let (mut whole, mut sum) = (0.0, 0.0);
         // A weight below a thousandth changes no digit that is told.
-        for (candidate, weight) in self.candidates.iter().filter(|(_, weight)| *weight > 1e-3) {
+        let weighty = self.candidates.iter().filter(|(_, weight)| *weight > 1e-3);
+        for (candidate, weight) in weighty.filter(|(candidate, _)| those(candidate)) {
             whole += weight;
             sum += weight * (own(candidate) + f64::powi(of(&candidate.numbers) - value, 2));
         }
@@ -242,14 +252,20 @@ impl SwingFit {
         self.estimate(|numbers| numbers[3])
     }
 
-    /// The linear damping gamma (1/s), if it is needed.
+    /// The linear damping gamma (1/s), if it is needed. Its interval is that of the pendulums that have it:
+    /// where one with quadratic damping alone explains the rates nearly as well, that some damping is needed is
+    /// sure, and which is not.
     pub fn linear(&self) -> Option<Estimate> {
-        self.best.damped[0].then(|| self.estimate(|numbers| numbers[4]))
+        self.damping(0)
     }
 
-    /// The quadratic damping beta (1/rad), if it is needed.
+    /// The quadratic damping beta (1/rad), if it is needed; its interval as that of the linear one.
     pub fn quadratic(&self) -> Option<Estimate> {
-        self.best.damped[1].then(|| self.estimate(|numbers| numbers[5]))
+        self.damping(1)
+    }
+
+    fn damping(&self, i: usize) -> Option<Estimate> {
+        self.best.damped[i].then(|| self.among(|of| of.damped[i], |numbers| numbers[4 + i]))
     }
 
     /// Of each damping, whether it is needed.
@@ -276,11 +292,12 @@ impl SwingFit {
     /// Angle and rate, from those at the sample before.
     fn state(&self, t: f64) -> Result<[f64; 2]> {
         let Swing { times, begin, .. } = &self.swing;
-        let (since, end) = (t - begin, begin + times[times.len() - 1]);
+        // Not t against the end: the last time, less the first, plus the first, may round to before it.
+        let (since, last) = (t - begin, times[times.len() - 1]);
         let before = times.partition_point(|sample| *sample <= since);
-        if before == 0 || t > end {
+        if before == 0 || since > last {
             crate::error::finite("t", t)?;
-            return Err(Error::OutsideRun { t, start: *begin, end });
+            return Err(Error::OutsideRun { t, start: *begin, end: begin + last });
         }
         let (from, state) = (times[before - 1], self.states[before - 1]);
         Ok(course::advanced(&self.best.numbers, state, since - from))
@@ -299,8 +316,7 @@ impl SwingFit {
     }
 }
 
-/// k^2 at the start: the energy over that of the upright position.
-fn energy(&[log_square, angle, rate, ..]: &Numbers) -> f64 {
-    let (half, swing) = (sin(0.5 * angle), 0.5 * rate * exp(-0.5 * log_square));
-    half * half + swing * swing
+/// k^2 at the start.
+fn energy(numbers: &Numbers) -> f64 {
+    course::energy(numbers, [numbers[1], numbers[2]])
 }

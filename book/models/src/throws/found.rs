@@ -7,6 +7,9 @@ use rotation_dynamics::inertia::solids;
 /// The pairs of moments whose ratios are told.
 const PAIRS: [(&str, usize, usize); 3] = [("I_x/I_z", 0, 2), ("I_y/I_z", 1, 2), ("I_x/I_y", 0, 1)];
 
+/// A fit that describes a flight leaves the noise; with so many times as much it does not.
+const UNEXPLAINED: f64 = 4.0;
+
 impl Thrown {
     /// All numbers; compared with a uniform box if one is given.
     pub(super) fn found(&self, compared: Option<Lengths>) -> Result<Vec<Found>> {
@@ -50,6 +53,14 @@ impl Thrown {
             fit.misfit(),
             2,
         ));
+        let noise = self.noise();
+        let meaning = "scatter of neighbouring samples about a smooth curve";
+        found.push(Found::number("noise", meaning, "rad/s", noise, 2));
+        if fit.misfit() > UNEXPLAINED * noise {
+            let meaning = "misfit over noise: this is no free flight, or more acts than is fitted; \
+                try another piece, with from and to";
+            found.push(Found::number("not explained", meaning, "-", fit.misfit() / noise, 2));
+        }
         if let Some(kept) = fit.kept() {
             let keys = [["energy: change", "energy: scatter"], ["|L|: change", "|L|: scatter"]];
             for (([change_key, scatter_key], what), course) in

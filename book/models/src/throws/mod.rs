@@ -86,17 +86,40 @@ impl Thrown {
         let parts = all.chunks(all.len().div_ceil(figures::COURSE));
         let course = times.chunks(all.len().div_ceil(figures::COURSE)).zip(parts);
         let course = course.map(|(times, part)| (times[0], fastest(part))).collect();
+        let begin = samples.start;
         let (times, rates) = (times[samples.clone()].to_vec(), &all[samples]);
         let vectors = rates.iter().map(|rates| DesignVector::from(*rates)).collect();
+        let placed = |error: rotation_dynamics::Error| match error {
+            rotation_dynamics::Error::AtIndex { index, reason, .. } => kit::Error::Recording {
+                line: None,
+                column: None,
+                reason: format!("{}: {reason}", recording.place(begin + index)),
+            },
+            other => other.into(),
+        };
+        let flight = Flight::new(times.clone(), vectors).map_err(placed)?;
         Ok(Self {
             notes: recording.notes().to_vec(),
             course,
             flights: pieces.iter().map(span).collect(),
             number,
-            fit: Flight::new(times.clone(), vectors)?.fit(&Correction::ALL)?,
+            fit: flight.fit(&Correction::ALL)?,
             times,
             rates: rates.to_vec(),
         })
+    }
+
+    /// The standard deviation of the noise, from third differences: of a smooth motion they are small. The median
+    /// of their sizes leaves out the few at a flip. For normal noise it is 0.6745 sqrt(20) deviations.
+    fn noise(&self) -> f64 {
+        let third = |axis: usize| {
+            self.rates
+                .windows(4)
+                .map(move |w| (w[3][axis] - 3.0 * w[2][axis] + 3.0 * w[1][axis] - w[0][axis]).abs())
+        };
+        let mut sizes: Vec<f64> = (0..3).flat_map(third).collect();
+        sizes.sort_unstable_by(f64::total_cmp);
+        sizes[sizes.len() / 2] / (0.6745 * 20.0_f64.sqrt())
     }
 
     /// From the first sample to the last (s).
