@@ -167,15 +167,21 @@ pub fn recorded(
     compared: &[(&'static str, f64)],
 ) -> Result<Recorded> {
     let recording = Recording::read(name, bytes)?;
-    let samples = recording.between(asked.from, asked.to)?;
+    let rates: Vec<_> = recording.rates().iter().map(|rates| DesignVector::from(*rates)).collect();
+    let mut notes = recording.notes().to_vec();
+    let samples = if asked.from.is_some() || asked.to.is_some() {
+        recording.between(asked.from, asked.to)?
+    } else {
+        let found = Swing::find(recording.times(), &rates)?;
+        notes.push(format!("Fitted is what swings: {found}."));
+        found.samples
+    };
     let times = recording.times()[samples.clone()].to_vec();
-    let rates = recording.rates()[samples].iter().map(|rates| DesignVector::from(*rates));
-    let swing = Swing::of_sensor(times.clone(), rates.collect())?;
+    let swing = Swing::of_sensor(times.clone(), rates[samples].to_vec())?;
     let swung = Arc::new(Swung { fit: swing.fit()?, swing, times });
     let (found, decided) = (swung.found(gravity, compared)?, swung.decided());
     let mut report = Report::new("Your own recording", "a pendulum fitted to a swing")?;
-    let notes = recording.notes();
-    report.add(Table::of("recording", ["the file"], notes, |note| Ok([note.clone()]))?)?;
+    report.add(Table::of("recording", ["the file"], &notes, |note| Ok([note.clone()]))?)?;
     report.add(Found::table(&found)?)?;
     report.add(Decided::table(&decided)?)?;
     Ok(Recorded {
