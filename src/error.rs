@@ -104,8 +104,6 @@ pub enum Error {
     BouncesUnresolved { contact: &'static str, height: f64, t: f64, until: f64 },
     /// An event did not come.
     NotReached { name: &'static str, until: f64 },
-    /// A recording is of no swing that can be fitted; why.
-    NoSwing { reason: Cow<'static, str> },
     /// The condition of a motion is not known, because its inputs are not.
     ConditionUnknown { name: &'static str },
     /// The error that was requested cannot be delivered. `best`: the error that was reached; with a
@@ -159,9 +157,9 @@ impl Error {
         Self::Incompatible { effects, reason }
     }
 
-    /// [`Error::NoSwing`] for this reason.
+    /// [`Error::Incompatible`]: what was recorded, with a pendulum; for this reason.
     pub(crate) fn no_swing(reason: impl Into<Cow<'static, str>>) -> Self {
-        Self::NoSwing { reason: reason.into() }
+        Self::Incompatible { effects: "a pendulum".into(), reason: reason.into() }
     }
 
     /// Two weights on one body.
@@ -306,7 +304,6 @@ impl fmt::Display for Error {
                 "the run ends between t = {} and t = {}, while \"{contact}\" bounces infinitely often, \
                  up to {height:.1e} high, and its speed is not known; end the run before or after", n(t), n(until);
             NotReached { name, until } => "\"{name}\" has not happened by t = {}", n(until);
-            NoSwing { reason } => "{reason}";
             ConditionUnknown { name } =>
                 "the condition of \"{name}\" is not known, because its inputs are not";
             NotDelivered { requested, best, condition: Some(_) } if best.is_nan() || *best >= PI =>

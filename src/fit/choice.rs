@@ -266,9 +266,10 @@ impl Flight {
             };
             let change =
                 |of: &Candidate| if of.filters() { (misfit(of) - misfit(best)).abs() } else { 0.0 };
-            // What was left out is worse by HOPELESS at least.
             let without = candidates.iter().filter(|of| needed && !of.model.has(correction));
-            let without = without.map(|of| misfit(of) - misfit(best)).fold(HOPELESS, f64::min);
+            let without = without.map(|of| misfit(of) - misfit(best)).reduce(f64::min);
+            // What was left out is worse by so much at least.
+            let without = without.unwrap_or(HOPELESS);
             let nearest = candidates.iter().find(beside).map(change);
             let improvement = nearest.unwrap_or(if needed { without.max(0.0) } else { 0.0 });
             Decision { correction, improvement, threshold: threshold(correction), needed }

@@ -107,7 +107,7 @@ impl Swing {
     /// A swing: `times` (s), ascending, and the rate about the hinge (rad/s) at each.
     ///
     /// # Errors
-    /// Those of [`Flight::new`]; `NoSwing` if the mean of the rates exceeds their standard deviation: then
+    /// Those of [`Flight::new`]; `Incompatible` if the mean of the rates exceeds their standard deviation: then
     /// it does not go to and fro.
     pub fn new(times: Vec<f64>, rates: Vec<f64>) -> Result<Self> {
         let along = rates.iter().map(|rate| DesignVector::new(*rate, 0.0, 0.0)).collect();
@@ -167,7 +167,7 @@ impl Swing {
     /// and leaves out the fourth, 5 (W h)^4/1920 = 4e-6 of it.
     ///
     /// # Errors
-    /// `NoSwing`, with what was found: for rates of which no pendulum explains three quarters of the variance,
+    /// `Incompatible`, with what was found: for rates of which no pendulum explains three quarters of the variance,
     /// for one that goes over the top, for fewer than six samples in a small swing, and if the length is open
     /// by more than a factor of two.
     pub fn fit(&self) -> Result<SwingFit> {

@@ -20,7 +20,7 @@ const KINDS: [(&str, usize, usize); 5] = [
 /// The mean of the exercises, all examples, and all tests of pages: allowed, and wanted.
 const MEAN: [usize; 2] = [659, 450];
 const EXAMPLES: [usize; 2] = [42_648, 33_000];
-const TESTS: [usize; 2] = [12_088, 8_000];
+const TESTS: [usize; 2] = [12_103, 8_000];
 
 /// The lines of every Rust source below a path, by the stem of the page that it belongs to.
 fn lines(path: &Path, stem: Option<&str>, found: &mut BTreeMap<String, usize>) {

@@ -56,7 +56,6 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
         Error::Unseen { effect: text(), requested: x, every: y, limit: None },
         Error::Unseen { effect: text(), requested: x, every: y, limit: Some(n) },
         Error::Incompatible { effects: text(), reason: allowed.into() },
-        Error::NoSwing { reason: allowed.into() },
         Error::Cancelled { torques: n },
         Error::NoConvergence { t: x, h: y, change: z },
         Error::PhaseLost { t: x, latest: y },

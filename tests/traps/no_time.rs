@@ -14,7 +14,7 @@ use rotation_dynamics::effects::*;
 use rotation_dynamics::exact::free_body::{FreeBodies, FreeBody, FreeFlow};
 use rotation_dynamics::exact::heavy_top::{HeavyTop, HeavyTops, ReducedTop, Start, SymmetricTop};
 use rotation_dynamics::exact::pendulum::{Pendulum, Suspension};
-use rotation_dynamics::fit::{Fit, Flight};
+use rotation_dynamics::fit::{Fit, Flight, Swing, SwingFit};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{
@@ -111,6 +111,14 @@ fn tops() -> Result<Vec<HeavyTop>> {
         HeavyTop::from_energy(ReducedTop::new(2.0, 1.0, 1.25)?, 0.0, Start::ThetaMax, 0.0, 0.0)?,
         HeavyTop::new(body, Attitude::IDENTITY, BodyVector::new(0.0, 0.0, 3.0))?,
     ])
+}
+
+/// A pendulum that was recorded.
+fn swung() -> Result<SwingFit> {
+    let pendulum = &pendulums()?[0];
+    let times: Vec<f64> = (0..200).map(|k| 0.05 * f64::from(k)).collect();
+    let rates = times.iter().map(|t| Ok(pendulum.at(*t)?.omega)).collect::<Result<Vec<_>>>()?;
+    Swing::new(times, rates)?.fit()
 }
 
 /// The fit of a flight without noise.
@@ -291,6 +299,12 @@ fn simple_forms() -> Result<Vec<Row<'static>>> {
         move |t| Ok(fit.rates(t)?.to_array().to_vec())
     }));
     rows.push(row("fit/mod.rs attitude", move |t| fit.attitude(t).map(of_attitude)));
+    let swing = swung()?;
+    rows.push(row("fit/swing/found.rs rate", {
+        let swing = swing.clone();
+        move |t| Ok(vec![swing.rate(t)?])
+    }));
+    rows.push(row("fit/swing/found.rs angle", move |t| Ok(vec![swing.angle(t)?])));
     rows.push(row("exact/free_body/flow.rs turn", still).known(&[1.0, 0.0, 0.0, 0.0]));
     // What is at rest is known at all times.
     let rest = free([1.0, 2.0, 2.5], [0.0; 3])?;
@@ -458,7 +472,7 @@ fn a_time_that_is_none_gives_no_place() {
     rows.extend(of_effects(&body, &state).expect("effects"));
     rows.extend(of_runs().expect("runs"));
     let grown = of_any_size(&body, &state).expect("effects");
-    assert_eq!((rows.len(), grown.len()), (205, 4));
+    assert_eq!((rows.len(), grown.len()), (207, 4));
     assert_eq!(asked(&rows, &NONE), 5 * rows.len());
     assert_eq!(asked(&grown, &NONE[..3]), 12);
     // No function of a time is left out: the sources have these, and some inside.

@@ -60,7 +60,7 @@ impl Swing {
     /// recording does, 1/W or more, a sixth of a small swing, is left out: it does not reach into a hold or stop.
     ///
     /// # Errors
-    /// `NoSwing` if there is no such piece; those of [`Flight::new`] for times and rates that belong to none.
+    /// `Incompatible` if there is no such piece; those of [`Flight::new`] for times and rates that belong to none.
     pub fn find(times: &[f64], rates: &[DesignVector]) -> Result<Swinging> {
         let finite = rates.iter().all(|rate| rate.norm().is_finite());
         let rising =

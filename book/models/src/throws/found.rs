@@ -54,8 +54,6 @@ impl Thrown {
             2,
         ));
         let noise = self.noise();
-        let meaning = "scatter of neighbouring samples about a smooth curve";
-        found.push(Found::number("noise", meaning, "rad/s", noise, 2));
         if fit.misfit() > UNEXPLAINED * noise {
             let meaning = "misfit over noise: this is no free flight, or more acts than is fitted; \
                 try another piece, with from and to";
