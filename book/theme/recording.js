@@ -27,7 +27,7 @@
             Object.assign(this, { t: stills.at(-1), camera: [0, 0], playing: false, ticking: false, shown: "", last: 0, held: 0 });
             this.canvas = make("canvas", { role: "img", "aria-label": caption, ...turns ? { tabindex: "0", class: "turns" } : {} });
             this.play = make("button", { type: "button", class: "play", "aria-pressed": "false" }, "Play");
-            this.time = make("input", { type: "range", class: "time", min: "0", max: "1000", value: "0", "aria-label": "Time" });
+            this.time = make("input", { type: "range", class: "time", min: "0", max: "1000", value: "0", "aria-label": `Time: ${caption.split(/[:.]/)[0]}` });
             this.now = make("output", { class: "now" });
             this.name = time.split(" / ");
             this.root = make("figure", {}, this.canvas, make("div", { class: "bar" }, this.play, this.time, this.now),
@@ -147,7 +147,10 @@
         }
 
         async chosen(file) {
-            if (file) await this.read(file.name, new Uint8Array(await file.arrayBuffer()));
+            if (!file) return;
+            // Another file has other throws.
+            for (const flag of ["throw", "from", "to"]) for (const entry of this.root.querySelectorAll(`[data-flag=${flag}]`)) entry.value = "";
+            await this.read(file.name, new Uint8Array(await file.arrayBuffer()));
         }
 
         async madeUp() {

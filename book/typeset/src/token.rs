@@ -78,7 +78,9 @@ pub fn tokens(cell: &str, first: Kind) -> Vec<Token> {
                 && (c != 'x'
                     || before == Kind::Space
                         && !tokens.is_empty()
-                        && rest[1..].trim_start().starts_with(char::is_alphabetic))
+                        && rest[1..].trim_start().starts_with(char::is_alphabetic)
+                        // The axes x and z.
+                        && !rest[1..].trim_start().starts_with("and "))
         });
         let (token, length) = if let Some((sign, html, tex)) = sign {
             (token(Kind::Sign, tex, (*html).into()), sign.len())

@@ -24,14 +24,13 @@ impl Thrown {
             Some(_) => spans.collect(),
             None => vec![chosen],
         };
+        let shaded = match (self.number, spans.len()) {
+            (None, _) => "the piece shaded that is fitted".to_owned(),
+            (_, 1) => "one piece shaded, a free flight between handling and catch".to_owned(),
+            (_, n) => format!("{n} pieces shaded, each a free flight between handling and catch"),
+        };
         let alt = format!(
-            "The size of the angular velocity against time over the whole recording, with {} shaded: free flight, \
-             between handling before and the catch after it.",
-            if spans.len() == 1 {
-                "one piece".to_owned()
-            } else {
-                format!("{} pieces", spans.len())
-            }
+            "The size of the angular velocity against time over the whole recording, with {shaded}."
         );
         let size = Axis::linear(r"$|\omega|$ / (rad/s)").range(0.0, 1.05 * top);
         let panel =
@@ -81,7 +80,13 @@ impl Thrown {
         let stack = (0..3).try_fold(stack, |stack, i| {
             let label = format!(r"$\omega_{}$ / (rad/s)", AXES[i]);
             let [dots, line] = self.curves(i, DOTS)?;
-            let panel = Panel::over_axes("$t$ / s", Axis::linear(&label));
+            let first = self.rates[0][i];
+            // What does not change has an axis, too.
+            let axis = match self.rates.iter().all(|rates| rates[i] == first) {
+                true => Axis::linear(&label).range(first - 1.0, first + 1.0),
+                false => Axis::linear(&label),
+            };
+            let panel = Panel::over_axes("$t$ / s", axis);
             Ok::<_, kit::Error>(stack.panel(panel.curve(dots).curve(line)))
         })?;
         let residuals: Vec<[f64; 3]> = self.fit.residuals().map(|r| r.to_array()).collect();

@@ -57,7 +57,8 @@ impl Thrown {
         if fit.misfit() > UNEXPLAINED * noise {
             let meaning = "misfit over noise: this is no free flight, or more acts than is fitted; \
                 try another piece, with from and to";
-            found.push(Found::number("not explained", meaning, "-", fit.misfit() / noise, 2));
+            let told = Found::number("not explained", meaning, "-", fit.misfit() / noise, 2);
+            found.insert(0, told);
         }
         if let Some(kept) = fit.kept() {
             let keys = [["energy: change", "energy: scatter"], ["|L|: change", "|L|: scatter"]];
@@ -94,14 +95,15 @@ impl Thrown {
         };
         found.push(Found::estimate("2 E I_mid/L^2", words, "-", triple(side)));
         let half = 0.5 * fit.motion().rate_period();
-        let meaning = "from one flip to the next, closed form";
+        let meaning = "between two zeros of the rate about the middle axis, closed form: from flip to flip \
+            where it turns about that axis";
         if half.is_finite() {
-            found.push(Found::number("flips every", meaning, "s", half, 4));
+            found.push(Found::number("half a period", meaning, "s", half, 4));
         }
         let meaning = "the same, counted among the samples";
         found.push(match fit.counted_period() {
             Some(period) => Found::number("counted", meaning, "s", 0.5 * period, 4),
-            None => Found::open("counted", meaning, "fewer than two flips in this flight"),
+            None => Found::open("counted", meaning, "fewer than two in this flight"),
         });
     }
 }

@@ -231,7 +231,8 @@ impl Thrown {
                 ),
                 (
                     "recorded_file",
-                    "The whole recording: size of the angular velocity. Shaded: what is free flight.",
+                    "The whole recording: size of the angular velocity. Shaded: the flights that were found, or the \
+                    piece that was chosen.",
                 ),
                 (
                     "recorded_polhode",
