@@ -319,18 +319,23 @@ fn two_equal_moments_on_turned_axes_are_found() {
 #[test]
 fn a_fifth_of_a_second_tells_a_ratio_or_nothing() {
     let mut random = Random(5);
-    let (mut told, mut held) = (0, 0);
+    let (mut told, mut held, mut refused) = (0, 0, 0);
     let flights = asked() / 2;
     for _ in 0..flights {
         let throw = Throw { samples: 20, ..Throw::drawn(&mut random) };
-        let fit = throw.recorded(&mut random).fit(&Correction::ALL).expect("a fit");
+        // Where the rates leave too much open there may be no minimum.
+        let Ok(fit) = throw.recorded(&mut random).fit(&Correction::ALL) else {
+            refused += 1;
+            continue;
+        };
         for (i, j) in PAIRS {
             let Some(ratio) = fit.ratio(i, j) else { continue };
             told += 1;
             held += u32::from(ratio.holds(throw.ratio(i, j)));
         }
     }
-    println!("{told} of {flights} flights' three told, {held} hold the truth");
+    println!("{told} of {flights} flights' three told, {held} hold the truth, {refused} refused");
+    assert!(10 * refused <= flights, "{refused} of {flights}");
     assert!(10 * told >= 3 * flights && 100 * held >= 80 * told, "{held} of {told}");
 }
 
