@@ -32,10 +32,14 @@ fn halved(ratio: Estimate) -> Estimate {
 fn the_interval_holds_the_true_ratio_in_95_of_100_flights() {
     let mut random = Random(7);
     let (mut held, mut told, mut damaged) = ([0; 3], [0; 3], [0; 3]);
-    let flights = asked();
+    let (flights, mut refused) = (asked(), 0);
     for _ in 0..flights {
         let throw = Throw::drawn(&mut random);
-        let fit = throw.recorded(&mut random).fit(&Correction::ALL).expect("a fit");
+        // Few are refused: the rates leave too much open.
+        let Ok(fit) = throw.recorded(&mut random).fit(&Correction::ALL) else {
+            refused += 1;
+            continue;
+        };
         for (n, (i, j)) in PAIRS.into_iter().enumerate() {
             let Some(ratio) = fit.ratio(i, j) else { continue };
             told[n] += 1;
@@ -44,8 +48,9 @@ fn the_interval_holds_the_true_ratio_in_95_of_100_flights() {
         }
     }
     println!(
-        "of {flights} flights {told:?} tell a ratio, {held:?} hold the true one, halved {damaged:?}"
+        "of {flights} flights {told:?} tell a ratio, {held:?} hold the true one, halved {damaged:?}; {refused} refused"
     );
+    assert!(50 * refused <= flights, "{refused} of {flights} refused");
     let sums = [told, held, damaged].map(|counts| counts.iter().sum::<u32>());
     assert!(10 * sums[0] >= 3 * 7 * flights, "{told:?} of {flights}");
     // Two deviations of so many flights beside 92 and 98 of 100.
