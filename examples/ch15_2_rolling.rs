@@ -82,11 +82,11 @@ pub fn on_a_coin(fixed: f64) -> impl Ode<6> {
 // ANCHOR_END: rolling
 
 /// The coin until the line of centres has turned by `orbit`, rad.
-fn coin_run(fixed: f64, orbit: f64, step: f64) -> rotation_dynamics::Result<Solution<6>> {
+pub fn coin_rolled(fixed: f64, orbit: f64, step: f64) -> Result<Solution<6>> {
     let there = Event::rising("there", |_, y: &[f64; 6]| y[4] - orbit).terminal();
     let start = [fixed + 1.0, 0.0, fixed, 0.0, 0.0, 0.0];
     let long = 2.0 * (fixed + 1.0) * orbit;
-    Dop853::new(step)?.solve(&on_a_coin(fixed), 0.0, &start, long, &[there])
+    Ok(Dop853::new(step)?.solve(&on_a_coin(fixed), 0.0, &start, long, &[there])?)
 }
 
 /// How often the coin of these parameters turns while the line of centres turns once.
@@ -94,20 +94,9 @@ fn net_turns(p: &Parameters) -> f64 {
     2.0 - p.slip.unwrap_or(0.0)
 }
 
-/// How far the coin has turned then, and the path of the point of its rim that touched the fixed
-/// coin at the start, in radii.
-pub fn coin_rolled(fixed: f64, orbit: f64, step: f64) -> Result<[f64; 2]> {
-    let run = coin_run(fixed, orbit, step)?;
-    Ok([run.end_time(), run.end_state()[5]])
-}
-
-/// How fast a coin slides on its like at their contact, over Omega_orbit R: from where the point
-/// of the coin that touches is shortly before and after, while the coin is carried round at the
-/// rate 1 and spins at this rate against the line of centres.
-pub fn sliding(spin: f64) -> f64 {
-    let at = |t: f64| 2.0 * sin(t) + sin(PI + (1.0 + spin) * t);
-    let h = 1e-3;
-    (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h)
+/// The derivative of `at` at 0, from its values `h` and 2 `h` to both sides.
+fn derivative(h: f64, at: impl Fn(f64) -> Result<f64>) -> Result<f64> {
+    Ok((8.0 * (at(h)? - at(-h)?) - (at(2.0 * h)? - at(-2.0 * h)?)) / (12.0 * h))
 }
 
 /// The places of a corner of a regular polygon that tips along the ground, from one side to the
@@ -116,16 +105,14 @@ pub fn sliding(spin: f64) -> f64 {
 pub fn tipping(sides: u32) -> (Vec<SpaceVector>, f64) {
     let angle = TAU / f64::from(sides);
     let ((s, c), side) = (sincos(angle), 2.0 * sin(0.5 * angle));
-    let (mut corner, mut distances, mut places) = (SpaceVector::zero(), 0.0, Vec::new());
+    let (mut places, mut distances) = (vec![SpaceVector::zero()], 0.0);
     for k in 1..=sides {
-        places.push(corner);
         let pivot = SpaceVector::new(f64::from(k) * side, 0.0, 0.0);
-        let arm = corner - pivot;
+        let arm = places[places.len() - 1] - pivot;
         distances += arm.norm();
-        corner =
-            pivot + SpaceVector::new(c * arm.x() + s * arm.z(), 0.0, c * arm.z() - s * arm.x());
+        let turned = [c * arm.x() + s * arm.z(), 0.0, c * arm.z() - s * arm.x()];
+        places.push(pivot + SpaceVector::from_array(turned));
     }
-    places.push(corner);
     (places, distances)
 }
 
@@ -144,15 +131,19 @@ fn polygons() -> [f64; 2] {
 }
 
 // ANCHOR: cycle
+/// (15.5.15): the rate of the cycle wheel about its shaft.
+pub fn spin(p: &Parameters) -> f64 {
+    -p.rate * p.shaft / p.radius
+}
+
 /// (15.5.16): the angular velocity of the cycle wheel when its shaft points along `rho`.
 pub fn cycle_rate(p: &Parameters, rho: SpaceVector) -> SpaceVector {
-    let spin = -p.rate * p.shaft / p.radius; // (15.5.15)
-    UP * p.rate + rho * spin // (15.5.14)
+    UP * p.rate + rho * spin(p) // (15.5.14)
 }
 
 /// Where the cycle wheel is after `t` by turns alone: `spin` about its shaft, which points along
 /// X, and then with the shaft about Z.
-pub fn cycle_turned(p: &Parameters, spin: f64, t: f64) -> rotation_dynamics::Result<Attitude> {
+pub fn cycle_turned(p: &Parameters, spin: f64, t: f64) -> Result<Attitude> {
     let about_shaft = Attitude::about_space_axis(RHO, spin * t)?;
     Ok(Attitude::about_space_axis(UP, p.rate * t)? * about_shaft * upright()?)
 }
@@ -173,23 +164,19 @@ pub fn carried(angular_velocity: impl Fn(f64) -> SpaceVector) -> impl Ode<4> {
 // ANCHOR_END: cycle
 
 /// The cycle wheel at the start: its axis z points along the shaft towards the rod.
-pub fn upright() -> rotation_dynamics::Result<Attitude> {
+pub fn upright() -> Result<Attitude> {
     let (phi, theta) = (-FRAC_PI_2, FRAC_PI_2);
-    Attitude::from_euler(EulerAngles { phi, theta, zeta: 0.0 })
+    Ok(Attitude::from_euler(EulerAngles { phi, theta, zeta: 0.0 })?)
 }
 
 /// The direction of the shaft after `t`.
-fn along_shaft(p: &Parameters, t: f64) -> SpaceVector {
+pub fn along_shaft(p: &Parameters, t: f64) -> SpaceVector {
     let (s, c) = sincos(p.rate * t);
     SpaceVector::new(c, s, 0.0)
 }
 
 /// The attitude after `t` by steps, from the angular velocity.
-fn cycle_carried(
-    p: &Parameters,
-    t: f64,
-    step: f64,
-) -> rotation_dynamics::Result<(Attitude, rotation_dynamics::integrators::Work)> {
+fn cycle_carried(p: &Parameters, t: f64, step: f64) -> Result<(Attitude, Work)> {
     let law = carried(|t| cycle_rate(p, along_shaft(p, t)));
     let (q, work) = Dop853::new(step)?.advance(&law, 0.0, &upright()?.quaternion(), t)?;
     Ok((Attitude::from_quaternion(q)?, work))
@@ -197,44 +184,38 @@ fn cycle_carried(
 
 /// The angular velocity at the time 0, on the fixed axes, from where the body is a little
 /// before and a little after; `t` is the time in which it turns about once.
-pub fn measured(
-    at: impl Fn(f64) -> rotation_dynamics::Result<Attitude>,
-    t: f64,
-) -> rotation_dynamics::Result<SpaceVector> {
-    let turn = |h: f64| -> rotation_dynamics::Result<SpaceVector> {
-        let step = at(h)? * at(-h)?.inverse();
-        Ok(step.rotation_vector() / (2.0 * h))
+pub fn measured(at: impl Fn(f64) -> Result<Attitude>, t: f64) -> Result<SpaceVector> {
+    let turn = |h: f64| -> Result<SpaceVector> {
+        Ok((at(h)? * at(-h)?.inverse()).rotation_vector() / (2.0 * h))
     };
     Ok((turn(1e-3 * t)? * 4.0 - turn(2e-3 * t)?) / 3.0)
 }
 
-/// The velocity of the lowest point of the cycle wheel along the ground, from where that point
-/// is shortly before and after.
-pub fn slip(p: &Parameters, spin: f64) -> Result<f64> {
-    slip_beside(p, spin, 0.0)
-}
-
-/// The same of the point that touches so far outside of the middle of the tyre.
-pub fn slip_beside(p: &Parameters, spin: f64, outside: f64) -> Result<f64> {
+/// The velocity of the lowest point of the cycle wheel along the ground, so far outside of the
+/// middle of its tyre, from where that point is shortly before and after.
+pub fn slip(p: &Parameters, spin: f64, outside: f64) -> Result<f64> {
     let lowest = upright()?.to_body(RHO * outside - UP * p.radius);
-    let h = 1e-3 / hypot(p.rate, spin);
-    let at = |t: f64| -> Result<f64> {
+    derivative(1e-3 / hypot(p.rate, spin), |t| {
         let place = along_shaft(p, t) * p.shaft + cycle_turned(p, spin, t)?.to_space(lowest);
         Ok(place.y())
-    };
-    Ok((8.0 * (at(h)? - at(-h)?) - (at(2.0 * h)? - at(-2.0 * h)?)) / (12.0 * h))
+    })
 }
 
 /// The spin with which the lowest point stands still: the slip is linear in it.
 pub fn spin_without_slip(p: &Parameters) -> Result<f64> {
-    let (guess, at_rest) = (p.rate, slip(p, 0.0)?);
-    Ok(guess * at_rest / (at_rest - slip(p, guess)?))
+    let (guess, at_rest) = (p.rate, slip(p, 0.0, 0.0)?);
+    Ok(guess * at_rest / (at_rest - slip(p, guess, 0.0)?))
 }
 
 /// The cylinder after `t`: it goes round Z and does not turn about its own axis.
-pub fn cylinder(p: &Parameters, t: f64) -> rotation_dynamics::Result<Attitude> {
+pub fn cylinder(p: &Parameters, t: f64) -> Result<Attitude> {
     let (phi, theta) = (p.cylinder_rate * t, p.tilt);
-    Attitude::from_euler(EulerAngles { phi, theta, zeta: 0.0 })
+    Ok(Attitude::from_euler(EulerAngles { phi, theta, zeta: 0.0 })?)
+}
+
+/// Its angular velocity on its own axes, from where it is.
+pub fn on_cylinder(p: &Parameters) -> Result<BodyVector> {
+    Ok(cylinder(p, 0.0)?.to_body(measured(|t| cylinder(p, t), 1.0 / p.cylinder_rate)?))
 }
 
 /// The angle that `direction` sweeps out about Z in `t`, counted on through all turns, rad.
@@ -243,117 +224,100 @@ fn swept(direction: impl Fn(f64) -> Result<SpaceVector>, t: f64) -> Result<f64> 
     for k in 1..=40 {
         let next = direction(t * f64::from(k) / 40.0)?;
         let across = last.x() * next.y() - last.y() * next.x();
-        let along = last.x() * next.x() + last.y() * next.y();
-        sum += atan2(across, along);
+        sum += atan2(across, last.x() * next.x() + last.y() * next.y());
         last = next;
     }
     Ok(sum)
 }
 
-/// Every number of the page.
-fn report(p: &Parameters) -> Result<Report> {
-    let sizes = from_to(1e-3, 1e3).because("the spin or the turn about Z is lost beside the other");
-    sizes.check("shaft/radius", p.shaft / p.radius)?;
-    let about =
-        "A wheel on a road, a coin on a coin, a wheel on a shaft, a cylinder carried round.";
-    let mut report = Report::new("Rolling", about)?;
-    road(p, &mut report)?;
-    resisted(p, &mut report)?;
-    coins(p, &mut report)?;
-    slid(p, &mut report)?;
-    cycle(p, &mut report)?;
-    orbiting(p, &mut report)?;
-    limits(&mut report)?;
-    effects(p, &mut report)?;
-    let (wheel, circuit) = (p.clone(), TAU / p.rate.abs());
-    let spin = -p.rate * p.shaft / p.radius;
-    let exact = cycle_turned(p, spin, circuit)?;
-    let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
-    let run = move |step| cycle_carried(&wheel, circuit, step);
-    report.stepped(asked, run, |run| run.1, move |run| Ok(run.0.angle_to(&exact)))?;
-    let wheel = p.clone();
-    report.set_closed_form(ClosedForm::new(move |part| cycle_turned(&wheel, spin, part * circuit)));
-    Ok(report)
+fn sizes(p: &Parameters, _: &mut Report) -> Result<()> {
+    allowed! {
+        "shaft/radius": p.shaft / p.radius, from_to(1e-3, 1e3), "the spin or the turn about Z is lost beside the other";
+    }
+}
+
+/// What a rolling resistance takes from the speed of a hoop in the time of a turn: predicted,
+/// simulated, and the work of that.
+fn slowed(p: &Parameters, resistance: f64) -> Result<([f64; 2], Work)> {
+    let (speed, turn) = (p.wheel_rate.abs() * p.wheel_radius, TAU / p.wheel_rate.abs());
+    let stops = (0.5 * resistance * 9.80665 * turn).min(speed);
+    let (slower, work) = hoop::lost(1.0, [p.wheel_radius, speed], resistance, 9.80665, turn)?;
+    Ok(([stops, slower], work))
 }
 
 fn road(p: &Parameters, report: &mut Report) -> Result<()> {
     let (r, rate, bound) = (p.wheel_radius, p.wheel_rate.abs(), 100.0 * p.tolerance);
     let speed = rate * r;
     let ([distance, path], method) = (polygons(), Dop853::new(p.tolerance)?);
-    let start = [0.0; 4];
-    let (half, _) = method.advance(&on_a_road(), 0.0, &start, 0.5 * TAU)?;
-    let (full, _) = method.advance(&on_a_road(), 0.0, &start, TAU)?;
-    let [at_top, at_contact] = [half, full].map(|y| on_a_road().derivative(0.0, &y)[3]);
+    let speed_after = |turn: f64| -> Result<f64> {
+        let (there, _) = method.advance(&on_a_road(), 0.0, &[0.0; 4], turn)?;
+        Ok(on_a_road().derivative(0.0, &there)[3])
+    };
+    let [stops, slower] = match p.resistance {
+        None => [0.0; 2],
+        Some(resistance) => slowed(p, resistance)?.0,
+    };
     claims! { report,
         /// wheel: speed of its centre
-        wheel_speed: speed, "m/s", "polygons that tip along" => rate * r * distance / TAU, within 1e-11 * speed,
-        in "The wheel":
+        wheel_speed: speed, "m/s", "polygons that tip along" => rate * r * distance / TAU, within 1e-11 * speed, in "The wheel":
             speed / TAU => "the rate is in radians, not in turns",
             TAU * speed => "radians a second are meant, not turns";
         /// wheel: speed of its highest point
-        top_speed: 2.0 * speed, "m/s", "simulated" => speed * at_top, within bound * speed,
-        in "The wheel":
+        top_speed: 2.0 * speed, "m/s", "simulated" => speed * speed_after(0.5 * TAU)?, within bound * speed, in "The wheel":
             speed => "that is the centre; the highest point is farther from the point at rest";
         /// wheel: speed of the point that touches the road
-        contact_speed: 0.0, "m/s", "simulated" => speed * at_contact, within bound * speed;
+        contact_speed: 0.0, "m/s", "simulated" => speed * speed_after(TAU)?, within bound * speed;
         /// path of a point of its rim in a turn
-        cycloid: 8.0 * r, "m", "polygons that tip along" => r * path, within 1e-11 * r,
-        in "The wheel":
+        cycloid: 8.0 * r, "m", "polygons that tip along" => r * path, within 1e-11 * r, in "The wheel":
             TAU * r => "that is the path of the centre",
             4.0 * r => "that is half of it";
+        /// with rolling resistance: speed of a hoop after the time of a turn
+        resisted_speed: speed - stops, "m/s", "simulated" => speed - slower, within 1e-8 * speed, if p.resistance.is_some();
     }
 }
 
 fn coins(p: &Parameters, report: &mut Report) -> Result<()> {
     let (theta, sense, bound) = (p.orbit, p.orbit.signum(), 100.0 * p.tolerance);
-    let ([part, _], [whole, path]) =
-        (coin_rolled(1.0, theta.abs(), p.tolerance)?, coin_rolled(1.0, TAU, p.tolerance)?);
+    let part = coin_rolled(1.0, theta.abs(), p.tolerance)?.end_time();
+    let circuit = coin_rolled(1.0, TAU, p.tolerance)?;
+    let (whole, path) = (circuit.end_time(), circuit.end_state()[5]);
+    // How fast a coin slides on its like at their contact, over Omega_orbit R, that is carried round
+    // at the rate 1 and spins at this rate against the line of centres: from where the point that
+    // touches is shortly before and after. It is linear in the spin.
+    let sliding = |spin| derivative(1e-3, |t| Ok(2.0 * sin(t) + sin(PI + (1.0 + spin) * t)));
+    let (still, spun) = (sliding(0.0)?, sliding(1.0)?);
     claims! { report,
         /// coin: turned, when the line of centres has turned by --orbit
-        coin_part: 2.0 * theta, "rad", "rolled about the contact" => sense * part, within bound * theta,
-        in "The coins":
+        coin_part: 2.0 * theta, "rad", "rolled about the contact" => sense * part, within bound * theta, in "The coins":
             theta => "that is seen from the line of centres, which turns as well";
         /// coin: turned, when it is back at its place
-        coin_circuit: 2.0 * TAU, "rad", "rolled about the contact" => whole, within 10.0 * bound,
-        in "The coins":
+        coin_circuit: 2.0 * TAU, "rad", "rolled about the contact" => whole, within 10.0 * bound, in "The coins":
             TAU => "look how far the centre of the coin has come",
             2.0 => "an angle in radians is asked for";
         /// coin: turned as seen from the line of centres, in that circuit
         coin_seen: TAU, "rad", "the same, less the turn of the line" => whole - TAU, within 10.0 * bound;
         /// path of a point of its rim in that circuit
         cardioid: 16.0 * p.coin_radius, "m", "rolled about the contact" => p.coin_radius * path, within 100.0 * bound * p.coin_radius;
-    }
-}
-
-/// What `--with slip` adds: how far a coin turns that does not only roll.
-fn slid(p: &Parameters, report: &mut Report) -> Result<()> {
-    let Some(slip) = p.slip else {
-        return Ok(());
-    };
-    // Linear in the spin.
-    let spin = (sliding(0.0) - slip) / (sliding(0.0) - sliding(1.0));
-    claims! { report,
         /// with slip: coin turned, when it is back at its place
-        slid_circuit: net_turns(p) * TAU, "rad", "places of its contact differenced" => (1.0 + spin) * TAU, within 1e-10;
+        slid_circuit: net_turns(p) * TAU, "rad",
+        "places of its contact differenced" => (1.0 + (still - p.slip.unwrap_or(0.0)) / (still - spun)) * TAU, within 1e-10,
+        if p.slip.is_some();
     }
 }
 
 fn cycle(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (rate, ratio) = (p.rate, p.shaft / p.radius);
-    let (spin, net, sense) = (-rate * ratio, rate.abs() * hypot(1.0, ratio), rate.signum());
-    let still = |t| cycle_turned(p, spin, t);
-    let turning = measured(still, 1.0 / net)?;
-    let angles = |t: f64| Ok::<_, kit::Error>(still(t)?.euler_angles().zeta);
-    let h = 1e-3 / net;
-    let euler = (angles(h)? - angles(-h)?) / (2.0 * h);
-    let circuit = TAU / rate.abs();
+    let (rate, ratio, circuit) = (p.rate, p.shaft / p.radius, TAU / p.rate.abs());
+    let (spin, net, sense) = (spin(p), rate.abs() * hypot(1.0, ratio), rate.signum());
+    let rolling = |t| cycle_turned(p, spin, t);
+    let (turning, h) = (measured(rolling, 1.0 / net)?, 1e-3 / net);
+    let euler = rolling(h)?.euler_angles().zeta - rolling(-h)?.euler_angles().zeta;
     // About the shaft, seen from the shaft: the wheel less the turn about Z.
     let mark = |t: f64| -> Result<SpaceVector> {
         let seen = Attitude::about_space_axis(UP, -rate * t)? * cycle_carried(p, t, p.tolerance)?.0;
         let mark = seen.to_space(BodyVector::new(1.0, 0.0, 0.0));
         Ok(SpaceVector::new(mark.y(), mark.z(), 0.0))
     };
-    let parts = (ratio.max(1.0)).ceil();
+    let parts = ratio.max(1.0).ceil();
     let once = swept(mark, circuit / parts)? * parts;
     claims! { report,
         /// cycle wheel: spin about its shaft, along rho
@@ -362,17 +326,15 @@ fn cycle(p: &Parameters, report: &mut Report) -> Result<()> {
             -spin => "which way does the wheel turn, seen from outside?",
             -rate / ratio => "the shaft is the long way round, the wheel's rim the short one";
         /// cycle wheel: its angular velocity
-        net_rate: net, "rad/s", "turned in a short time" => turning.norm(), within 1e-11 * net,
-        in "The cycle wheel":
+        net_rate: net, "rad/s", "turned in a short time" => turning.norm(), within 1e-11 * net, in "The cycle wheel":
             (rate - spin).abs() => "the two are at right angles",
             spin.abs() => "that is the spin alone";
         /// angle of its angular velocity from Z
         net_tilt: atan2(ratio, sense), "rad", "turned in a short time" => atan2(hypot(turning.x(), turning.y()), turning.z()), within 1e-11;
         /// cycle wheel: speed of the point that touches the ground
-        cycle_contact: 0.0, "m/s", "its places differenced" => slip(p, spin)?, within 1e-11 * net * p.radius;
+        cycle_contact: 0.0, "m/s", "its places differenced" => slip(p, spin, 0.0)?, within 1e-11 * net * p.radius;
         /// rate of the Euler angle zeta, with z = -rho
-        zeta_rate: -spin, "rad/s", "Euler angles of the turns" => euler, within 1e-11 * net,
-        in "The cycle wheel":
+        zeta_rate: -spin, "rad/s", "Euler angles of the turns" => euler / (2.0 * h), within 1e-11 * net, in "The cycle wheel":
             spin => "which way does z point?";
         /// cycle wheel: turned about its shaft in a circuit, seen from the shaft
         circuit: -sense * TAU * ratio, "rad", "attitude carried by (15.5.16)" => once, within 1e4 * p.tolerance * net * circuit;
@@ -381,38 +343,26 @@ fn cycle(p: &Parameters, report: &mut Report) -> Result<()> {
 
 fn orbiting(p: &Parameters, report: &mut Report) -> Result<()> {
     let ((s, c), rate) = (sincos(p.tilt), p.cylinder_rate);
-    let sense = rate.signum();
-    let turning = cylinder(p, 0.0)?.to_body(measured(|t| cylinder(p, t), 1.0 / rate)?);
-    let axis = |t| Ok(cylinder(p, t)?.axis());
+    let (turning, axis) = (on_cylinder(p)?, |t| Ok(cylinder(p, t)?.axis()));
     claims! { report,
         /// cylinder: angular velocity along its axis
-        along: rate * c, "rad/s", "turned in a short time" => turning.z(), within 1e-11 * rate,
-        in "The cylinder":
+        along: rate * c, "rad/s", "turned in a short time" => turning.z(), within 1e-11 * rate, in "The cylinder":
             0.0 => "it does not spin, but does a mark on it keep its direction?",
             rate * s => "that is the other component";
         /// cylinder: angular velocity across its axis
-        across: rate * s, "rad/s", "turned in a short time" => turning.y(), within 1e-11 * rate,
-        in "The cylinder":
+        across: rate * s, "rad/s", "turned in a short time" => turning.y(), within 1e-11 * rate, in "The cylinder":
             rate * c => "that is the other component";
         /// angle that the line OP covers in an orbit
-        line: sense * TAU, "rad", "followed through an orbit" => swept(axis, TAU / rate.abs())?, within 1e-12;
+        line: rate.signum() * TAU, "rad", "followed through an orbit" => swept(axis, TAU / rate.abs())?, within 1e-12;
     }
 }
 
-/// The cycle wheel with this shaft and the radius and rate 1.
-fn unit(shaft: f64) -> Parameters {
-    Parameters { radius: 1.0, shaft, rate: 1.0, ..Parameters::default() }
-}
-
-/// The cylinder's component along its axis at this tilt, measured, over its rate.
-fn along_axis(tilt: f64) -> Result<f64> {
-    let p = Parameters::default().but(|p| (p.tilt, p.cylinder_rate) = (tilt, 1.0));
-    Ok(cylinder(&p, 0.0)?.to_body(measured(|t| cylinder(&p, t), 1.0)?).z())
-}
-
 /// Short shafts and long ones, upright and lying cylinders, few corners and many.
-fn limits(report: &mut Report) -> Result<()> {
-    let over = |shaft: f64| cycle_rate(&unit(shaft), RHO).norm();
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let wheel = |shaft| p.but(|p| (p.radius, p.shaft, p.rate) = (1.0, shaft, 1.0));
+    let over = |shaft| cycle_rate(&wheel(shaft), RHO).norm();
+    let leaning = |tilt| p.but(|p| (p.tilt, p.cylinder_rate) = (tilt, 1.0));
+    let along_axis = |tilt| -> Result<f64> { Ok(on_cylinder(&leaning(tilt))?.z()) };
     let six = tipping(6).1 * TAU / 6.0;
     limits! { report,
         /// a wheel that turns on the spot
@@ -428,56 +378,50 @@ fn limits(report: &mut Report) -> Result<()> {
     }
 }
 
-/// What `--with resistance` adds: the speed of a hoop after a turn's time.
-fn resisted(p: &Parameters, report: &mut Report) -> Result<()> {
-    let Some(resistance) = p.resistance else {
-        return Ok(());
-    };
-    let rate = p.wheel_rate.abs();
-    let (speed, turn) = (rate * p.wheel_radius, TAU / rate);
-    let stops = 0.5 * resistance * 9.80665 * turn;
-    let (slower, _) = hoop::lost(1.0, [p.wheel_radius, speed], resistance, 9.80665, turn)?;
-    claims! { report,
-        /// with rolling resistance: speed of a hoop after the time of a turn
-        resisted_speed: (speed - stops).max(0.0), "m/s", "simulated" => speed - slower, within 1e-8 * speed;
-    }
-}
-
 /// The card of effects: what real contacts, coins and tyres do to these numbers.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let rate = p.wheel_rate.abs();
-    let speed = rate * p.wheel_radius;
+    let (speed, resistance) = (p.wheel_rate.abs() * p.wheel_radius, 0.005);
     // A tyre with air in it, flattened by a hundredth of its radius: on the flat its tread is
     // pressed from the arc 2 b R into the chord 2 R sin(b). So is that of 22 flats in a row.
     let (flat, tipped) = (1.0 - cos(TAU / 44.0), tipping(22).0[22].x() / TAU);
-    let (resistance, turn) = (0.005, TAU / rate);
-    let stops = (0.5 * resistance * 9.80665 * turn).min(speed);
-    let (slower, slowing) = hoop::lost(1.0, [p.wheel_radius, speed], resistance, 9.80665, turn)?;
+    let ([stops, slower], slowing) = slowed(p, resistance)?;
     // Milled edges, half a hundredth of a millimetre more or less on the radius.
     let edge = 5e-6 / p.coin_radius;
-    let [like, other] = [coin_run(1.0, TAU, 1e-13)?, coin_run(1.0 + edge, TAU, 1e-13)?];
+    let [like, other] = [coin_rolled(1.0, TAU, 1e-13)?, coin_rolled(1.0 + edge, TAU, 1e-13)?];
     // A tyre that touches over 2 cm.
-    let (width, spin) = (0.02 / (2.0 * p.shaft), -p.rate * p.shaft / p.radius);
+    let width = 0.02 / (2.0 * p.shaft);
     let counted = |work: Work| format!("{} derivatives", work.derivatives);
     effect_card! { report,
         "flattening of a pneumatic tyre":
             "d/R" = flat, costs flat * speed / 3.0, "m/s of the speed, to first order",
             measured speed * (1.0 - tipped), at_cost "none, 22 tips";
         "rolling resistance of a hoop":
-            "C" = resistance, costs stops, "m/s a turn",
-            measured slower, at_cost format!("none, {}", counted(slowing));
+            "C" = resistance, costs stops, "m/s a turn", measured slower, at_cost format!("none, {}", counted(slowing));
         "coins that differ a little":
-            "(R1 - R2)/R2" = edge, costs TAU * edge, "rad a circuit",
-            measured other.end_time() - like.end_time(), within 1e-11,
+            "(R1 - R2)/R2" = edge, costs TAU * edge, "rad a circuit", measured other.end_time() - like.end_time(), within 1e-11,
             at_cost format!("{}, {}", counted(like.work()), counted(other.work()));
         "width of the tyre on the circle":
             "b/(2 a)" = width, costs width, "of the speed Omega a, as slip at its edges",
-            measured slip_beside(p, spin, 0.01)? / (p.rate * p.shaft),
+            measured slip(p, spin(p), 0.01)? / (p.rate * p.shaft),
             within 1e-11 * (1.0 + p.radius / p.shaft) * (1.0 + p.shaft / p.radius), at_cost "none, 4 places";
     }
 }
 
+/// The accuracy strip: a circuit of the cycle wheel.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (wheel, circuit) = (p.clone(), TAU / p.rate.abs());
+    let exact = cycle_turned(p, spin(p), circuit)?;
+    let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
+    let run = move |step| cycle_carried(&wheel, circuit, step);
+    report.stepped(asked, run, |run| run.1, move |run| Ok(run.0.angle_to(&exact)))?;
+    let wheel = p.clone();
+    report.in_closed_form(move |part| cycle_turned(&wheel, spin(&wheel), part * circuit));
+    Ok(())
+}
+
 example! {
     ch15_2_rolling: "Rolling: a wheel, a coin on a coin, a wheel on a shaft; and a cylinder carried round";
-    report, figures::figures, figures::trajectory, figures::moving_picture
+    "Rolling", "A wheel on a road, a coin on a coin, a wheel on a shaft, a cylinder carried round.",
+    [sizes, road, coins, cycle, orbiting, limits, effects, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
 }

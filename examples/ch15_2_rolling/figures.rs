@@ -14,21 +14,14 @@ fn road_sketch() -> Sketch {
 }
 
 figures! { _: &Parameters;
-    /// A wheel on a road at the start, after half a turn and after a turn. A point of its rim,
-    /// which touches the road at the start, draws a high arch and is back on the road after the
-    /// turn. In the middle position arrows show the velocities: none at the road, V at the
-    /// centre, twice that at the top.
+    /// A wheel on a road at the start, after half a turn and after a turn. A point of its rim, which touches the road at
+    /// the start, draws a high arch and is back on the road after the turn. In the middle position arrows show the
+    /// velocities: none at the road, V at the centre, twice that at the top.
     cycloid: {
-        let arch = Curve::new(times(0.0, TAU, 120).map(on_cycloid), Ink::Body);
-        let ends = |sketch: Sketch| {
-            sketch
-                .roller((0.0, 1.0), 1.0, -FRAC_PI_2, Ink::Frame)
-                .roller((TAU, 1.0), 1.0, -FRAC_PI_2, Ink::Frame)
-        };
-        road_sketch()
-            .ghost(ends)
-            .roller((PI, 1.0), 1.0, FRAC_PI_2, Ink::Frame)
-            .curve(arch)
+        let wheel = |sketch: Sketch, x, turn| sketch.roller((x, 1.0), 1.0, turn, Ink::Frame);
+        let ends = |sketch: Sketch| wheel(wheel(sketch, 0.0, -FRAC_PI_2), TAU, -FRAC_PI_2);
+        wheel(road_sketch().ghost(ends), PI, FRAC_PI_2)
+            .curve(Curve::new(times(0.0, TAU, 120).map(on_cycloid), Ink::Body))
             .arrow_to((PI, 1.0), (PI + 0.85, 1.0), Ink::Ink, "$V$", Side::Right)
             .arrow_to((PI, 2.0), (PI + 1.7, 2.0), Ink::Ink, "$2V$", Side::Right)
             .turn((PI, 1.0), 0.5, (-2.0, -4.2), Ink::Velocity)
@@ -39,56 +32,45 @@ figures! { _: &Parameters;
             .dot((TAU, 0.0), Ink::Body, "", Side::Above)
     };
 
-    /// A hexagon tips along a road from side to side. A corner of it draws five arcs of circles
-    /// about the corners on which it tips; they follow a cycloid, a little inside.
+    /// A hexagon tips along a road from side to side. A corner of it draws five arcs of circles about the corners on which
+    /// it tips; they follow a cycloid, a little inside.
     polygon: {
-        let (corners, _) = tipping(6);
         let at = |p: SpaceVector| (p.x(), p.z());
-        let hexagon = |x: f64| {
-            (0..6).map(move |k| {
-                let (s, c) = sincos(f64::from(k) * TAU / 6.0 - 2.0 * TAU / 6.0);
-                (x + c, cos(TAU / 12.0) + s)
-            })
+        let (corners, turn, pivots) = (tipping(6).0, TAU / 6.0, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+        let hexagon = |sketch: Sketch, x: f64| {
+            let corner = |k: f64| (x + cos(k * turn - 2.0 * turn), cos(0.5 * turn) + sin(k * turn - 2.0 * turn));
+            sketch.body((0..6).map(|k| corner(f64::from(k))), Ink::Frame, 0.15)
         };
-        let ends = |sketch: Sketch| {
-            let sketch = sketch.body(hexagon(0.5), Ink::Frame, 0.15);
-            sketch.body(hexagon(6.5), Ink::Frame, 0.15)
-        };
+        let ends = |sketch: Sketch| hexagon(hexagon(sketch, 0.5), 6.5);
         let cycloid = Curve::new(times(0.0, TAU, 120).map(on_cycloid), Ink::Ink).thin().dashed();
-        let sketch = road_sketch().ghost(ends).body(hexagon(3.5), Ink::Frame, 0.15);
-        let mut sketch = sketch.curve(cycloid);
-        for (k, pair) in corners.windows(2).enumerate() {
-            let pivot = SpaceVector::new(k as f64 + 1.0, 0.0, 0.0);
-            let (arm, turn) = (pair[0] - pivot, TAU / 6.0);
+        let sketch = hexagon(road_sketch().ghost(ends), 3.5).curve(cycloid);
+        let tip = |sketch: Sketch, (x, pair): (f64, &[SpaceVector])| {
+            let (pivot, arm) = ((x, 0.0), (pair[0].x() - x, pair[0].z()));
             let arc = times(0.0, turn, 20).map(|a| {
                 let (s, c) = sincos(a);
-                (pivot.x() + c * arm.x() + s * arm.z(), c * arm.z() - s * arm.x())
+                (x + c * arm.0 + s * arm.1, c * arm.1 - s * arm.0)
             });
-            sketch = sketch
+            let spoke = |sketch: Sketch, end| sketch.curve(Curve::new([pivot, at(end)], Ink::Ink).thin());
+            sketch
                 .curve(Curve::new(arc, Ink::Body))
-                .dot(at(pivot), Ink::Ink, "", Side::Below);
-            if k == 2 {
-                sketch = sketch.curve(Curve::new([at(pivot), at(pair[0])], Ink::Ink).thin());
-                sketch = sketch.curve(Curve::new([at(pivot), at(pair[1])], Ink::Ink).thin());
-            }
-        }
+                .dot(pivot, Ink::Ink, "", Side::Below)
+                .only_if(x == 3.0, |sketch| spoke(spoke(sketch, pair[0]), pair[1]))
+        };
+        let sketch = pivots.into_iter().zip(corners.windows(2)).fold(sketch, tip);
         corners.iter().fold(sketch, |s, &p| s.dot(at(p), Ink::Body, "", Side::Above))
     };
 
-    /// A fixed coin C1; on top of it, at alpha, the coin C2, with an arrow from its centre O2
-    /// down to the point A where they touch. Faint at 45 degrees: the arrow has turned by 90.
-    /// On the left, at beta: it points straight up.
+    /// A fixed coin C1; on top of it, at alpha, the coin C2, with an arrow from its centre O2 down to the point A where
+    /// they touch. Faint at 45 degrees: the arrow has turned by 90. On the left, at beta: it points straight up.
     coins: {
         let (o, alpha, beta) = ((0.0, 0.0), (0.0, 2.0), (-2.0, 0.0));
         let path = times(0.0, TAU, 120).map(|t| {
-            let ((x, y), (dx, dy)) = (polar(2.0, FRAC_PI_2 + t), polar(1.0, 2.0 * t - FRAC_PI_2));
-            (x + dx, y + dy)
+            sum(polar(2.0, FRAC_PI_2 + t), polar(1.0, 2.0 * t - FRAC_PI_2))
         });
-        let between = |s: Sketch| coin(s, polar(2.0, 0.75 * PI), 0.0, Ink::Body);
         let sketch = Sketch::within((-3.6, 2.6), (-1.6, 3.4))
             .curve(Curve::new(path.take(31), Ink::Body).thin().dashed())
             .disc(o, 1.0, Ink::Frame, 0.15)
-            .ghost(between);
+            .ghost(|sketch| coin(sketch, polar(2.0, 0.75 * PI), 0.0, Ink::Body));
         let sketch = coin(sketch, alpha, -FRAC_PI_2, Ink::Body);
         coin(sketch, beta, FRAC_PI_2, Ink::Body)
             .curve(Curve::new([o, alpha], Ink::Ink).thin().dashed())
@@ -106,22 +88,21 @@ figures! { _: &Parameters;
             .text((0.75, -0.75), "$C_1$", Ink::Frame, Side::BelowRight)
     };
 
-    /// A wheel stands on the ground at the end of a level shaft, which is held by an upright
-    /// rod. From the joint of rod and shaft three arrows: Omega along Z, up; Omega_S along the
-    /// shaft, away from the wheel; and their sum. A dashed line leads from the point where the
-    /// wheel touches the ground through the joint, along the sum.
+    /// A wheel stands on the ground at the end of a level shaft, which is held by an upright rod. From the joint of rod and
+    /// shaft three arrows: Omega along Z, up; Omega_S along the shaft, away from the wheel; and their sum. A dashed line
+    /// leads from the point where the wheel touches the ground through the joint, along the sum.
     cycle_wheel: {
-        let ([r, a, scale], phi) = (WHEEL, 1.45);
-        let rho = SpaceVector::new(cos(phi), sin(phi), 0.0);
+        let [r, a, scale] = WHEEL;
+        let level = |t: f64| SpaceVector::new(cos(t), sin(t), 0.0);
+        let (o, rho) = (SpaceVector::zero(), level(1.45));
         let (joint, centre, contact) = (UP * r, rho * a + UP * r, rho * a);
         let (precession, spin) = (UP * (2.0 * scale), rho * (-2.0 * a / r * scale));
-        let circle = times(0.0, TAU, 90).map(|t| SpaceVector::new(a * cos(t), a * sin(t), 0.0));
         View::of(UP * 0.27, 0.72)
             .camera(Camera::new(0.6, 0.3))
             .size(340, 260)
-            .ground(SpaceVector::zero(), 0.72)
-            .dashed(circle, Ink::Frame)
-            .solid(Solid::rod(SpaceVector::zero(), UP * 0.36, 0.012), Ink::Frame)
+            .ground(o, 0.72)
+            .dashed(times(0.0, TAU, 90).map(|t| level(t) * a), Ink::Frame)
+            .solid(Solid::rod(o, UP * 0.36, 0.012), Ink::Frame)
             .solid(Solid::rod(joint, centre, 0.012), Ink::Frame)
             .solid(Solid::wheel(centre, rho, r, 0.04, 0.3), Ink::Body)
             .dashed([contact, joint + (precession + spin)], Ink::Ink)
@@ -136,26 +117,20 @@ figures! { _: &Parameters;
             .dot(joint, Ink::Ink, "", Side::Right)
     };
 
-    /// From above: a shaft from the rod to the wheel, which is seen edge on. Shaft and wheel
-    /// have turned by the angle phi about the rod. A line OP along the wheel, from its centre
-    /// O, has turned by the same angle.
+    /// From above: a shaft from the rod to the wheel, which is seen edge on. Shaft and wheel have turned by the angle phi
+    /// about the rod. A line OP along the wheel, from its centre O, has turned by the same angle.
     cycle_top: {
         let ([r, a, _], phi) = (WHEEL, 0.8);
         let place = |phi: f64| {
-            let ((x, y), (dx, dy)) = (polar(a, phi), polar(r, phi + FRAC_PI_2));
-            [(x - dx, y - dy), (x, y), (x + dx, y + dy)]
+            let aside = |r| sum(polar(a, phi), polar(r, phi + FRAC_PI_2));
+            [aside(-r), aside(0.0), aside(r)]
         };
-        let ([rear, hub, front], [rear0, hub0, front0]) = (place(phi), place(0.0));
-        let rod = (0.0, 0.0);
-        let before = |s: Sketch| {
-            s.bar(rear0, front0, 0.04, Ink::Body)
-                .curve(Curve::new([rod, hub0], Ink::Frame).width(2.4))
-        };
-        let circle = times(-0.25, 2.4, 90).map(|t| polar(a, t));
+        let ([rear, hub, front], [rear0, hub0, front0], rod) = (place(phi), place(0.0), (0.0, 0.0));
+        let shaft = |hub| Curve::new([rod, hub], Ink::Frame).width(2.4);
         Sketch::within((-0.5, 0.8), (-0.42, 0.72))
-            .guide(circle)
-            .ghost(before)
-            .curve(Curve::new([rod, hub], Ink::Frame).width(2.4))
+            .guide(times(-0.25, 2.4, 90).map(|t| polar(a, t)))
+            .ghost(|sketch| sketch.bar(rear0, front0, 0.04, Ink::Body).curve(shaft(hub0)))
+            .curve(shaft(hub))
             .bar(rear, front, 0.04, Ink::Body)
             .arrow_along([hub, front], Ink::Body)
             .angle(rod, 0.2, (0.0, phi), r"$\phi$")
@@ -166,12 +141,11 @@ figures! { _: &Parameters;
             .text(front, "$P$", Ink::Body, Side::Above)
     };
 
-    /// The wheel from outside, facing it: it stands on the ground and rolls to the right. A
-    /// line OP on it has turned clockwise by the angle zeta from an upright reference line.
+    /// The wheel from outside, facing it: it stands on the ground and rolls to the right. A line OP on it has turned
+    /// clockwise by the angle zeta from an upright reference line.
     cycle_side: {
         let (zeta, o) = (0.9, (0.0, 1.0));
-        let end = (sin(zeta), 1.0 + cos(zeta));
-        let short = (0.95 * end.0, 1.0 + 0.95 * (end.1 - 1.0));
+        let [short, end] = [0.95, 1.0].map(|r| (r * sin(zeta), 1.0 + r * cos(zeta)));
         Sketch::within((-1.9, 1.9), (-0.4, 2.9))
             .wall((-1.8, 0.0), (1.8, 0.0))
             .disc(o, 1.0, Ink::Body, 0.12)
@@ -190,17 +164,13 @@ figures! { _: &Parameters;
             .dot((0.0, 0.0), Ink::Ink, "at rest", Side::Below)
     };
 
-    /// A cylinder whose axis leans from the vertical AA' by the angle theta. Omega points up;
-    /// dashed lines resolve it into a part along the cylinder's axis z and a part along y, at
-    /// right angles to it.
+    /// A cylinder whose axis leans from the vertical AA' by the angle theta. Omega points up; dashed lines resolve it into
+    /// a part along the cylinder's axis z and a part along y, at right angles to it.
     cylinder: {
-        let (theta, phi) = (0.5, 0.6 + PI);
+        let (theta, phi, omega, o) = (0.5, 0.6 + PI, 1.25, SpaceVector::zero());
         let leaning = |t: f64| SpaceVector::new(sin(t) * sin(phi), -sin(t) * cos(phi), cos(t));
-        let z = leaning(theta);
-        let y = SpaceVector::new(-cos(theta) * sin(phi), cos(theta) * cos(phi), sin(theta));
-        let (o, omega) = (SpaceVector::zero(), 1.25);
+        let (z, y) = (leaning(theta), leaning(theta - FRAC_PI_2));
         let (along, across) = (z * (omega * cos(theta)), y * (omega * sin(theta)));
-        let tilt = times(0.0, theta, 16).map(|t| leaning(t) * 0.8);
         View::of(UP * 0.2, 1.25)
             .size(340, 300)
             .solid(Solid::cylinder(z * -0.55, z * 0.55, 0.2), Ink::Body)
@@ -210,38 +180,34 @@ figures! { _: &Parameters;
             .arrow(o, UP * omega, Ink::Velocity, r"$\Omega\hat Z$", Side::Left)
             .arrow(o, along, Ink::Velocity, r"$\Omega_z\hat z$", Side::Right)
             .arrow(o, across, Ink::Velocity, r"$\Omega_y\hat y$", Side::Left)
-            .turn(tilt, Ink::Ink)
+            .turn(times(0.0, theta, 16).map(|t| leaning(t) * 0.8), Ink::Ink)
             .text(leaning(0.25) * 0.84, r"$\theta$", Ink::Ink, Side::Above)
             .text(UP * -0.95, "$A$", Ink::Frame, Side::Left)
             .text(UP * 1.42, "$A'$", Ink::Frame, Side::Right)
             .dot(o, Ink::Ink, "$O$", Side::BelowRight)
     };
 
-    /// From above: the upper end of the tilted cylinder at four places of its orbit, P1 to P4,
-    /// each with a mark on its rim. The line from O to P turns once, and so does the mark: it
-    /// stays on the outer side.
+    /// From above: the upper end of the tilted cylinder at four places of its orbit, P1 to P4, each with a mark on its rim.
+    /// The line from O to P turns once, and so does the mark: it stays on the outer side.
     line: {
-        let o = (0.0, 0.0);
-        let (sketch, outward) = (Sketch::within((-1.7, 1.7), (-1.6, 1.6)), [0.0, 1.0, 2.0, 3.0]);
-        let circle = times(0.0, TAU, 120).map(|t| polar(1.0, t));
-        let mut sketch = sketch.guide(circle);
-        for k in outward {
-            let turn = k * FRAC_PI_2;
-            let (s, c) = sincos(turn);
-            // A disc that leans outward looks narrower along the line.
+        // A disc that leans outward looks narrower along the line.
+        let (o, wide, narrow) = ((0.0, 0.0), 0.36, 0.36 * cos(0.5));
+        let place = |sketch: Sketch, (turn, label, side)| {
             let rim = times(0.0, TAU, 60).map(|t| {
-                let (along, aside) = (1.0 + 0.36 * cos(0.5) * cos(t), 0.36 * sin(t));
-                (along * c - aside * s, along * s + aside * c)
+                sum(polar(1.0 + narrow * cos(t), turn), polar(wide * sin(t), turn + FRAC_PI_2))
             });
-            let label = format!("$P_{}$", k + 1.0);
-            let side = [Side::Above, Side::Left][k as usize % 2];
-            sketch = sketch
+            sketch
                 .body(rim, Ink::Body, 0.15)
                 .curve(Curve::new([o, polar(1.0, turn)], Ink::Body))
-                .dot(polar(1.0, turn), Ink::Body, &label, side)
-                .ring(polar(1.0 + 0.36 * cos(0.5), turn), Ink::Body, "", Side::Right);
-        }
-        sketch
+                .dot(polar(1.0, turn), Ink::Body, label, side)
+                .ring(polar(1.0 + narrow, turn), Ink::Body, "", Side::Right)
+        };
+        let circle = Sketch::within((-1.7, 1.7), (-1.6, 1.6)).guide(times(0.0, TAU, 120).map(|t| polar(1.0, t)));
+        let places = [
+            (0.0, "$P_1$", Side::Above), (FRAC_PI_2, "$P_2$", Side::Left),
+            (PI, "$P_3$", Side::Above), (1.5 * PI, "$P_4$", Side::Left),
+        ];
+        places.into_iter().fold(circle, place)
             .turn(o, 1.0, (0.62, 0.95), Ink::Velocity)
             .text(polar(1.05, 0.8), r"$\Omega$", Ink::Velocity, Side::AboveRight)
             .dot(o, Ink::Ink, "$O$", Side::BelowRight)
@@ -253,14 +219,17 @@ fn polar(r: f64, angle: f64) -> (f64, f64) {
     (r * cos(angle), r * sin(angle))
 }
 
+/// Where one goes by both of these steps.
+fn sum(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    (a.0 + b.0, a.1 + b.1)
+}
+
 /// A coin with an arrow from its centre to the mark on its rim, and a dot on the mark.
-fn coin(sketch: Sketch, (x, y): (f64, f64), turn: f64, ink: Ink) -> Sketch {
-    let (dx, dy) = polar(1.0, turn);
-    let (dx_short, dy_short) = polar(0.93, turn);
+fn coin(sketch: Sketch, centre: (f64, f64), turn: f64, ink: Ink) -> Sketch {
     sketch
-        .disc((x, y), 1.0, ink, 0.15)
-        .arrow_along([(x, y), (x + dx_short, y + dy_short)], ink)
-        .dot((x + dx, y + dy), ink, "", Side::Centre)
+        .disc(centre, 1.0, ink, 0.15)
+        .arrow_along([centre, sum(centre, polar(0.93, turn))], ink)
+        .dot(sum(centre, polar(1.0, turn)), ink, "", Side::Centre)
 }
 
 /// The notes' cycle wheel: radius, shaft; and how long an arrow is for 1 rad/s.
@@ -299,25 +268,25 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             turned(net * t)
         );
         let (left, right, up) = ((-3.35, 0.0), (3.35, 0.0), FRAC_PI_2);
-        let (dx, dy) = polar(2.0, up + t);
-        let (there, above) = ((left.0 + dx, dy), (right.0, 2.0));
+        let (there, above) = (sum(left, polar(2.0, up + t)), (right.0, 2.0));
         let centres = |points| Curve::new(points, Ink::Ink).thin().dashed();
         let sketch = Sketch::within((-6.6, 6.6), (-4.3, 3.3))
             .curve(centres([left, there]))
             .curve(centres([right, above]));
         let sketch = coin(coin(sketch, left, up, Ink::Frame), right, up - t, Ink::Frame);
+        let sketch = coin(sketch, there, net * t - up, Ink::Body);
         let sketch =
-            coin(coin(sketch, there, net * t - up, Ink::Body), above, spin * t - up, Ink::Body);
-        let sketch = match slip {
-            None => sketch,
-            Some(slip) => {
-                let ((x, y), (dx, dy)) = (polar(1.0, up + t), polar(0.8 * slip, 2.0 * up + t));
-                let contact = (left.0 + x, y);
-                sketch.arrow_along([contact, (contact.0 + dx, contact.1 + dy)], Ink::Ink)
-            }
-        };
-        let told = [(left.0, "in the laboratory"), (right.0, "from the line of centres")];
-        let write = |s: Sketch, (x, words)| s.text((x, -3.6), words, Ink::Ink, Side::Centre);
-        Ok((alt, told.into_iter().fold(sketch, write)))
+            coin(sketch, above, spin * t - up, Ink::Body).only_if(slip.is_some(), |sketch| {
+                let contact = sum(left, polar(1.0, up + t));
+                let sliding = polar(0.8 * slip.unwrap_or(0.0), 2.0 * up + t);
+                sketch.arrow_along([contact, sum(contact, sliding)], Ink::Ink)
+            });
+        let sketch = sketch.text((left.0, -3.6), "in the laboratory", Ink::Ink, Side::Centre).text(
+            (right.0, -3.6),
+            "from the line of centres",
+            Ink::Ink,
+            Side::Centre,
+        );
+        Ok((alt, sketch))
     })
 }

@@ -169,6 +169,19 @@ impl Errors {
     }
 }
 
+/// The errors of so many cases, each beside the error of a damaged twin, of which even the smallest
+/// must be larger than `twin`.
+#[track_caller]
+pub fn beside_twins(cases: impl IntoIterator<Item = [f64; 2]>, twin: f64, count: usize) -> Errors {
+    let (mut errors, mut damaged) = (Errors::of("right"), Errors::of("damaged twin"));
+    for [error, damage] in cases {
+        errors.push(error);
+        damaged.push(damage);
+    }
+    damaged.exceed(twin, count);
+    errors
+}
+
 impl Drop for Errors {
     fn drop(&mut self) {
         let forgotten = !self.judged.get() && !std::thread::panicking();

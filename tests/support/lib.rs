@@ -25,7 +25,7 @@ mod locked;
 mod random;
 mod single;
 
-pub use collected::{Errors, table_is};
+pub use collected::{Errors, beside_twins, table_is};
 pub use locked::three_digits;
 pub use random::Random;
 pub use single::attained;
