@@ -11,13 +11,13 @@ pub mod orbit;
 mod year;
 
 use core::f64::consts::{PI, TAU};
-use kit::{ClosedForm, Report, Result, Table, short};
+use kit::prelude::*;
+use kit::short;
 use rotation_dynamics::accuracy::largest;
-use rotation_dynamics::integrators::{Dop853, Ode, Work, ode, size_or};
-use rotation_dynamics::math::{asin, atan2, cos, sin, sincos, tan};
+use rotation_dynamics::integrators::{Dop853, Event, Integrator, Ode, Work, ode, size_or};
 pub use year::{Extremes, date, extremes};
 
-kit::parameters! {
+parameters! {
     /// The notes' year and day; the Earth's orbit and axis at the epoch J2000.
     pub struct Parameters {
         /// solar days in a year
@@ -141,76 +141,39 @@ pub fn with(p: &Parameters, eccentricity: f64, obliquity: f64) -> Parameters {
     Parameters { eccentricity, obliquity, ..p.clone() }
 }
 
-/// Every number of the page.
-fn report(p: &Parameters) -> Result<Report> {
-    let about = "The Earth turns once more in a year than it has noons, and its noons are uneven.";
-    let mut report = Report::new("The day and the stars", about)?;
-    mean_days(p, &mut report)?;
-    two_kinds_of_star_days(&mut report)?;
-    year::add(p, &mut report)?;
-    limits(p, &mut report)?;
-    left_out::effects(p, &mut report)?;
-    report.add(elsewhere()?)?;
-    report.add(variations(p)?)?;
-    let asked = [1e-6, 1e-8, 1e-10, 1e-12, p.tolerance, 1e-15];
-    // From a perigee, for the greater part of a year.
-    let (orbit, t) = (p.clone(), 0.8 * p.year);
-    let wanted = p.perigee + TAU * 0.8 + Sun::at(p.perigee + TAU * 0.8, p).centre;
-    let run = move |step| orbit::longitude(&orbit, t, step);
-    let error = move |(longitude, _): &(f64, Work)| Ok(sin(longitude - wanted).abs());
-    report.stepped(asked, run, |run| run.1, error)?;
-    let closed = p.clone();
-    report.set_closed_form(ClosedForm::new(move |part| Ok(sun(&closed, part * closed.year))));
-    Ok(report)
-}
-
-/// The largest difference of two lists of times, days.
-pub fn apart(a: &[f64], b: &[f64]) -> f64 {
-    largest(a.iter().zip(b).map(|(a, b)| (a - b).abs()))
-}
-
 /// The notes' example: a circle, and an axis at right angles to it.
 fn mean_days(p: &Parameters, report: &mut Report) -> Result<()> {
     let (y, day) = (p.year, p.day);
     let [noon, once] = orbit::facing(turn(y), TAU / y, p.tolerance)?;
-    let (omega, stars) = (turn(y) / day, sidereal(y) * day);
+    let (omega, stars, whole) = (turn(y) / day, sidereal(y) * day, turn(y) * noon);
     // The printed formula has 365.25 in the denominator, whatever the year.
     let printed = TAU * (y + 1.0) / (365.25 * day);
     let (minutes, bound) = ((stars / 60.0).floor() * 60.0, 1e-12 + 10.0 * p.tolerance);
-    let whole = turn(y) * noon;
-    kit::claims! { report,
+    claims! { report,
         /// turn of OP in a solar day
         turn: turn(y), "rad", "P faces the Sun again" => whole, within bound, in "The mean day":
             TAU => "then P would face the same star, and not the Sun",
             TAU - TAU / y => "the Earth goes round the Sun the way it turns";
         /// angular velocity of the Earth
-        omega: omega, "rad/s", "P faces the Sun again" => whole / day,
-        within bound * omega, judged 1e-5, in "The mean day":
+        omega: omega, "rad/s", "P faces the Sun again" => whole / day, within bound * omega, judged 1e-5, in "The mean day":
             TAU / day => "that is the Sun in the sky, not the Earth",
             printed => "two different years are in that quotient";
         /// the same as printed in the notes
-        omega_printed: printed, "rad/s", "from the right one" => omega * y / 365.25,
-        within 1e-14 * omega;
+        omega_printed: printed, "rad/s", "from the right one" => omega * y / 365.25, within 1e-14 * omega;
         /// relative error of the printed value
-        printed_error: y / 365.25 - 1.0, "-", "the two rates" => printed / omega - 1.0,
-        within 1e-12;
+        printed_error: y / 365.25 - 1.0, "-", "the two rates" => printed / omega - 1.0, within 1e-12;
         /// by how much noon would be late, day after day, at the printed rate
         printed_late: TAU / (printed - TAU / (y * day)) - day, "s", "P faces the Sun again" =>
-        (orbit::facing(printed * day, TAU / y, p.tolerance)?[0] - 1.0) * day,
-        within bound * day * turn(y) * omega / printed;
+        (orbit::facing(printed * day, TAU / y, p.tolerance)?[0] - 1.0) * day, within bound * day * turn(y) * omega / printed;
         /// sidereal day
-        sidereal: stars, "s", "OP points at the same star again" => once * day,
-        within bound * day, in "The mean day":
+        sidereal: stars, "s", "OP points at the same star again" => once * day, within bound * day, in "The mean day":
             day * y / (y - 1.0) => "the stars come round sooner than the Sun";
         /// its seconds beyond whole minutes
-        sidereal_seconds: stars - minutes, "s", "OP points at the same star again" =>
-        once * day - minutes, within bound * day;
+        sidereal_seconds: stars - minutes, "s", "OP points at the same star again" => once * day - minutes, within bound * day;
         /// by how much it is shorter than the solar day
-        gain: day / (y + 1.0), "s", "OP points at the same star again" => day - once * day,
-        within bound * day, in "The mean day";
+        gain: day / (y + 1.0), "s", "OP points at the same star again" => day - once * day, within bound * day, in "The mean day";
         /// turns in a year
-        turns: y + 1.0, "-", "angle of OP after a year" => omega * day * y / TAU,
-        within 1e-13 * y, in "The mean day":
+        turns: y + 1.0, "-", "angle of OP after a year" => omega * day * y / TAU, within 1e-13 * y, in "The mean day":
             y => "those are the noons";
     }
 }
@@ -220,7 +183,7 @@ const TURN: f64 = 1_296_000.0;
 const CENTURY: f64 = 36_525.0;
 
 /// A turn relative to the equinox, and one relative to the stars.
-fn two_kinds_of_star_days(report: &mut Report) -> Result<()> {
+fn two_kinds_of_star_days(_: &Parameters, report: &mut Report) -> Result<()> {
     // The tropical year at J2000 (Simon et al. 1994), days; precession of the equinox along the
     // equator (Capitaine et al. 2003), seconds of arc a Julian century.
     let (tropical, precession) = (365.242_189_67, 4_612.156_534);
@@ -229,7 +192,7 @@ fn two_kinds_of_star_days(report: &mut Report) -> Result<()> {
     // Turns a day: Aoki et al. 1982; IAU resolution B1.8 of 2000.
     let [mean_sidereal, stellar] = [1.002_737_909_350_795, 1.002_737_811_911_354_5];
     let adopted = [86_400.0 / mean_sidereal, 86_400.0 / stellar];
-    kit::claims! { report,
+    claims! { report,
         /// mean sidereal day, from the tropical year
         mean_sidereal: equinox, "s", "Aoki et al. 1982" => adopted[0], within 2e-6;
         /// stellar day
@@ -237,16 +200,18 @@ fn two_kinds_of_star_days(report: &mut Report) -> Result<()> {
         /// the second less the first
         star_gap: star - equinox, "s", "the two standards" => adopted[1] - adopted[0], within 1e-6;
         /// angular velocity relative to the stars
-        omega_stars: TAU / star, "rad/s", "IAU resolution B1.8 (2000)" => TAU / adopted[1],
-        within 2e-15;
+        omega_stars: TAU / star, "rad/s", "IAU resolution B1.8 (2000)" => TAU / adopted[1], within 2e-15;
     }
 }
 
+/// Round orbits, upright axes, the first terms of the series, and other bodies.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
-    let round = with(p, 0.0, 0.0);
-    let (small, slight) = (with(p, 1e-5, 0.0), with(p, 0.0, 1e-3));
-    let year = times_of(p);
-    let most = |p: &Parameters| largest(year.clone().map(|t| sun(p, t).equation_of_time().abs()));
+    // Spread evenly over a year.
+    let points = 1461;
+    let year = (0..points).map(|k| p.year / f64::from(points) * f64::from(k));
+    let most = |e: f64, tilt: f64| {
+        largest(year.clone().map(|t| sun(&with(p, e, tilt), t).equation_of_time().abs()))
+    };
     // The first terms of the series, with the sizes of the first left out.
     let ((e, y), half) = ((p.eccentricity, tan(0.5 * p.obliquity)), 0.5 * p.obliquity);
     let y = y * y;
@@ -260,78 +225,77 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let off = largest(year.clone().map(|t| (series(t) - sun(p, t).equation_of_time()).abs()));
     let third = (e + y) * (e + y) * (e + y) / (cos(half) * cos(half));
     let mean = year.clone().map(|t| sun(&with(p, e, 0.0), t).centre).sum::<f64>();
-    kit::limits! { report,
+    limits! { report,
         /// the sundial keeps the time of the clock
-        "round orbit, upright axis: E": most(&round) => 0.0, within 1e-14;
+        "round orbit, upright axis: E": most(0.0, 0.0) => 0.0, within 1e-14;
         /// 2 e sin M, Kepler's second law to first order
-        "e = 1e-5, upright axis: largest E/2e": most(&small) / 2e-5 => 1.0, within 1e-4;
+        "e = 1e-5, upright axis: largest E/2e": most(1e-5, 0.0) / 2e-5 => 1.0, within 1e-4;
         /// tan^2(tilt/2) sin 2L, a circle seen from the side
-        "round orbit, tilt 0.001: largest E/tan^2": most(&slight) / (tan(5e-4) * tan(5e-4)) => 1.0,
-        within 1e-4;
+        "round orbit, tilt 0.001: largest E/tan^2": most(0.0, 1e-3) / (tan(5e-4) * tan(5e-4)) => 1.0, within 1e-4;
         /// a circle takes the Sun round evenly on the average
-        "mean over a year of the first part": mean / f64::from(POINTS) => 0.0, within 1e-14;
+        "mean over a year of the first part": mean / f64::from(points) => 0.0, within 1e-14;
         /// Smart's series; what it leaves out is of third order
         "E less the series to second order": off => 0.0, within 3.0 * third;
         /// it shows one face to the Sun, as the Moon to the Earth
         "one turn in a year: noons in a year": 365.24 / solar_day(365.24, 365.24) => 0.0, within 1e-15;
         /// three turns less two round the Sun: one noon in two years
-        "Mercury, three turns in two years: day over year": solar_day(2.0, 3.0) / 3.0 => 2.0,
-        within 1e-14;
+        "Mercury, three turns in two years: day over year": solar_day(2.0, 3.0) / 3.0 => 2.0, within 1e-14;
     }
 }
-
-/// Points of a year for averages, an even number.
-const POINTS: u32 = 1461;
-
-/// Times spread evenly over a year.
-fn times_of(p: &Parameters) -> impl Iterator<Item = f64> + Clone + use<> {
-    let step = p.year / f64::from(POINTS);
-    (0..POINTS).map(move |k| step * f64::from(k))
-}
-
-/// Solar days of other bodies, from their turns and years in days (NASA's planetary fact
-/// sheets; negative: it turns against its orbit).
-const OTHERS: [(&str, f64, f64); 4] = [
-    ("Mercury", 58.646, 87.969),
-    ("Venus", -243.02, 224.701),
-    ("Mars", 1.025_957, 686.98),
-    ("Moon", 27.3217, 365.256),
-];
 
 /// The solar day of a body that turns once in `stars` and goes round the Sun in `year`.
 pub fn solar_day(stars: f64, year: f64) -> f64 {
     1.0 / (1.0 / stars - 1.0 / year)
 }
 
-fn elsewhere() -> Result<Table> {
+/// Solar days of other bodies, from their turns and years in days (NASA's planetary fact
+/// sheets; negative: it turns against its orbit).
+fn elsewhere(_: &Parameters, report: &mut Report) -> Result<()> {
+    let bodies = [
+        ("Mercury", 58.646, 87.969),
+        ("Venus", -243.02, 224.701),
+        ("Mars", 1.025_957, 686.98),
+        ("Moon", 27.3217, 365.256),
+    ];
     let columns = ["body", "days a turn", "days a year", "solar day in days"];
-    let mut table = Table::new("elsewhere", columns)?;
-    for (body, stars, year) in OTHERS {
-        let day = solar_day(stars, year).abs();
-        table.push([body.into(), format!("{stars}"), format!("{year}"), short(day, 5)])?;
-    }
-    Ok(table)
+    report.add(Table::of("elsewhere", columns, bodies, |(body, stars, year)| {
+        let day = short(solar_day(stars, year).abs(), 5);
+        Ok([body.into(), stars.to_string(), year.to_string(), day])
+    })?)
 }
 
 /// What the page asks its reader to try, one flag changed at a time.
-fn variations(p: &Parameters) -> Result<Table> {
-    let opposite = Parameters { perigee: 1.7966, ..p.clone() };
-    let mut table = Table::new("variations", ["flag", "key", "value / s", "on"])?;
-    let (flat, round) = (with(p, p.eccentricity, 0.0), with(p, 0.0, p.obliquity));
-    let of = |p: &Parameters| (extremes(p).longest_on, extremes(p).earliest);
-    for (flag, key, (value, k)) in [
-        ("--eccentricity 0", "longest", of(&round).0),
-        ("--obliquity 0", "earliest", of(&flat).1),
-        ("--perigee 1.7966", "earliest", of(&opposite).1),
-        ("--perigee 1.7966", "longest", of(&opposite).0),
-    ] {
-        table.push([flag, key, &short(value, 4), &date(p, k)])?;
-    }
-    table.push(["--year 20", "sidereal", &short(sidereal(20.0) * p.day, 6), "-"])?;
-    Ok(table)
+fn variations(p: &Parameters, report: &mut Report) -> Result<()> {
+    let [flat, round] = [with(p, p.eccentricity, 0.0), with(p, 0.0, p.obliquity)];
+    let opposite = p.but(|p| p.perigee = 1.7966);
+    let rows = [
+        ("--eccentricity 0", "longest", extremes(&round).longest),
+        ("--obliquity 0", "earliest", extremes(&flat).earliest),
+        ("--perigee 1.7966", "earliest", extremes(&opposite).earliest),
+        ("--perigee 1.7966", "longest", extremes(&opposite).longest),
+    ];
+    let columns = ["flag", "key", "value / s", "on"];
+    let table = Table::of("variations", columns, rows, |(flag, key, (value, k))| {
+        Ok([flag.to_owned(), key.into(), short(value, 4), date(p, k)])
+    })?;
+    report.add(table.row(["--year 20", "sidereal", &short(sidereal(20.0) * p.day, 6), "-"])?)
 }
 
-kit::example! {
+/// The accuracy strip: from a perigee, for the greater part of a year.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (orbit, part) = (p.clone(), 0.8);
+    let wanted = p.perigee + TAU * part + Sun::at(p.perigee + TAU * part, p).centre;
+    let asked = [1e-6, 1e-8, 1e-10, 1e-12, p.tolerance, 1e-15];
+    let run = move |step| orbit::longitude(&orbit, part * orbit.year, step);
+    report.stepped(asked, run, |run| run.1, move |run| Ok(sin(run.0 - wanted).abs()))?;
+    let closed = p.clone();
+    report.in_closed_form(move |part| sun(&closed, part * closed.year));
+    Ok(())
+}
+
+example! {
     ch15_2_days: "The day and the stars: solar and sidereal day, and the equation of time";
-    report, figures::figures, figures::trajectory, figures::moving_picture
+    "The day and the stars", "The Earth turns once more in a year than it has noons, and its noons are uneven.",
+    [mean_days, two_kinds_of_star_days, year::claims, limits, left_out::effects, elsewhere, variations, accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -3,7 +3,7 @@
 
 use super::*;
 use rotation_dynamics::effects::KeplerOrbit;
-use rotation_dynamics::integrators::{after, size_or};
+use rotation_dynamics::integrators::after;
 
 /// How far the Earth circles the centre that it has in common with the Moon, over the distance of
 /// the Sun.
@@ -48,10 +48,10 @@ pub fn later(p: &Parameters, seen: impl Fn(f64, [f64; 4]) -> [f64; 2]) -> Result
     Ok(noons(p).into_iter().map(late).collect())
 }
 
-/// By how much the noons of one year come later than those of another, in seconds.
-fn compared(p: &Parameters, with: &[f64], without: &[f64]) -> Vec<f64> {
-    let pairs = with.iter().zip(without);
-    pairs.map(|(a, b)| (a - b) * p.day).collect()
+/// By how much these noons come later than those of a simulated year, in seconds.
+fn compared(p: &Parameters, noons: &[f64]) -> Result<Vec<f64>> {
+    let (without, _) = orbit::noons(p, 1e-13)?;
+    Ok(noons.iter().zip(without).map(|(a, b)| (a - b) * p.day).collect())
 }
 
 /// The same as [`later`] from two simulated years, and the work of the second.
@@ -60,7 +60,7 @@ pub fn simulated(
     seen: impl Fn(f64, [f64; 4]) -> [f64; 2],
 ) -> Result<(Vec<f64>, Work)> {
     let (with, work) = orbit::noons_seen(p, 1e-13, seen)?;
-    Ok((compared(p, &with, &orbit::noons(p, 1e-13)?.0), work))
+    Ok((compared(p, &with)?, work))
 }
 
 /// The largest deviation from the mean: a clock is set by the mean.
@@ -94,29 +94,28 @@ pub fn by_jupiter(mass: f64) -> Result<(f64, Work)> {
         work += one + two;
     }
     let end = half(v)?.0.t;
-    let off = |k: u32| {
-        let t = end * f64::from(k) / 60.0;
+    let off = sampled((1..60).map(|k| end * f64::from(k) / 60.0), |t| {
         let [x, y, ..] = after(t, &earth, &[1.0, 0.0, 0.0, v - rate], 1e-13)?;
         Ok((atan2(y, x) - PI * t / end).abs())
-    };
-    Ok((largest((1..60).map(off).collect::<Result<Vec<_>>>()?), work))
+    })?;
+    Ok((largest(off), work))
 }
 
 /// The card of effects, for the Earth.
 pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (second, lag) = (p.day / TAU, 499.004_784 / p.day);
-    let (plain, work) = orbit::noons(p, 1e-13)?;
+    let (_, work) = orbit::noons(p, 1e-13)?;
     let counted = |with: Work| format!("{}, {} derivatives", work.derivatives, with.derivatives);
     let (light, circled) = (by_light(lag), simulated(p, by_the_moon)?);
     // The perihelion moves against the equinox by 61.9 arcsec a year (Simon et al. 1994).
     let perihelion = 61.9 / TURN * TAU;
-    let moved = Parameters { perigee: p.perigee + perihelion, ..p.clone() };
+    let moved = p.but(|p| p.perigee += perihelion);
     let (turned, place) = (orbit::noons(&moved, 1e-13)?, on_orbit(&moved)?);
     let by_turn = later(p, |t, _| [place(t)[0], place(t)[1]])?;
     // The largest term of Newcomb's; there are smaller ones.
     let (jupiter, (pulled, rounds)) = (7.2 / TURN * TAU, by_jupiter(1.0 / 1047.35)?);
     let (tides, near) = (2.4e-3 / 86_400.0, 1e-10 * p.day);
-    kit::effect_card! { report,
+    effect_card! { report,
         "Moon: the Earth circles the common centre": "r/au" = MOON, costs spread(&later(p, by_the_moon)?), "s of E, to first order", beside "earliest",
             measured spread(&circled.0), within near, at_cost counted(circled.1);
         "planets, most of all Jupiter": "change of longitude" = jupiter, costs jupiter * second, "s of E, by its largest term", beside "earliest",
@@ -126,14 +125,14 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let speed = TAU * lag / p.year;
     if speed < 0.1 {
         let delayed = simulated(p, light)?;
-        kit::effect_card! { report,
+        effect_card! { report,
             "aberration of light": "v/c" = speed, costs spread(&later(p, light)?), "s of E, to first order", beside "earliest",
                 measured spread(&delayed.0), within near, at_cost counted(delayed.1);
         }?;
     }
-    kit::effect_card! { report,
+    effect_card! { report,
         "motion of the perihelion": "angle a year" = perihelion, costs spread(&by_turn), "s of E a year, to first order", beside "earliest",
-            measured spread(&compared(p, &turned.0, &plain)), within near, at_cost counted(turned.1);
+            measured spread(&compared(p, &turned.0)?), within near, at_cost counted(turned.1);
         "tides brake the Earth": "change of the day a century" = tides, costs tides * p.day, "s of a day", beside "mean_sidereal";
     }
 }

@@ -1,8 +1,7 @@
 //! The independent route: the Earth's path by Newton's law, its turn as a rotating arrow, and
 //! noons as located events.
 
-use super::{Dop853, Parameters, Result, TAU, Work, atan2, ode, past_meridian, path, sincos};
-use rotation_dynamics::integrators::{Event, Integrator, size_or};
+use super::*;
 
 /// Place and velocity of the Sun when it is nearest.
 fn perigee(p: &Parameters) -> [f64; 4] {
@@ -12,9 +11,9 @@ fn perigee(p: &Parameters) -> [f64; 4] {
 }
 
 /// The longitude of the Sun `t` days after it was nearest, and the work.
-pub fn longitude(p: &Parameters, t: f64, step: f64) -> rotation_dynamics::Result<(f64, Work)> {
-    let (end, work) = Dop853::new(step)?.advance(&path(p.year), 0.0, &perigee(p), t)?;
-    Ok((atan2(end[1], end[0]), work))
+pub fn longitude(p: &Parameters, t: f64, step: f64) -> Result<(f64, Work)> {
+    let ([x, y, ..], work) = Dop853::new(step)?.advance(&path(p.year), 0.0, &perigee(p), t)?;
+    Ok((atan2(y, x), work))
 }
 
 /// The noons of a year from the epoch, in mean days, and the work of finding them.
@@ -49,8 +48,8 @@ pub fn facing(rate: f64, motion: f64, step: f64) -> Result<[f64; 2]> {
             .scaled(size_or([1.0; 4]));
     let (method, start) = (Dop853::new(step)?, [1.0, 0.0, 1.0, 0.0]);
     let until = 3.0 * TAU / (rate - motion);
-    let time = |f: fn(&[f64; 4]) -> f64| {
-        Ok::<_, rotation_dynamics::Error>(method.zero(&arrows, start, 2, until, f)?.0.t)
+    let time = |f: fn(&[f64; 4]) -> f64| -> Result<_> {
+        Ok(method.zero(&arrows, start, 2, until, f)?.0.t)
     };
     Ok([time(|[x, y, u, v]| x * v - y * u)?, time(|[_, _, _, v]| *v)?])
 }
