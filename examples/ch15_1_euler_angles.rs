@@ -2,25 +2,22 @@
 
 #[path = "ch15_1_euler_angles/figures.rs"]
 mod figures;
-#[path = "ch15_1_euler_angles/picture.rs"]
-mod picture;
 #[path = "ch15_1_euler_angles/pole.rs"]
 mod pole;
 #[path = "ch15_1_euler_angles/rigid.rs"]
 mod rigid;
 
 use core::f64::consts::{FRAC_PI_2, PI};
-use kit::interval::from_to;
-use kit::{Report, Result, Table, below, claim};
+use kit::prelude::*;
+use kit::{below, supported_digits};
 use rotation_dynamics::attitude::{Attitude, EulerAngles, Sequence, YawPitchRoll};
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::integrators::{Ode, ode, size_or};
-use rotation_dynamics::math::{EPS, acos, atan2, cos, hypot, sin, sincos};
+use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, ode, size_or};
+use rotation_dynamics::math::EPS;
 
 pub use pole::Passage;
 pub use rigid::{pushed, stretched};
 
-kit::parameters! {
+parameters! {
     /// A displacement of a rigid body: the instance of all pages of Section 15.1.
     pub struct Parameters {
         /// first turn, about Z
@@ -46,8 +43,6 @@ kit::parameters! {
 
 /// Two points of the body, on its own axes, m.
 pub const POINTS: [[f64; 3]; 2] = [[0.1, 0.2, 0.3], [-0.4, 0.5, 0.0]];
-/// A tilt that an arc cosine spoils, rad.
-pub const SMALL: f64 = 1e-7;
 
 pub type Matrix = [[f64; 3]; 3];
 
@@ -142,9 +137,7 @@ pub fn turned(v: SpaceVector, axis: SpaceVector, angle: f64) -> SpaceVector {
 /// one of its own axes.
 pub fn frames([phi, theta, zeta]: [f64; 3]) -> [[SpaceVector; 3]; 4] {
     let fixed = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(SpaceVector::from_array);
-    let turn = |triad: [SpaceVector; 3], about: usize, angle| {
-        triad.map(|v| turned(v, triad[about], angle))
-    };
+    let turn = |triad: [_; 3], about: usize, angle| triad.map(|v| turned(v, triad[about], angle));
     let first = turn(fixed, 2, phi);
     let second = turn(first, 0, theta);
     [fixed, first, second, turn(second, 2, zeta)]
@@ -169,15 +162,14 @@ pub fn apart(a: f64) -> f64 {
 /// The book after a turn about the level Y and one about the vertical Z, in this order or
 /// the other.
 pub fn book(a: f64, level_first: bool) -> Result<Attitude> {
-    let level = Attitude::about_space_axis(SpaceVector::new(0.0, 1.0, 0.0), a)?;
-    let upright = Attitude::about_space_axis(SpaceVector::new(0.0, 0.0, 1.0), a)?;
-    Ok(if level_first { level.then(&upright) } else { upright.then(&level) })
+    let [level, upright] = [[0.0, a, 0.0], [0.0, 0.0, a]].map(SpaceVector::from_array);
+    let [first, then] = if level_first { [level, upright] } else { [upright, level] };
+    Ok(Attitude::from_rotation_vector(first)?.turned_in_space(then)?)
 }
 
 /// The same attitude without a matrix: the three turns as quaternions.
 fn attitude([phi, theta, zeta]: [f64; 3]) -> Result<Attitude> {
-    let x = BodyVector::new(1.0, 0.0, 0.0);
-    let z = BodyVector::new(0.0, 0.0, 1.0);
+    let (x, z) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(0.0, 0.0, 1.0));
     let first = Attitude::about_body_axis(z, phi)?;
     let second = Attitude::about_body_axis(x, theta)?;
     Ok(first * second * Attitude::about_body_axis(z, zeta)?)
@@ -193,29 +185,13 @@ impl Parameters {
     }
 }
 
-/// Every number of the page.
-fn report(p: &Parameters) -> Result<Report> {
-    let about = "A rigid body displaced and turned; the angles by which it is turned, and back.";
-    let mut report = Report::new("Euler angles", about)?;
-    turns(p, &mut report)?;
-    displacement(p, &mut report)?;
-    conventions(p, &mut report)?;
-    pole::claims(p, &mut report)?;
-    limits(&mut report)?;
-    rigid::effects(&mut report)?;
-    pole::accuracy(p, &mut report)?;
-    Ok(report)
-}
-
 /// The three turns: formulas against triads that are turned one after the other.
 fn turns(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (all, r, bound) = (frames(p.angles()), matrix(p.angles()), 1e-14);
-    let (sp, cp) = sincos(p.phi);
-    let [_, first, second, body] = all;
-    kit::claims! { report,
+    let ((sp, cp), r, bound) = (sincos(p.phi), matrix(p.angles()), 1e-14);
+    let [_, first, second, body] = frames(p.angles());
+    claims! { report,
         /// x axis after the first turn, along X
-        node_x: cp, "-", "a triad turned" => first[0].x(), within bound, in "The three turns":
-            sp => "that is its part along Y";
+        node_x: cp, "-", "a triad turned" => first[0].x(), within bound, in "The three turns": sp => "that is its part along Y";
         /// the same along Y
         node_y: sp, "-", "a triad turned" => first[0].y(), within bound;
         /// z axis after the second turn, along X
@@ -228,21 +204,19 @@ fn turns(p: &Parameters, report: &mut Report) -> Result<()> {
         /// the same along Z
         z_z: r[2][2], "-", "a triad turned" => second[2].z(), within bound;
     }?;
-    for (i, row) in r.iter().enumerate() {
-        for (j, &element) in row.iter().enumerate() {
-            let (key, axis) = (format!("r{}{}", i + 1, j + 1), ["x'", "y'", "z"][j]);
-            let meaning = format!("{axis} axis of the body along {}", ["X", "Y", "Z"][i]);
-            report.add(claim(key, meaning, element, "-").agrees_with(
-                "a triad turned",
-                body[j][i],
-                bound,
-            ))?;
+    for (i, along) in ["X", "Y", "Z"].into_iter().enumerate() {
+        for (j, axis) in ["x'", "y'", "z"].into_iter().enumerate() {
+            let key = format!("r{}{}", i + 1, j + 1);
+            let meaning = format!("{axis} axis of the body along {along}");
+            let element = claim(key, meaning, r[i][j], "-").against("a triad turned", body[j][i]);
+            report.add(element.within(bound))?;
         }
     }
     let (back, library) = (angles(&r), attitude(p.angles())?.euler_angles());
-    let versine = 2.0 * sin(0.5 * SMALL) * sin(0.5 * SMALL);
-    let kept = (versine / EPS).round() * EPS;
-    kit::claims! { report,
+    // A tilt that an arc cosine spoils: of 1 - cos(tilt) whole units of round-off are kept.
+    let tilt = 1e-7;
+    let kept = (2.0 * sin(0.5 * tilt) * sin(0.5 * tilt) / EPS).round() * EPS;
+    claims! { report,
         /// phi, from the matrix
         phi_back: back[0], "rad", "from the quaternion" => library.phi, within bound, in "The angles from the matrix":
             atan2(r[1][2], r[0][2]) => "that is the azimuth of z; phi is that of the line of nodes",
@@ -253,7 +227,7 @@ fn turns(p: &Parameters, report: &mut Report) -> Result<()> {
         zeta_back: back[2], "rad", "from the quaternion" => library.zeta, within bound, in "The angles from the matrix":
             atan2(r[2][1], r[2][0]) => "sine before cosine";
         /// a tilt of 1e-7 rad by the arc cosine
-        acos_tilt: acos(cos(SMALL)), "rad", "the cosine rounded by hand" => (2.0 * kept).sqrt(), within 1e-14 * SMALL;
+        acos_tilt: acos(cos(tilt)), "rad", "the cosine rounded by hand" => (2.0 * kept).sqrt(), within 1e-14 * tilt;
         /// the least tilt but zero that an arc cosine gives
         acos_least: acos(1.0 - EPS), "rad", "sqrt(2 x 2^-53)" => (2.0 * EPS).sqrt(), within 1e-15 * EPS.sqrt();
     }
@@ -271,8 +245,7 @@ fn displacement(p: &Parameters, report: &mut Report) -> Result<()> {
     let on_axis = times_vector(&r, screw.point.to_array()) + shift - screw.point;
     let signed = on_axis.norm().copysign(on_axis.dot(&screw.axis));
     let between = book(p.book, true)?.angle_to(&book(p.book, false)?);
-    let closed = apart(p.book);
-    kit::claims! { report,
+    claims! { report,
         /// distance of two points after the displacement
         distance: (a - b).norm(), "m", "before it" => (c - d).norm(), within 1e-14 * size;
         /// angle of the whole rotation
@@ -287,10 +260,9 @@ fn displacement(p: &Parameters, report: &mut Report) -> Result<()> {
         axis_z: screw.axis.z(), "-", "quaternions multiplied" => found.z(), within bound;
         /// advance along the screw axis
         advance: screw.advance, "m", "a point of that axis moved" => signed, within bound * bound * 1e14 * size,
-        in "The displacement as a whole":
-            shift.norm() => "only the part along the axis is the same for all points";
+        in "The displacement as a whole": shift.norm() => "only the part along the axis is the same for all points";
         /// the two ends of the book apart
-        book_apart: closed, "rad", "quaternions multiplied" => between, within 4e-15, in "The book":
+        book_apart: apart(p.book), "rad", "quaternions multiplied" => between, within 4e-15, in "The book":
             p.book => "follow a corner of the book",
             0.0 => "try it with a book";
     }
@@ -300,75 +272,66 @@ fn displacement(p: &Parameters, report: &mut Report) -> Result<()> {
 fn conventions(p: &Parameters, report: &mut Report) -> Result<()> {
     let (r, attitude, bound) = (matrix(p.angles()), attitude(p.angles())?, 1e-14);
     let YawPitchRoll { yaw, pitch, roll } = attitude.yaw_pitch_roll();
-    let [azimuth, ..] = attitude.angles(Sequence::Zyz);
-    // An axis that is upright has no azimuth.
-    if p.theta > 0.0 {
-        kit::claims! { report,
-            /// azimuth of the z axis
-            azimuth: atan2(r[1][2], r[0][2]), "rad", "first angle of z-y'-z''" => azimuth, within bound, in "Other conventions":
-                p.phi => "that is the azimuth of the line of nodes",
-                p.phi + FRAC_PI_2 => "z leans away from Y', not towards it";
-        }?;
-    }
-    kit::claims! { report,
+    let ([azimuth, ..], level) = (attitude.angles(Sequence::Zyz), hypot(r[0][0], r[1][0]));
+    claims! { report,
+        /// azimuth of the z axis
+        azimuth: atan2(r[1][2], r[0][2]), "rad", "first angle of z-y'-z''" => azimuth, within bound,
+        // An axis that is upright has no azimuth.
+        if p.theta > 0.0, in "Other conventions":
+            p.phi => "that is the azimuth of the line of nodes",
+            p.phi + FRAC_PI_2 => "z leans away from Y', not towards it";
         /// yaw of the same attitude, z-y'-x''
         yaw: atan2(r[1][0], r[0][0]), "rad", "from the quaternion" => yaw, within bound, in "Other conventions";
         /// pitch
-        pitch: atan2(-r[2][0], hypot(r[0][0], r[1][0])), "rad", "from the quaternion" => pitch, within bound,
-        in "Other conventions":
-            atan2(r[2][0], hypot(r[0][0], r[1][0])) => "a turn about y takes x towards -z";
+        pitch: atan2(-r[2][0], level), "rad", "from the quaternion" => pitch, within bound, in "Other conventions":
+            atan2(r[2][0], level) => "a turn about y takes x towards -z";
         /// roll
         roll: atan2(r[2][1], r[2][2]), "rad", "from the quaternion" => roll, within bound, in "Other conventions";
     }?;
     let columns = ["sequence", "first", "second", "third", "locks at", "turned back"];
-    let mut table = Table::new("conventions", columns)?;
-    for sequence in Sequence::ALL {
+    report.add(Table::of("conventions", columns, Sequence::ALL, |sequence| {
         let [i, j, k] = sequence.axes().map(|axis| ["x", "y", "z"][axis]);
         let angles = attitude.angles(sequence);
-        let again = Attitude::from_sequence(sequence, angles)?;
+        let again = Attitude::from_sequence(sequence, angles)?.angle_to(&attitude);
         let [a, b, c] = angles.map(|angle| format!("{angle:.9}"));
         let lock = if sequence.is_proper() { "0, pi" } else { "-pi/2, pi/2" };
-        let error = below(again.angle_to(&attitude), 1e-17);
-        table.push([format!("{i} {j}' {k}''"), a, b, c, lock.into(), error])?;
-    }
-    report.add(table)
+        Ok([format!("{i} {j}' {k}''"), a, b, c, lock.into(), below(again, 1e-17)])
+    })?)
 }
 
 /// One turn only, half a turn, turns that are small.
-fn limits(report: &mut Report) -> Result<()> {
-    let shift = SpaceVector::new(1.0, 2.0, 3.0);
-    let one = Screw::of([0.0, 0.7, 0.0], shift)?;
-    let both = Screw::of([0.3, 0.0, 0.4], shift)?;
-    let flat = Screw::of([0.3, PI - 2e-4, -0.4], shift)?;
-    let small = Screw::of([3e-4, 4e-4, 0.0], shift)?;
-    let library = |theta| {
+fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
+    let screw = |angles| Screw::of(angles, SpaceVector::new(1.0, 2.0, 3.0));
+    let flat = screw([0.3, PI - 2e-4, -0.4])?.axis;
+    let phi = |theta| -> Result<f64> {
         let attitude = Attitude::from_euler(EulerAngles { phi: 0.3, theta, zeta: 0.4 })?;
-        Ok::<_, rotation_dynamics::Error>(attitude.euler_angles())
+        Ok(attitude.euler_angles().phi)
     };
-    let (locked, near) = (library(0.0)?, library(1e-300)?);
-    kit::limits! { report,
+    limits! { report,
         /// only the second turn is left
-        "phi = zeta = 0: whole angle over theta": one.angle / 0.7 => 1.0, within 1e-15;
+        "phi = zeta = 0: whole angle over theta": screw([0.0, 0.7, 0.0])?.angle / 0.7 => 1.0, within 1e-15;
         /// two turns about one line add up
-        "theta = 0: whole angle over phi + zeta": both.angle / 0.7 => 1.0, within 1e-15;
+        "theta = 0: whole angle over phi + zeta": screw([0.3, 0.0, 0.4])?.angle / 0.7 => 1.0, within 1e-15;
         /// then the axis lies in the plane of X and Y
-        "theta near pi: axis along Z": flat.axis.z() => 0.0, within 1e-5;
+        "theta near pi: axis along Z": flat.z() => 0.0, within 1e-5;
         /// a half turn about the line halfway between X and x'
-        "theta near pi: azimuth of the axis": atan2(flat.axis.y(), flat.axis.x()) => 0.35, within 1e-8;
+        "theta near pi: azimuth of the axis": atan2(flat.y(), flat.x()) => 0.35, within 1e-8;
         /// small turns add up like vectors: 3 and 4 give 5
-        "turns of 3e-4 and 4e-4 about Z and x": small.angle / 1e-4 => 5.0, within 1e-6;
+        "turns of 3e-4 and 4e-4 about Z and x": screw([3e-4, 4e-4, 0.0])?.angle / 1e-4 => 5.0, within 1e-6;
         /// the order of small turns matters only to second order
         "book turned by x: apart over x^2": apart(1e-4) / 1e-8 => 1.0, within 1e-8;
         /// half turns about axes at right angles may change places
         "book turned by pi: apart": apart(PI) => 0.0, within 1e-15;
         /// at theta = 0 the library gives the sum to phi
-        "library at theta = 0: phi": locked.phi => 0.7, within 1e-15;
+        "library at theta = 0: phi": phi(0.0)? => 0.7, within 1e-15;
         /// and just off it the two are there again
-        "library at theta = 1e-300: phi": near.phi => 0.3, within 1e-15;
+        "library at theta = 1e-300: phi": phi(1e-300)? => 0.3, within 1e-15;
     }
 }
 
-kit::example! {
+example! {
     ch15_1_euler_angles: "Section 15.1: a rigid body displaced and turned, by three angles and back";
-    report, figures::figures, picture::trajectory, picture::moving_picture
+    "Euler angles", "A rigid body displaced and turned; the angles by which it is turned, and back.",
+    [turns, displacement, conventions, pole::claims, limits, rigid::effects, pole::accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
 }

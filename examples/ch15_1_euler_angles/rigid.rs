@@ -1,7 +1,6 @@
 //! How rigid is a steel rod: hung up, spun, warmed, and pushed at one end.
 
 use super::*;
-use rotation_dynamics::integrators::{Dop853, Integrator, Work, size_or};
 
 /// The end of a rod of length 1 that is held at 0 and pulled lengthwise, per piece by
 /// `strain * pull`: how far it moves, over the strain. The piece at s goes to
@@ -9,8 +8,7 @@ use rotation_dynamics::integrators::{Dop853, Integrator, Work, size_or};
 pub fn stretched(strain: f64, pull: fn(f64) -> f64) -> Result<(f64, Work)> {
     let rod =
         ode(|s, [u, slope]: &[f64; 2]| [*slope, -pull(s + strain * u)]).scaled(size_or([1.0; 2]));
-    let method = Dop853::new(1e-14)?;
-    let pulled = |slope| method.advance(&rod, 0.0, &[0.0, slope], 1.0);
+    let pulled = |slope| Dop853::new(1e-14)?.advance(&rod, 0.0, &[0.0, slope], 1.0);
     // Of two guesses: the slope at the free end is linear in that at the held one.
     let (([a, left], once), ([b, more], again)) = (pulled(0.0)?, pulled(1.0)?);
     Ok((a + (b - a) * left / (left - more), once + again))
@@ -42,7 +40,7 @@ pub fn pushed<const N: usize>() -> Result<(f64, Work)> {
 }
 
 /// The card of effects, for a rod as long as the two points are apart.
-pub fn effects(report: &mut Report) -> Result<()> {
+pub fn effects(_: &Parameters, report: &mut Report) -> Result<()> {
     let (density, modulus, expansion, length) = (7850.0, 2.0e11_f64, 1.2e-5, 0.656);
     let weight = density * 9.81 * length / modulus;
     let spin = density * (100.0 * length) * (100.0 * length) / modulus;
@@ -54,7 +52,7 @@ pub fn effects(report: &mut Report) -> Result<()> {
     let (spun, turned) = stretched(0.25 * spin, |x| x)?;
     let (short, pushed) = pushed::<64>()?;
     let counted = |work: Work| format!("none, {} derivatives", work.derivatives);
-    kit::effect_card! { report,
+    effect_card! { report,
         "stretch by its own weight, hung up": "rho g l/E" = weight, costs 0.5 * weight * length, "m of the distance",
             measured hung * weight * length, at_cost counted(plumb);
         "stretch by spinning at 100 rad/s": "rho omega^2 l^2/E" = spin, costs spin * length / 12.0, "m of the distance, to first order",
