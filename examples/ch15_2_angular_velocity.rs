@@ -5,24 +5,21 @@
 mod figures;
 #[path = "ch15_2_angular_velocity/left_out.rs"]
 mod left_out;
-#[path = "ch15_2_angular_velocity/limits.rs"]
-mod limits;
 #[path = "ch15_2_angular_velocity/matrices.rs"]
-pub mod matrices;
+mod matrices;
 #[path = "ch15_2_angular_velocity/steps.rs"]
 mod steps;
 
 use core::f64::consts::{FRAC_PI_2, PI};
-use kit::{Report, Result};
+use kit::prelude::*;
+use kit::short;
 pub use left_out::{filmed, missed, swollen};
-use matrices::{about_x, about_z, columns, in_space, length, on_own_axes, product};
+use matrices::Turning;
 use rotation_dynamics::attitude::{Attitude, EulerAngles, EulerRates};
-use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Ode, ode, size_or};
-use rotation_dynamics::math::{asin, atan2, cos, hypot, sin, sincos};
 pub use steps::{by_angles, by_quaternion, clear_of_poles, passing};
 
-kit::parameters! {
+parameters! {
     /// A line, a point, a disc, a gyroscope and a frame, each with its rates.
     pub struct Parameters {
         /// angle of a line on the body from the x axis
@@ -64,12 +61,11 @@ kit::parameters! {
     }
 }
 
+pub const X: SpaceVector = SpaceVector::new(1.0, 0.0, 0.0);
 pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 /// The notes' disc, with its centre at O: the points A and O'.
 pub const A: SpaceVector = SpaceVector::new(0.3, 0.1, 0.0);
 pub const O_PRIME: SpaceVector = SpaceVector::new(0.1, -0.05, 0.0);
-/// A tilt close to the pole, where the rates are asked for once more.
-const NEAR: f64 = 0.01;
 
 // ANCHOR: velocity
 /// Velocity of the point at `r` from a fixed point of the body: equation (1).
@@ -140,8 +136,7 @@ impl Gyroscope {
     pub fn new([phi, theta, zeta]: [f64; 3], rates: [f64; 3]) -> Self {
         let angles = EulerAngles { phi, theta, zeta };
         let [phi, theta, zeta] = rates;
-        let rates = EulerRates { phi, theta, zeta };
-        Self { angles, rates }
+        Self { angles, rates: EulerRates { phi, theta, zeta } }
     }
 
     /// As the parameters have it, with so many times the spin.
@@ -151,19 +146,16 @@ impl Gyroscope {
 
     /// The same a little later, if the rates stay.
     pub fn after(&self, t: f64) -> Self {
-        let (a, r) = (self.angles, self.rates);
-        let angles = [a.phi + r.phi * t, a.theta + r.theta * t, a.zeta + r.zeta * t];
-        Self::new(angles, [r.phi, r.theta, r.zeta])
+        let (mut angles, rates) = (self.angles, self.rates);
+        angles.phi += rates.phi * t;
+        angles.theta += rates.theta * t;
+        angles.zeta += rates.zeta * t;
+        Self { angles, rates }
     }
 
-    /// The attitude matrix with its exact derivative; without the spin that of x, y, z.
-    fn matrix(&self, with_spin: bool) -> matrices::Matrix {
-        let (angles, rates) = (self.angles, self.rates);
-        let triad = product(&about_z(angles.phi, rates.phi), &about_x(angles.theta, rates.theta));
-        if !with_spin {
-            return triad;
-        }
-        product(&triad, &about_z(angles.zeta, rates.zeta))
+    /// The largest angular velocity that these rates can add up to.
+    fn fastest(&self) -> f64 {
+        self.rates.phi.abs() + self.rates.theta.abs() + self.rates.zeta.abs()
     }
 }
 
@@ -195,34 +187,30 @@ pub fn gap(angle: f64) -> f64 {
     4.0 * asin(sin(0.5 * angle) * sin(0.5 * angle))
 }
 
-/// The same, from the turned bodies.
+/// A body turned by `angle` about the first of these axes, then about the second.
+fn twice(angle: f64, [first, second]: [SpaceVector; 2]) -> Result<Attitude> {
+    Ok(Attitude::from_rotation_vector(first * angle)?.turned_in_space(second * angle)?)
+}
+
+/// That angle, from the turned bodies.
 pub fn measured_gap(angle: f64) -> Result<f64> {
-    let x = SpaceVector::new(angle, 0.0, 0.0);
-    let after = |first, then| Attitude::from_rotation_vector(first)?.turned_in_space(then);
-    Ok(after(x, UP * angle)?.angle_to(&after(UP * angle, x)?))
+    Ok(twice(angle, [X, UP])?.angle_to(&twice(angle, [UP, X])?))
 }
 
 /// The angular velocity of the body of the parameters, and its point.
-pub fn body(p: &Parameters) -> [SpaceVector; 2] {
+fn body(p: &Parameters) -> [SpaceVector; 2] {
     let omega = SpaceVector::new(p.omega_x, p.omega_y, p.omega_z);
     [omega, SpaceVector::new(p.point_x, p.point_y, p.point_z)]
 }
 
 /// The derivative of `f` at 0, from its values within `h` to both sides.
-pub fn derivative(
-    h: f64,
-    f: impl Fn(f64) -> rotation_dynamics::Result<SpaceVector>,
-) -> rotation_dynamics::Result<SpaceVector> {
-    let difference = |h| Ok::<_, rotation_dynamics::Error>(f(h)? - f(-h)?);
+pub fn derivative(h: f64, f: impl Fn(f64) -> Result<SpaceVector>) -> Result<SpaceVector> {
+    let difference = |h: f64| -> Result<_> { Ok(f(h)? - f(-h)?) };
     Ok((difference(0.5 * h)? * 8.0 - difference(h)?) / (6.0 * h))
 }
 
 /// Where the point at `r` is after the time `t`.
-pub fn turned(
-    omega: SpaceVector,
-    r: SpaceVector,
-    t: f64,
-) -> rotation_dynamics::Result<SpaceVector> {
+pub fn turned(omega: SpaceVector, r: SpaceVector, t: f64) -> Result<SpaceVector> {
     let turn = Attitude::from_rotation_vector(omega * t)?;
     Ok(turn.to_space(r.to_array().into()))
 }
@@ -234,48 +222,29 @@ pub fn angle_between(from: SpaceVector, to: SpaceVector) -> f64 {
 
 /// The angular velocity, at t = 0, with which a body seen from a frame that turns about Z
 /// changes its attitude, from the attitudes themselves.
-pub fn seen_from(frame: f64, omega: SpaceVector) -> rotation_dynamics::Result<SpaceVector> {
+pub fn seen_from(frame: f64, omega: SpaceVector) -> Result<SpaceVector> {
     derivative(2e-3 / (omega.norm() + frame.abs()).max(1e-3), |t| {
         let body = Attitude::from_rotation_vector(omega * t)?;
         Ok(body.turned_in_space(UP * (-frame * t))?.rotation_vector())
     })
 }
 
-/// Every number of the page.
-fn report(p: &Parameters) -> Result<Report> {
-    let about = "One vector says how a rigid body turns: its parts, its frames, its poles.";
-    let mut report = Report::new("Angular velocity", about)?;
-    of_points(p, &mut report)?;
-    of_gyroscope(p, &mut report)?;
-    of_frames(p, &mut report)?;
-    limits::add(p, &mut report)?;
-    left_out::add(p, &mut report)?;
-    steps::add(p, &mut report)?;
-    Ok(report)
-}
-
 /// A line, a point, the disc.
-fn of_points(p: &Parameters, report: &mut Report) -> Result<()> {
-    let turn = p.line_after - p.line_before;
-    // Another line on the same body, between two points neither of which is the axis.
-    let other = |turn: f64| {
-        Ok::<_, rotation_dynamics::Error>(turned(UP, A, turn)? - turned(UP, O_PRIME, turn)?)
-    };
-    let other = angle_between(other(p.line_before)?, other(p.line_after)?);
-    let ([omega, r], disc) = (body(p), UP * p.disc);
-    let [v, size] = [velocity(omega, r), SpaceVector::new(omega.norm() * r.norm(), 0.0, 0.0)];
-    let step = 2e-3 / omega.norm().max(1e-3);
+fn points(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (turn, [omega, r], disc) = (p.line_after - p.line_before, body(p), UP * p.disc);
+    // From O' to A; neither of them is the axis.
+    let line = |omega, t| -> Result<_> { Ok(turned(omega, A, t)? - turned(omega, O_PRIME, t)?) };
+    let other = angle_between(line(UP, p.line_before)?, line(UP, p.line_after)?);
+    let (v, step) = (velocity(omega, r), 2e-3 / omega.norm().max(1e-3));
     let [x, y, z] = derivative(step, |t| turned(omega, r, t))?.to_array();
     // A as seen from O': where O' goes, and how fast the line from O' to A turns.
     let (moment, relative) = (1e-3 / p.disc.abs().max(1e-3), A - O_PRIME);
-    let line =
-        |t| Ok::<_, rotation_dynamics::Error>(turned(disc, A, t)? - turned(disc, O_PRIME, t)?);
-    let about = angle_between(line(-moment)?, line(moment)?) / (2.0 * moment);
+    let about = angle_between(line(disc, -moment)?, line(disc, moment)?) / (2.0 * moment);
     let centre = derivative(2.0 * moment, |t| turned(disc, O_PRIME, t))?;
     let [by_parts, whole] = [centre + velocity(UP * about, relative), velocity(disc, A)];
-    let near = (1e-11 * size.x()).max(1e-14);
+    let near = (1e-11 * (omega.norm() * r.norm())).max(1e-14);
     let nearly = (1e-11 * p.disc.abs()).max(1e-14);
-    kit::claims! { report,
+    claims! { report,
         /// angular velocity of the line
         line_rate: turn / p.interval, "rad/s", "another line of the body" => other / p.interval,
         within 1e-14 * (1.0 + turn.abs()) / p.interval, in "A line and a point":
@@ -302,43 +271,38 @@ fn of_points(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 /// The rotor in gimbals: equations (4) to (6), and back.
-fn of_gyroscope(p: &Parameters, report: &mut Report) -> Result<()> {
+fn gyroscope(p: &Parameters, report: &mut Report) -> Result<()> {
     let g = Gyroscope::of(p, 1.0);
     let (omega, [x, y, z], [one, two, three]) = (g.angular_velocity(), g.nodal(), g.on_body());
-    let (matrix, triad) = (g.matrix(true), columns(&g.matrix(false)));
-    let (by_matrix, on_rotor) = (in_space(&matrix), on_own_axes(&matrix));
-    let [along_x, along_y, along_z] = triad.map(|axis| axis.dot(&by_matrix));
-    let sum = p.precession.abs() + p.nutation.abs() + p.spin.abs();
-    let near = (1e-14 * sum).max(1e-15);
-    let [quick, _, back] = rates([x, y, z], NEAR);
-    let there = by_volumes([x, y, z], NEAR);
-    kit::claims! { report,
+    let (triad, rotor) = matrices_of(&g);
+    let (by_matrix, on_rotor) = (rotor.in_space(), rotor.on_own_axes());
+    let along = |axis: usize| SpaceVector::from(triad.at.column(axis).into_owned()).dot(&by_matrix);
+    let near = (1e-14 * g.fastest()).max(1e-15);
+    // The rates at a tilt of 0.01 rad, and as ratios of volumes: that of Omega and two of Z, x, z
+    // over that of the three.
+    let [quick, _, back] = rates([x, y, z], 0.01);
+    let [e, f, k] = Gyroscope::new([0.0, 0.01, 0.0], [0.0; 3]).triad();
+    let (there, volume) = (e * x + f * y + k * z, UP.dot(&e.cross(&k)));
+    claims! { report,
         /// component on the line of nodes x
-        omega_x: x, "rad/s", "derivative of the matrix" => along_x, within near,
-        in "The gyroscope, on x, y, z";
+        omega_x: x, "rad/s", "derivative of the matrix" => along(0), within near, in "The gyroscope, on x, y, z";
         /// component on y
-        omega_y: y, "rad/s", "derivative of the matrix" => along_y, within near,
-        in "The gyroscope, on x, y, z":
+        omega_y: y, "rad/s", "derivative of the matrix" => along(1), within near, in "The gyroscope, on x, y, z":
             p.precession => "only a part of the precession is along y",
-            y / sin(p.theta) * sincos(p.theta).1 => "sine and cosine are exchanged";
+            y / sin(p.theta) * cos(p.theta) => "sine and cosine are exchanged";
         /// component on the axis z
-        omega_z: z, "rad/s", "derivative of the matrix" => along_z, within near,
-        in "The gyroscope, on x, y, z":
+        omega_z: z, "rad/s", "derivative of the matrix" => along(2), within near, in "The gyroscope, on x, y, z":
             p.spin => "the precession has a part along z, too",
             p.spin + y => "sine and cosine are exchanged";
         /// size of the angular velocity
-        size: omega.norm(), "rad/s", "derivative of the matrix" => length(&matrix), within near,
-        in "The gyroscope, on x, y, z":
+        size: omega.norm(), "rad/s", "derivative of the matrix" => rotor.size(), within near, in "The gyroscope, on x, y, z":
             hypot(hypot(p.precession, p.nutation), p.spin) => "Z and z are not at right angles";
         /// component on X
-        space_x: omega.x(), "rad/s", "derivative of the matrix" => by_matrix.x(), within near,
-        in "The gyroscope, in space";
+        space_x: omega.x(), "rad/s", "derivative of the matrix" => by_matrix.x(), within near, in "The gyroscope, in space";
         /// component on Y
-        space_y: omega.y(), "rad/s", "derivative of the matrix" => by_matrix.y(), within near,
-        in "The gyroscope, in space";
+        space_y: omega.y(), "rad/s", "derivative of the matrix" => by_matrix.y(), within near, in "The gyroscope, in space";
         /// component on Z
-        space_z: omega.z(), "rad/s", "derivative of the matrix" => by_matrix.z(), within near,
-        in "The gyroscope, in space":
+        space_z: omega.z(), "rad/s", "derivative of the matrix" => by_matrix.z(), within near, in "The gyroscope, in space":
             z => "that is along z, the axis of the rotor";
         /// component on axis 1 of the rotor
         body_1: one, "rad/s", "derivative of the matrix" => on_rotor[0], within near;
@@ -347,73 +311,103 @@ fn of_gyroscope(p: &Parameters, report: &mut Report) -> Result<()> {
         /// component on axis 3 of the rotor
         body_3: three, "rad/s", "derivative of the matrix" => on_rotor[2], within near;
         /// rate of phi that the same components take at a tilt of 0.01 rad
-        near_precession: quick, "rad/s", "ratios of volumes" => there[0], within 100.0 * near;
+        near_precession: quick, "rad/s", "ratios of volumes" => there.dot(&e.cross(&k)) / volume, within 100.0 * near;
         /// rate of zeta there
-        near_spin: back, "rad/s", "ratios of volumes" => there[2], within 100.0 * near;
+        near_spin: back, "rad/s", "ratios of volumes" => UP.dot(&e.cross(&there)) / volume, within 100.0 * near;
     }
 }
 
-/// The rates as ratios of volumes: that of Omega and two of Z, x, z over that of the three.
-fn by_volumes([a, b, c]: [f64; 3], theta: f64) -> [f64; 3] {
-    let [x, y, z] = Gyroscope::new([0.0, theta, 0.0], [0.0; 3]).triad();
-    let (omega, volume) = (x * a + y * b + z * c, UP.dot(&x.cross(&z)));
-    let ratios = [omega.dot(&x.cross(&z)), UP.dot(&omega.cross(&z)), UP.dot(&x.cross(&omega))];
-    ratios.map(|part| part / volume)
+/// What turns x, y, z, and what turns the rotor: matrices with their exact derivatives.
+fn matrices_of(g: &Gyroscope) -> (Turning, Turning) {
+    let EulerAngles { phi, theta, zeta } = g.angles;
+    let outer = Turning::about(2, phi, g.rates.phi);
+    let triad = outer.times(&Turning::about(0, theta, g.rates.theta));
+    let rotor = triad.times(&Turning::about(2, zeta, g.rates.zeta));
+    (triad, rotor)
 }
 
 /// Frames that turn, and finite turns.
-fn of_frames(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (g, [omega, _]) = (Gyroscope::of(p, 1.0), body(p));
-    let (triad, exact) = (g.of_triad(), in_space(&g.matrix(false)));
+fn frames(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (g, [omega, _], small) = (Gyroscope::of(p, 1.0), body(p), 0.01);
+    let (triad, exact) = (g.of_triad(), matrices_of(&g).0.in_space());
     let near = (1e-14 * (p.precession.abs() + p.nutation.abs())).max(1e-15);
     let (relative, seen) = (omega - UP * p.frame, seen_from(p.frame, omega)?);
     let fine = (1e-11 * (omega.norm() + p.frame.abs())).max(1e-14);
-    let small = 0.01;
-    kit::claims! { report,
+    let both = twice(FRAC_PI_2, [X, UP])?.rotation_vector();
+    let sum = Attitude::from_rotation_vector((X + UP) * FRAC_PI_2)?;
+    claims! { report,
         /// what turns x, y, z: size
-        triad_size: triad.norm(), "rad/s", "derivative of the matrix" => exact.norm(),
-        within near, in "Frames":
+        triad_size: triad.norm(), "rad/s", "derivative of the matrix" => exact.norm(), within near, in "Frames":
             p.precession => "that is only the turning about Z",
             g.angular_velocity().norm() => "the triad does not spin";
         /// what turns x, y, z, along the line of nodes
-        triad_x: p.nutation, "rad/s", "derivative of the matrix" => exact.dot(&g.triad()[0]),
-        within near;
+        triad_x: p.nutation, "rad/s", "derivative of the matrix" => exact.dot(&g.triad()[0]), within near;
         /// angular velocity seen from the turning frame, along its X
         seen_x: relative.x(), "rad/s", "attitudes seen from the frame" => seen.x(), within fine;
         /// the same, along its Y
         seen_y: relative.y(), "rad/s", "attitudes seen from the frame" => seen.y(), within fine;
         /// the same, along its Z
-        seen_z: relative.z(), "rad/s", "attitudes seen from the frame" => seen.z(), within fine,
-        in "Frames":
+        seen_z: relative.z(), "rad/s", "attitudes seen from the frame" => seen.z(), within fine, in "Frames":
             omega.z() => "that is what the laboratory sees",
             omega.z() + p.frame => "the frame turns with the body, not against it";
         /// angle between the two orders of a quarter turn about X and one about Z
-        quarter_gap: gap(FRAC_PI_2), "rad", "turned bodies" => measured_gap(FRAC_PI_2)?,
-        within 1e-14, in "Finite turns":
+        quarter_gap: gap(FRAC_PI_2), "rad", "turned bodies" => measured_gap(FRAC_PI_2)?, within 1e-14, in "Finite turns":
             FRAC_PI_2 => "look where the axes of the box point";
         /// the same for turns of 0.01 rad
         small_gap: gap(small), "rad", "turned bodies" => measured_gap(small)?, within 1e-15;
         /// angle of a quarter turn about X and one about Z together
-        quarter_whole: 2.0 * PI / 3.0, "rad", "turned bodies" => both_quarters()?, within 1e-14;
+        quarter_whole: 2.0 * PI / 3.0, "rad", "turned bodies" => both.norm(), within 1e-14;
         /// length of the sum of their vectors
-        quarter_sum: PI / 2.0_f64.sqrt(), "rad", "turned body" => sum_of_quarters()?,
-        within 1e-14;
+        quarter_sum: PI / 2.0_f64.sqrt(), "rad", "turned body" => sum.angle_to(&Attitude::IDENTITY), within 1e-14;
     }
 }
 
-/// The angle of a quarter turn about X followed by one about Z.
-fn both_quarters() -> Result<f64> {
-    let x = Attitude::from_rotation_vector(SpaceVector::new(FRAC_PI_2, 0.0, 0.0))?;
-    Ok(x.turned_in_space(UP * FRAC_PI_2)?.rotation_vector().norm())
+/// Upright and level, seen from a frame that turns along, and turns that are small.
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let g = Gyroscope::of(p, 1.0);
+    let at = |theta| Gyroscope { angles: EulerAngles { theta, ..g.angles }, ..g };
+    let omega = SpaceVector::new(0.4, -0.3, 2.0);
+    let [r, s] = [SpaceVector::new(0.1, 0.2, 0.3), SpaceVector::new(0.7, -0.2, 0.5)];
+    let found = from_two_points(velocity(omega, r), velocity(omega, s), s);
+    let near = 1e-14 * g.fastest();
+    // What a solver of the angles meets at a small tilt, the components being the same.
+    let [quick, ..] = rates(g.nodal(), 1e-9);
+    limits! { report,
+        /// z lies along Z: precession and spin are one rotation
+        "upright, theta = 0: Omega_z": at(1e-9).nodal()[2] => p.precession + p.spin, within near;
+        /// Z lies along y
+        "level, theta = pi/2: Omega_y": at(FRAC_PI_2).nodal()[1] => p.precession, within near;
+        /// the rate of phi grows as 1/theta, the component stays
+        "theta = 1e-9: theta times the rate of phi": 1e-9 * quick => g.nodal()[1], within near;
+        /// the plate turns with the frame and seems at rest
+        "frame as fast as the body: Omega seen": seen_from(1.0, UP)?.norm() => 0.0, within 1e-14;
+        /// the second order is what the two orders differ by
+        "turns of x = 1e-6: gap / x^2": gap(1e-6) * 1e12 => 1.0, within 1e-12;
+        /// Omega is what moves them
+        "from two points: Omega off by": (found - omega).norm() => 0.0, within 1e-14;
+    }
 }
 
-/// The angle of the one turn whose vector is the sum of the two.
-fn sum_of_quarters() -> Result<f64> {
-    let sum = SpaceVector::new(FRAC_PI_2, 0.0, FRAC_PI_2);
-    Ok(Attitude::from_rotation_vector(sum)?.angle_to(&Attitude::IDENTITY))
+/// What the page asks its reader to try, one flag changed at a time.
+fn variations(p: &Parameters, report: &mut Report) -> Result<()> {
+    let with = |change: fn(&mut Parameters)| Gyroscope::of(&p.but(change), 1.0);
+    let rows = [
+        ("--spin -30", "size", with(|p| p.spin = -30.0).angular_velocity().norm()),
+        ("--theta 1.5707963", "omega_z", with(|p| p.theta = FRAC_PI_2).nodal()[2]),
+        ("--theta 1e-6", "omega_z", with(|p| p.theta = 1e-6).nodal()[2]),
+        ("--frame -2", "seen_z", seen_from(-2.0, body(p)[0])?.z()),
+    ];
+    report.add(Table::of(
+        "variations",
+        ["flag", "key", "value", "unit"],
+        rows,
+        |(flag, key, value)| Ok([flag.to_owned(), key.into(), short(value, 6), "rad/s".into()]),
+    )?)
 }
 
-kit::example! {
+example! {
     ch15_2_angular_velocity: "Angular velocity: one vector for the whole body, its parts and its frames";
-    report, figures::figures, figures::trajectory, figures::moving_picture
+    "Angular velocity", "One vector says how a rigid body turns: its parts, its frames, its poles.",
+    [points, gyroscope, frames, limits, variations, left_out::effects, steps::poles, steps::accuracy];
+    figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -1,7 +1,7 @@
 //! What the page leaves out: a camera sees turns and no rates, a laboratory turns, a rotor swells.
 
-use super::{Attitude, EulerRates, Gyroscope, Parameters, Report, Result, UP, ode, seen_from};
-use rotation_dynamics::integrators::{Dop853, Integrator, Work, size_or};
+use super::*;
+use rotation_dynamics::integrators::{Dop853, Integrator, Work};
 
 /// By how much the turn between two pictures, over the time between them, misses the angular
 /// velocity in the middle (rad/s).
@@ -35,25 +35,23 @@ pub fn swollen(nu: f64) -> Result<(f64, Work)> {
         [(along - e) / x, (around - s) / x - x]
     })
     .scaled(size_or([1.0; 2]));
-    let (method, near) = (Dop853::new(1e-12)?, 1e-2);
     // In the middle it is stretched alike in all directions; the stress at the rim is linear
     // in by how much.
-    let run = |e: f64| method.advance(&disc, near, &[e, e / (1.0 - nu)], 1.0);
+    let run = |e: f64| Dop853::new(1e-12)?.advance(&disc, 1e-2, &[e, e / (1.0 - nu)], 1.0);
     let (([a, left], once), ([b, more], again)) = (run(0.0)?, run(1.0)?);
     Ok((a + (b - a) * left / (left - more), once + again))
 }
 
 /// The card of effects.
-pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
+pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (g, dt, earth) = (Gyroscope::of(p, 1.0), 1e-3, 7.292_115e-5);
-    let (omega, size) = (g.angular_velocity(), g.angular_velocity().norm());
-    let sum = dt * (p.precession.abs() + p.nutation.abs() + p.spin.abs());
+    let (omega, size, sum) = (g.angular_velocity(), g.angular_velocity().norm(), dt * g.fastest());
     // What the first order leaves, and rounding of angles over the time.
     let next = 2e-3 * sum * sum * sum * sum / dt + 1e-12;
     // A rotor of steel with 6 cm radius: 7850 kg/m^3, 200 GPa, Poisson's ratio 0.3.
     let (spinning, nu) = (7850.0 * p.spin * p.spin * 0.06 * 0.06 / 2e11, 0.3);
     let (rim, work) = swollen(nu)?;
-    kit::effect_card! { report,
+    effect_card! { report,
         "pictures 1 ms apart, not a rate": "Omega dt" = size * dt, costs missed(&g, dt), "rad/s of Omega, to first order",
             measured filmed(&g, dt)?, within next, at_cost "none, 2 attitudes";
         "turning of the laboratory with the Earth": "Omega_E/Omega" = earth / size.max(1e-300), costs earth, "rad/s of Omega",

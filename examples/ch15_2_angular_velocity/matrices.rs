@@ -1,80 +1,52 @@
-//! The independent route: rotation matrices with their exact derivatives, entry by entry.
+//! The independent route: rotation matrices with their exact derivatives.
 
-use core::array::from_fn;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::math::sincos;
+use rotation_dynamics::nalgebra::Matrix3;
 
-/// A number and its rate of change.
-#[derive(Clone, Copy)]
-pub struct Entry {
-    pub value: f64,
-    pub rate: f64,
+/// A rotation matrix and its rate of change.
+pub struct Turning {
+    pub at: Matrix3<f64>,
+    rate: Matrix3<f64>,
 }
 
-pub type Matrix = [[Entry; 3]; 3];
+impl Turning {
+    /// About the axis 0, 1 or 2, by an angle that changes at this rate.
+    pub fn about(axis: usize, angle: f64, rate: f64) -> Self {
+        let ((s, c), [i, j]) = (sincos(angle), [(axis + 1) % 3, (axis + 2) % 3]);
+        let mut turning = Self { at: Matrix3::identity(), rate: Matrix3::zeros() };
+        for (entry, value, slope) in
+            [((i, i), c, -s), ((i, j), -s, -c), ((j, i), s, c), ((j, j), c, -s)]
+        {
+            turning.at[entry] = value;
+            turning.rate[entry] = slope * rate;
+        }
+        turning
+    }
 
-/// A turn about one of the axes 0, 1, 2, by an angle that changes at this rate.
-fn about(axis: usize, angle: f64, rate: f64) -> Matrix {
-    let (s, c) = sincos(angle);
-    let [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
-    from_fn(|i| {
-        from_fn(|j| {
-            let (value, rate) = match (i, j) {
-                _ if i == axis && j == axis => (1.0, 0.0),
-                _ if i == axis || j == axis => (0.0, 0.0),
-                _ if i == j => (c, -s * rate),
-                _ if (i, j) == (last, next) => (s, c * rate),
-                _ => (-s, -c * rate),
-            };
-            Entry { value, rate }
-        })
-    })
-}
+    /// The product, its rate by the product rule.
+    pub fn times(&self, next: &Self) -> Self {
+        let rate = self.rate * next.at + self.at * next.rate;
+        Self { at: self.at * next.at, rate }
+    }
 
-/// A turn about X.
-pub fn about_x(angle: f64, rate: f64) -> Matrix {
-    about(0, angle, rate)
-}
+    /// The angular velocity in space: R' R^T is antisymmetric, and R' R^T r = Omega x r.
+    pub fn in_space(&self) -> SpaceVector {
+        SpaceVector::from_array(vector(self.rate * self.at.transpose()))
+    }
 
-/// A turn about Z.
-pub fn about_z(angle: f64, rate: f64) -> Matrix {
-    about(2, angle, rate)
-}
+    /// The same on the axes that turn: that of R^T R'.
+    pub fn on_own_axes(&self) -> [f64; 3] {
+        vector(self.at.transpose() * self.rate)
+    }
 
-/// The product, its rates by the product rule.
-pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
-    from_fn(|i| {
-        from_fn(|j| {
-            let sum = |term: fn(Entry, Entry) -> f64| (0..3).map(|k| term(a[i][k], b[k][j])).sum();
-            let value = sum(|a, b| a.value * b.value);
-            let rate = sum(|a, b| a.rate * b.value + a.value * b.rate);
-            Entry { value, rate }
-        })
-    })
+    /// Its size: the squares of all rates of R add up to twice its square.
+    pub fn size(&self) -> f64 {
+        (0.5 * self.rate.norm_squared()).sqrt()
+    }
 }
 
 /// The vector w of the antisymmetric matrix W that has W r = w x r.
-fn vector(w: impl Fn(usize, usize) -> f64) -> [f64; 3] {
-    [w(2, 1), w(0, 2), w(1, 0)]
-}
-
-/// The angular velocity in space: that of R' R^T.
-pub fn in_space(r: &Matrix) -> SpaceVector {
-    SpaceVector::from_array(vector(|i, j| (0..3).map(|k| r[i][k].rate * r[j][k].value).sum()))
-}
-
-/// The angular velocity on the axes that turn: that of R^T R'.
-pub fn on_own_axes(r: &Matrix) -> [f64; 3] {
-    vector(|i, j| (0..3).map(|k| r[k][i].value * r[k][j].rate).sum())
-}
-
-/// Its size: the squares of all rates of R add up to twice its square.
-pub fn length(r: &Matrix) -> f64 {
-    let squares = r.iter().flatten().map(|entry| entry.rate * entry.rate);
-    (0.5 * squares.sum::<f64>()).sqrt()
-}
-
-/// The axes that turn, in space.
-pub fn columns(r: &Matrix) -> [SpaceVector; 3] {
-    from_fn(|j| SpaceVector::from_array(from_fn(|i| r[i][j].value)))
+fn vector(w: Matrix3<f64>) -> [f64; 3] {
+    [w[(2, 1)], w[(0, 2)], w[(1, 0)]]
 }
