@@ -15,7 +15,7 @@ use kit::prelude::*;
 use kit::short;
 pub use left_out::{filmed, missed, swollen};
 use matrices::Turning;
-use rotation_dynamics::attitude::{Attitude, EulerAngles, EulerRates};
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::integrators::{Ode, ode, size_or};
 pub use steps::{by_angles, by_quaternion, clear_of_poles, passing};
 
@@ -81,18 +81,18 @@ pub fn from_two_points(v: SpaceVector, w: SpaceVector, s: SpaceVector) -> SpaceV
 }
 // ANCHOR_END: velocity
 
-/// A rotor in gimbals: its angles and their rates.
+/// A rotor in gimbals: its angles phi, theta, zeta and their rates.
 #[derive(Clone, Copy)]
 pub struct Gyroscope {
-    pub angles: EulerAngles,
-    pub rates: EulerRates,
+    pub angles: [f64; 3],
+    pub rates: [f64; 3],
 }
 
 // ANCHOR: gyroscope
 impl Gyroscope {
     /// The line of nodes x, the third direction y and the axis z, in space.
     pub fn triad(&self) -> [SpaceVector; 3] {
-        let ((sp, cp), (st, ct)) = (sincos(self.angles.phi), sincos(self.angles.theta));
+        let [(sp, cp), (st, ct), _] = self.angles.map(sincos);
         let x = SpaceVector::new(cp, sp, 0.0);
         let z = SpaceVector::new(st * sp, -st * cp, ct);
         [x, z.cross(&x), z]
@@ -100,27 +100,25 @@ impl Gyroscope {
 
     /// Equation (5): three rates about three directions that are not at right angles.
     pub fn angular_velocity(&self) -> SpaceVector {
-        let [x, _, z] = self.triad();
-        UP * self.rates.phi + x * self.rates.theta + z * self.rates.zeta
+        let ([x, _, z], [phi, theta, zeta]) = (self.triad(), self.rates);
+        UP * phi + x * theta + z * zeta
     }
 
     /// Equation (6): its components on x, y, z, which are at right angles.
     pub fn nodal(&self) -> [f64; 3] {
-        let (s, c) = sincos(self.angles.theta);
-        let EulerRates { phi, theta, zeta } = self.rates;
+        let ((s, c), [phi, theta, zeta]) = (sincos(self.angles[1]), self.rates);
         [theta, phi * s, zeta + phi * c]
     }
 
     /// Its components on the axes 1, 2, 3 fixed in the rotor.
     pub fn on_body(&self) -> [f64; 3] {
-        let ([x, y, z], (s, c)) = (self.nodal(), sincos(self.angles.zeta));
+        let ([x, y, z], (s, c)) = (self.nodal(), sincos(self.angles[2]));
         [x * c + y * s, y * c - x * s, z]
     }
 
     /// What turns x, y, z themselves: all but the spin.
     pub fn of_triad(&self) -> SpaceVector {
-        let still = EulerRates { zeta: 0.0, ..self.rates };
-        Self { rates: still, ..*self }.angular_velocity()
+        self.but(|g| g.rates[2] = 0.0).angular_velocity()
     }
 }
 
@@ -132,30 +130,27 @@ pub fn rates([x, y, z]: [f64; 3], theta: f64) -> [f64; 3] {
 // ANCHOR_END: gyroscope
 
 impl Gyroscope {
-    /// With these angles and rates, of phi, theta and zeta.
-    pub fn new([phi, theta, zeta]: [f64; 3], rates: [f64; 3]) -> Self {
-        let angles = EulerAngles { phi, theta, zeta };
-        let [phi, theta, zeta] = rates;
-        Self { angles, rates: EulerRates { phi, theta, zeta } }
-    }
-
     /// As the parameters have it, with so many times the spin.
     pub fn of(p: &Parameters, spin: f64) -> Self {
-        Self::new([p.phi, p.theta, p.zeta], [p.precession, p.nutation, p.spin * spin])
+        let angles = [p.phi, p.theta, p.zeta];
+        Self { angles, rates: [p.precession, p.nutation, p.spin * spin] }
     }
 
     /// The same a little later, if the rates stay.
     pub fn after(&self, t: f64) -> Self {
-        let (mut angles, rates) = (self.angles, self.rates);
-        angles.phi += rates.phi * t;
-        angles.theta += rates.theta * t;
-        angles.zeta += rates.zeta * t;
-        Self { angles, rates }
+        let angles = [0, 1, 2].map(|i| self.angles[i] + self.rates[i] * t);
+        Self { angles, ..*self }
+    }
+
+    /// The attitude of the rotor.
+    pub fn attitude(&self) -> Result<Attitude> {
+        let [phi, theta, zeta] = self.angles;
+        Ok(Attitude::from_euler(EulerAngles { phi, theta, zeta })?)
     }
 
     /// The largest angular velocity that these rates can add up to.
     fn fastest(&self) -> f64 {
-        self.rates.phi.abs() + self.rates.theta.abs() + self.rates.zeta.abs()
+        self.rates.map(f64::abs).iter().sum()
     }
 }
 
@@ -251,14 +246,11 @@ fn points(p: &Parameters, report: &mut Report) -> Result<()> {
             p.line_after / p.interval => "the line did not start on the x axis",
             turn => "that is the angle, not its rate";
         /// velocity of the point, along X
-        v_x: v.x(), "m/s", "places before and after" => x, within near,
-        in "A line and a point": -v.x() => "r x Omega points the other way";
+        v_x: v.x(), "m/s", "places before and after" => x, within near, in "A line and a point": -v.x() => "r x Omega points the other way";
         /// velocity of the point, along Y
-        v_y: v.y(), "m/s", "places before and after" => y, within near,
-        in "A line and a point": -v.y() => "r x Omega points the other way";
+        v_y: v.y(), "m/s", "places before and after" => y, within near, in "A line and a point": -v.y() => "r x Omega points the other way";
         /// velocity of the point, along Z
-        v_z: v.z(), "m/s", "places before and after" => z, within near,
-        in "A line and a point": -v.z() => "r x Omega points the other way";
+        v_z: v.z(), "m/s", "places before and after" => z, within near, in "A line and a point": -v.z() => "r x Omega points the other way";
         /// velocity of A, along X
         disc_x: whole.x(), "m/s", "by way of O'" => by_parts.x(), within nearly, in "The disc":
             velocity(disc, relative).x() => "that is relative to O', which moves too";
@@ -281,7 +273,7 @@ fn gyroscope(p: &Parameters, report: &mut Report) -> Result<()> {
     // The rates at a tilt of 0.01 rad, and as ratios of volumes: that of Omega and two of Z, x, z
     // over that of the three.
     let [quick, _, back] = rates([x, y, z], 0.01);
-    let [e, f, k] = Gyroscope::new([0.0, 0.01, 0.0], [0.0; 3]).triad();
+    let [e, f, k] = g.but(|g| g.angles = [0.0, 0.01, 0.0]).triad();
     let (there, volume) = (e * x + f * y + k * z, UP.dot(&e.cross(&k)));
     claims! { report,
         /// component on the line of nodes x
@@ -319,10 +311,9 @@ fn gyroscope(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// What turns x, y, z, and what turns the rotor: matrices with their exact derivatives.
 fn matrices_of(g: &Gyroscope) -> (Turning, Turning) {
-    let EulerAngles { phi, theta, zeta } = g.angles;
-    let outer = Turning::about(2, phi, g.rates.phi);
-    let triad = outer.times(&Turning::about(0, theta, g.rates.theta));
-    let rotor = triad.times(&Turning::about(2, zeta, g.rates.zeta));
+    let about = |axis, i: usize| Turning::about(axis, g.angles[i], g.rates[i]);
+    let triad = about(2, 0).times(&about(0, 1));
+    let rotor = triad.times(&about(2, 2));
     (triad, rotor)
 }
 
@@ -365,7 +356,7 @@ fn frames(p: &Parameters, report: &mut Report) -> Result<()> {
 /// Upright and level, seen from a frame that turns along, and turns that are small.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let g = Gyroscope::of(p, 1.0);
-    let at = |theta| Gyroscope { angles: EulerAngles { theta, ..g.angles }, ..g };
+    let at = |theta| g.but(|g| g.angles[1] = theta).nodal();
     let omega = SpaceVector::new(0.4, -0.3, 2.0);
     let [r, s] = [SpaceVector::new(0.1, 0.2, 0.3), SpaceVector::new(0.7, -0.2, 0.5)];
     let found = from_two_points(velocity(omega, r), velocity(omega, s), s);
@@ -374,9 +365,9 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let [quick, ..] = rates(g.nodal(), 1e-9);
     limits! { report,
         /// z lies along Z: precession and spin are one rotation
-        "upright, theta = 0: Omega_z": at(1e-9).nodal()[2] => p.precession + p.spin, within near;
+        "upright, theta = 0: Omega_z": at(1e-9)[2] => p.precession + p.spin, within near;
         /// Z lies along y
-        "level, theta = pi/2: Omega_y": at(FRAC_PI_2).nodal()[1] => p.precession, within near;
+        "level, theta = pi/2: Omega_y": at(FRAC_PI_2)[1] => p.precession, within near;
         /// the rate of phi grows as 1/theta, the component stays
         "theta = 1e-9: theta times the rate of phi": 1e-9 * quick => g.nodal()[1], within near;
         /// the plate turns with the frame and seems at rest

@@ -5,14 +5,7 @@ use kit::draw::Camera;
 
 const ORIGIN: SpaceVector = SpaceVector::zero();
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
-/// Where the turns are seen from: azimuth and elevation of the eye, rad. From here the axes X,
-/// x and x' of the page fan out.
-const EYE: [f64; 2] = [-0.5, 0.5];
-/// The middle of what they show, its height above the origin and its reach to every side.
-const MIDDLE: f64 = 0.35;
-const REACH: f64 = 1.15;
-/// Lengths of the arrows of the fixed axes and of the body's.
-const FIXED: f64 = 1.2;
+/// Length of the arrows of the body's axes.
 const BODY: f64 = 1.05;
 
 /// A book that lay on the table with its top away from the reader, as it is now.
@@ -41,14 +34,17 @@ fn made(p: &Parameters, t: f64) -> [f64; 3] {
 /// What the pictures of all three turns show. Where an axis comes to point far down they show
 /// more below.
 fn shown(p: &Parameters) -> View {
-    let [(sa, ca), (se, ce)] = EYE.map(sincos);
+    // From here the axes X, x and x' of the page fan out.
+    let (azimuth, elevation) = (-0.5, 0.5);
+    let ((sa, ca), (se, ce)) = (sincos(azimuth), sincos(elevation));
     let up = SpaceVector::new(-se * ca, -se * sa, ce);
     let tips = times(0.0, 3.0, 60).flat_map(|t| frames(made(p, t))[3]);
     let lowest = tips.map(|axis| BODY * axis.dot(&up)).fold(0.0, f64::min);
-    // Room for a label below the tip.
-    let missing = (MIDDLE * ce - REACH - (lowest - 0.12)).max(0.0);
-    View::of(UP * (MIDDLE - 0.5 * missing / ce), REACH + 0.5 * missing)
-        .camera(Camera::new(EYE[0], EYE[1]))
+    // The height of the middle and the reach, and what is missing for a label below the lowest tip.
+    let (middle, reach) = (0.35, 1.15);
+    let missing = (middle * ce - reach - (lowest - 0.12)).max(0.0);
+    View::of(UP * (middle - 0.5 * missing / ce), reach + 0.5 * missing)
+        .camera(Camera::new(azimuth, elevation))
         .size(250, 230)
 }
 
@@ -67,7 +63,7 @@ fn scene(view: View, angles: [f64; 3], names: [&str; 3]) -> View {
     let view = view
         .solid(Solid::disc(ORIGIN, last[2], 0.42, 0.05), Ink::Body)
         .line([face, face + last[0] * 0.42], Ink::Paper);
-    let view = triad(view, fixed, FIXED, ["$X$", "$Y$", "$Z$"], Ink::Frame);
+    let view = triad(view, fixed, 1.2, ["$X$", "$Y$", "$Z$"], Ink::Frame);
     // Each axis that is turned, about which by how much, and how far out the name of the angle is.
     let ways = [
         (fixed[0], fixed[2], phi, r"$\phi$", 0.93),
@@ -77,14 +73,13 @@ fn scene(view: View, angles: [f64; 3], names: [&str; 3]) -> View {
     let view = ways.into_iter().fold(view, |view, (from, about, angle, name, out)| {
         let way = times(0.0, angle, 24).map(|a| turned(from, about, a) * 0.8);
         let middle = turned(from, about, 0.5 * angle) * out;
-        view.only_if(angle.abs() >= 0.02, |view| view.turn(way, Ink::Velocity))
-            .only_if(angle.abs() > 0.1, |view| view.text(middle, name, Ink::Velocity, Side::Centre))
+        let view = view.only_if(angle.abs() >= 0.02, |view| view.turn(way, Ink::Velocity));
+        let name = if angle.abs() > 0.1 { name } else { "" };
+        view.text(middle, name, Ink::Velocity, Side::Centre)
     });
     // Where x and y were, from which x' and y' are turned.
-    let view = view.only_if(zeta.abs() > 0.1, |view| {
-        view.dashed([ORIGIN, second[0] * 0.95], Ink::Ink)
-            .dashed([ORIGIN, second[1] * 0.95], Ink::Ink)
-    });
+    let line = |view: View, axis| view.dashed([ORIGIN, axis * 0.95], Ink::Ink);
+    let view = view.only_if(zeta.abs() > 0.1, |view| line(line(view, second[0]), second[1]));
     triad(view, last, BODY, names, Ink::Body)
 }
 

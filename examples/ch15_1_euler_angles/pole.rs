@@ -76,13 +76,8 @@ pub fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     ];
     for (method, way) in ways {
         let (asked, run) = ([p.tolerance, 1e-3, 1e-6, 1e-9, 1e-12], move |step| way(passage, step));
-        report.controlled(
-            method,
-            asked,
-            run,
-            |run| run.1,
-            move |run| Ok(run.0.angle_to(&exact)),
-        )?;
+        let error = move |(end, _): &(Attitude, Work)| Ok(end.angle_to(&exact));
+        report.controlled(method, asked, run, |run| run.1, error)?;
     }
     report.in_closed_form(move |part| passage.attitude(2.0 * part - 1.0));
     Ok(())

@@ -8,8 +8,7 @@ const ORIGIN: SpaceVector = SpaceVector::zero();
 
 /// For the two stills of its own: seen from where x, y and z part best.
 fn posed(p: &Parameters) -> Gyroscope {
-    let g = Gyroscope::of(p, 0.1);
-    Gyroscope { angles: EulerAngles { phi: -0.2, ..g.angles }, ..g }
+    Gyroscope::of(p, 0.1).but(|g| g.angles[0] = -0.2)
 }
 
 /// A box after quarter turns about these axes.
@@ -28,7 +27,7 @@ fn ordered(axes: [SpaceVector; 2]) -> Result<View> {
 /// The rotor in its gimbals on a stand: the outer ring turns about Z, the inner one about x,
 /// the rotor about z.
 fn gimbals(view: View, g: &Gyroscope) -> View {
-    let ([x, y, z], (s, c)) = (g.triad(), sincos(g.angles.zeta));
+    let ([x, y, z], (s, c)) = (g.triad(), sincos(g.angles[2]));
     let (mark, face) = (x * c + y * s, z * 0.056);
     view.solid(Solid::stand(UP * -1.04, 0.32, 0.4), Ink::Frame)
         .solid(Solid::gimbal(ORIGIN, x.cross(&UP), 1.0, 0.04), Ink::Frame)
@@ -163,7 +162,7 @@ figures! { p: &Parameters, g = posed(p), [x, y, z] = g.triad();
     triad: {
         // Together the three rates are so long.
         let scale = 2.2 / g.fastest().max(1e-9);
-        let turn = UP * (g.rates.phi * scale);
+        let [turn, nod, spin] = [UP * (g.rates[0] * scale), x * (g.rates[1] * scale), z * (g.rates[2] * scale)];
         let (on_y, on_z) = (y * (g.nodal()[1] * scale), z * (turn.dot(&z)));
         let tilted = |a: f64| z * cos(a) + y * sin(a);
         View::of((UP + y + z) * 0.2, 1.05)
@@ -181,8 +180,8 @@ figures! { p: &Parameters, g = posed(p), [x, y, z] = g.triad();
             .turn(times(p.theta, 0.0, 20).map(|a| tilted(a) * 0.52), Ink::Ink)
             .text(tilted(0.5 * p.theta) * 0.4, r"$\theta$", Ink::Ink, Side::Centre)
             .arrow(ORIGIN, on_y, Ink::Velocity, r"$\dot\phi\sin\theta$", Side::Below)
-            .arrow(ORIGIN, x * (g.rates.theta * scale), Ink::Velocity, r"$\dot\theta$", Side::Left)
-            .arrow(ORIGIN, z * (g.rates.zeta * scale), Ink::Velocity, r"$\dot\zeta$", Side::Left)
+            .arrow(ORIGIN, nod, Ink::Velocity, r"$\dot\theta$", Side::Left)
+            .arrow(ORIGIN, spin, Ink::Velocity, r"$\dot\zeta$", Side::Left)
             .arrow(ORIGIN, on_z, Ink::Velocity, r"$\dot\phi\cos\theta$", Side::Left)
             .arrow(ORIGIN, turn, Ink::Velocity, r"$\dot\phi$", Side::Right)
     };
@@ -216,9 +215,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (columns, g) = (angles.into_iter().chain(components), Gyroscope::of(p, 1.0));
     Trajectory::sampled(columns, times(0.0, END, 300), |t| {
         let now = g.after(t);
-        let EulerAngles { phi, theta, zeta } = now.angles;
-        let angles = [t, phi, theta, zeta];
-        Ok([&angles[..], &now.nodal(), &now.angular_velocity().to_array()].concat())
+        Ok([&[t][..], &now.angles, &now.nodal(), &now.angular_velocity().to_array()].concat())
     })
 }
 
@@ -228,7 +225,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let path: Vec<[f64; 3]> = all.clone().map(|t| g.after(t).nodal()).collect();
     // The longest arrow, of the sum or of a part, reaches to the edge of the picture at most.
     let sums = all.clone().map(|t| g.after(t).angular_velocity().norm());
-    let parts = [g.rates.phi.abs(), g.rates.zeta.abs(), 1e-9];
+    let parts = [g.rates[0].abs(), g.rates[2].abs(), 1e-9];
     let scale = 1.6 / sums.chain(parts).fold(0.0, f64::max);
     let axis = Axis::linear("rad/s").over(path.iter().flatten().copied().chain([-0.1, 0.1]));
     let component = |i: usize, name: &str| {
@@ -241,16 +238,15 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(component(2, r"$\Omega_z$"));
     MovingPicture::above(graph, 0.0..=END, [0.0, 1.4, 4.28], move |t| {
         let now = g.after(t);
-        let ([x, _, z], rates, omega) = (now.triad(), now.rates, now.angular_velocity());
-        let [first, second, spin] =
-            [UP * rates.phi, x * rates.theta, z * rates.zeta].map(|part| part * scale);
+        let ([x, _, z], [phi, theta, zeta]) = (now.triad(), now.rates.map(|rate| rate * scale));
+        let (first, second, spin, omega) = (UP * phi, x * theta, z * zeta, now.angular_velocity());
         let (corner, sum) = (first + second, omega * scale);
         let alt = format!(
             "The gyroscope at {t:.1} s, tilted by {:.2} rad: from its centre an arrow up the vertical for the rate of phi, \
              on its tip one parallel to the pivots of the inner ring for theta, and along the axle of the rotor one for zeta. \
              A dashed line carries the last to the tip of the others, where their sum ends, the angular velocity, {:.1} rad/s. \
              Below, its components on x, y and z against time.",
-            now.angles.theta,
+            now.angles[1],
             omega.norm()
         );
         let view = View::of(UP * 0.06, 1.6).camera(Camera::new(FACING, 0.38)).size(340, 350);

@@ -6,8 +6,7 @@ use rotation_dynamics::integrators::{Dop853, Integrator, Work};
 /// By how much the turn between two pictures, over the time between them, misses the angular
 /// velocity in the middle (rad/s).
 pub fn filmed(g: &Gyroscope, time: f64) -> Result<f64> {
-    let picture = |t: f64| Attitude::from_euler(g.after(t).angles);
-    let (before, after) = (picture(-0.5 * time)?, picture(0.5 * time)?);
+    let (before, after) = (g.after(-0.5 * time).attitude()?, g.after(0.5 * time).attitude()?);
     let turn = before.inverse().then(&after).rotation_vector();
     Ok((turn / time - g.angular_velocity()).norm())
 }
@@ -15,7 +14,7 @@ pub fn filmed(g: &Gyroscope, time: f64) -> Result<f64> {
 /// The same to first order, |Omega''/24 - Omega x Omega'/12| dt^2: the mean of Omega is not its
 /// value in the middle, and turns about changing axes do not add up.
 pub fn missed(g: &Gyroscope, time: f64) -> f64 {
-    let ([x, _, z], EulerRates { phi, theta, zeta }) = (g.triad(), g.rates);
+    let ([x, _, z], [phi, theta, zeta]) = (g.triad(), g.rates);
     // What turns the triad changes with x, and the spin with z.
     let (turning, node) = (g.of_triad(), UP.cross(&x) * phi);
     let spin = turning.cross(&z);

@@ -73,15 +73,10 @@ pub fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
         ("DOP853 on the quaternion, error of a step", by_quaternion),
     ];
     for (method, way) in ways {
-        let (asked, run) =
-            ([p.tolerance, 1e-4, 1e-8, 1e-12, 1e-15], move |step| way((omega, start), end, step));
-        report.controlled(
-            method,
-            asked,
-            run,
-            |run| run.1,
-            move |run| Ok(run.0.angle_to(&exact)),
-        )?;
+        let run = move |step| way((omega, start), end, step);
+        let error = move |(reached, _): &(Attitude, Work)| Ok(reached.angle_to(&exact));
+        let asked = [p.tolerance, 1e-4, 1e-8, 1e-12, 1e-15];
+        report.controlled(method, asked, run, |run| run.1, error)?;
     }
     report.in_closed_form(move |part| start.turned_in_space(omega * (part * end)));
     Ok(())

@@ -1,7 +1,7 @@
 //! The day and the stars: the notes' numbers by a turning arrow, the equation of time by an
 //! orbit that is integrated, and what the notes slip in or leave out.
 
-use crate::answers::{confirmed, ledger, refused, value};
+use crate::answers::{confirmed, ledger, value};
 use kit::prelude::*;
 use pages::ch15_2_days::left_out::{by_jupiter, by_light, by_the_moon, later, simulated, spread};
 use pages::ch15_2_days::*;
@@ -189,17 +189,6 @@ fn drawn_for_any_orbit() {
         let p = year(e, tilt).but(|p| p.year = days);
         assert_eq!(EXAMPLE.figures(&p).unwrap().len(), 9);
     }
-}
-
-#[test]
-fn what_is_no_year_is_refused() {
-    refused(&EXAMPLE, [
-        ("--year=1", "year = 1 is not allowed"),
-        ("--eccentricity=0.9", "eccentricity = 0.9 is not allowed"),
-        ("--obliquity=-0.4", "obliquity = -0.4 is not allowed"),
-        ("--day=0", "day = 0 is not allowed"),
-        ("--year=inf", "not a finite number"),
-    ]);
 }
 
 /// The card, for the Earth and for other orbits: noons later by one step from the closed form,

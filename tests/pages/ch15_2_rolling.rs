@@ -40,12 +40,8 @@ fn confirmed_far_from_the_notes() {
 #[test]
 fn what_does_not_roll_is_refused() {
     refused(&EXAMPLE, [
-        ("--radius=0", "radius = 0 is not allowed"),
         ("--wheel-rate=0", "at rest nothing rolls"),
-        ("--tilt=4", "tilt = 4 is not allowed"),
-        ("--orbit=nan", "not a finite number"),
         ("--shaft=900 --radius=0.01", "shaft/radius = 90"),
-        ("--tolerance=1", "tolerance = 1 is not allowed"),
         ("--with slip=0", "slip = 0 is not allowed"),
         ("--with slip=2.1", "at most 2"),
     ]);
