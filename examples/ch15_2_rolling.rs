@@ -89,11 +89,6 @@ pub fn coin_rolled(fixed: f64, orbit: f64, step: f64) -> Result<Solution<6>> {
     Ok(Dop853::new(step)?.solve(&on_a_coin(fixed), 0.0, &start, long, &[there])?)
 }
 
-/// How often the coin of these parameters turns while the line of centres turns once.
-fn net_turns(p: &Parameters) -> f64 {
-    2.0 - p.slip.unwrap_or(0.0)
-}
-
 /// The derivative of `at` at 0, from its values `h` and 2 `h` to both sides.
 fn derivative(h: f64, at: impl Fn(f64) -> Result<f64>) -> Result<f64> {
     Ok((8.0 * (at(h)? - at(-h)?) - (at(2.0 * h)? - at(-2.0 * h)?)) / (12.0 * h))
@@ -102,16 +97,14 @@ fn derivative(h: f64, at: impl Fn(f64) -> Result<f64>) -> Result<f64> {
 /// The places of a corner of a regular polygon that tips along the ground, from one side to the
 /// next through a turn, and the distances of that corner from those about which it tipped. The
 /// circle through its corners has the radius 1.
-pub fn tipping(sides: u32) -> (Vec<SpaceVector>, f64) {
+pub fn tipping(sides: u32) -> (Vec<(f64, f64)>, f64) {
     let angle = TAU / f64::from(sides);
     let ((s, c), side) = (sincos(angle), 2.0 * sin(0.5 * angle));
-    let (mut places, mut distances) = (vec![SpaceVector::zero()], 0.0);
-    for k in 1..=sides {
-        let pivot = SpaceVector::new(f64::from(k) * side, 0.0, 0.0);
-        let arm = places[places.len() - 1] - pivot;
-        distances += arm.norm();
-        let turned = [c * arm.x() + s * arm.z(), 0.0, c * arm.z() - s * arm.x()];
-        places.push(pivot + SpaceVector::from_array(turned));
+    let (mut places, mut distances) = (vec![(0.0, 0.0)], 0.0);
+    for pivot in (1..=sides).map(|k| f64::from(k) * side) {
+        let (x, z) = places[places.len() - 1];
+        distances += hypot(x - pivot, z);
+        places.push((pivot + (c * (x - pivot) + s * z), c * z - s * (x - pivot)));
     }
     (places, distances)
 }
@@ -121,7 +114,7 @@ pub fn tipping(sides: u32) -> (Vec<SpaceVector>, f64) {
 fn polygons() -> [f64; 2] {
     let run = |sides| {
         let (places, distances) = tipping(sides);
-        [places[sides as usize].x(), distances * TAU / f64::from(sides)]
+        [places[sides as usize].0, distances * TAU / f64::from(sides)]
     };
     let [a, b, c] = [run(64), run(128), run(256)];
     [0, 1].map(|i| {
@@ -230,12 +223,6 @@ fn swept(direction: impl Fn(f64) -> Result<SpaceVector>, t: f64) -> Result<f64> 
     Ok(sum)
 }
 
-fn sizes(p: &Parameters, _: &mut Report) -> Result<()> {
-    allowed! {
-        "shaft/radius": p.shaft / p.radius, from_to(1e-3, 1e3), "the spin or the turn about Z is lost beside the other";
-    }
-}
-
 /// What a rolling resistance takes from the speed of a hoop in the time of a turn: predicted,
 /// simulated, and the work of that.
 fn slowed(p: &Parameters, resistance: f64) -> Result<([f64; 2], Work)> {
@@ -246,6 +233,9 @@ fn slowed(p: &Parameters, resistance: f64) -> Result<([f64; 2], Work)> {
 }
 
 fn road(p: &Parameters, report: &mut Report) -> Result<()> {
+    allowed! {
+        "shaft/radius": p.shaft / p.radius, from_to(1e-3, 1e3), "the spin or the turn about Z is lost beside the other";
+    }?;
     let (r, rate, bound) = (p.wheel_radius, p.wheel_rate.abs(), 100.0 * p.tolerance);
     let speed = rate * r;
     let ([distance, path], method) = (polygons(), Dop853::new(p.tolerance)?);
@@ -299,7 +289,7 @@ fn coins(p: &Parameters, report: &mut Report) -> Result<()> {
         /// path of a point of its rim in that circuit
         cardioid: 16.0 * p.coin_radius, "m", "rolled about the contact" => p.coin_radius * path, within 100.0 * bound * p.coin_radius;
         /// with slip: coin turned, when it is back at its place
-        slid_circuit: net_turns(p) * TAU, "rad",
+        slid_circuit: (2.0 - p.slip.unwrap_or(0.0)) * TAU, "rad",
         "places of its contact differenced" => (1.0 + (still - p.slip.unwrap_or(0.0)) / (still - spun)) * TAU, within 1e-10,
         if p.slip.is_some();
     }
@@ -383,7 +373,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (speed, resistance) = (p.wheel_rate.abs() * p.wheel_radius, 0.005);
     // A tyre with air in it, flattened by a hundredth of its radius: on the flat its tread is
     // pressed from the arc 2 b R into the chord 2 R sin(b). So is that of 22 flats in a row.
-    let (flat, tipped) = (1.0 - cos(TAU / 44.0), tipping(22).0[22].x() / TAU);
+    let (flat, tipped) = (1.0 - cos(TAU / 44.0), tipping(22).0[22].0 / TAU);
     let ([stops, slower], slowing) = slowed(p, resistance)?;
     // Milled edges, half a hundredth of a millimetre more or less on the radius.
     let edge = 5e-6 / p.coin_radius;
@@ -392,16 +382,12 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let width = 0.02 / (2.0 * p.shaft);
     let counted = |work: Work| format!("{} derivatives", work.derivatives);
     effect_card! { report,
-        "flattening of a pneumatic tyre":
-            "d/R" = flat, costs flat * speed / 3.0, "m/s of the speed, to first order",
+        "flattening of a pneumatic tyre": "d/R" = flat, costs flat * speed / 3.0, "m/s of the speed, to first order",
             measured speed * (1.0 - tipped), at_cost "none, 22 tips";
-        "rolling resistance of a hoop":
-            "C" = resistance, costs stops, "m/s a turn", measured slower, at_cost format!("none, {}", counted(slowing));
-        "coins that differ a little":
-            "(R1 - R2)/R2" = edge, costs TAU * edge, "rad a circuit", measured other.end_time() - like.end_time(), within 1e-11,
+        "rolling resistance of a hoop": "C" = resistance, costs stops, "m/s a turn", measured slower, at_cost format!("none, {}", counted(slowing));
+        "coins that differ a little": "(R1 - R2)/R2" = edge, costs TAU * edge, "rad a circuit", measured other.end_time() - like.end_time(), within 1e-11,
             at_cost format!("{}, {}", counted(like.work()), counted(other.work()));
-        "width of the tyre on the circle":
-            "b/(2 a)" = width, costs width, "of the speed Omega a, as slip at its edges",
+        "width of the tyre on the circle": "b/(2 a)" = width, costs width, "of the speed Omega a, as slip at its edges",
             measured slip(p, spin(p), 0.01)? / (p.rate * p.shaft),
             within 1e-11 * (1.0 + p.radius / p.shaft) * (1.0 + p.shaft / p.radius), at_cost "none, 4 places";
     }
@@ -422,6 +408,6 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
 example! {
     ch15_2_rolling: "Rolling: a wheel, a coin on a coin, a wheel on a shaft; and a cylinder carried round";
     "Rolling", "A wheel on a road, a coin on a coin, a wheel on a shaft, a cylinder carried round.",
-    [sizes, road, coins, cycle, orbiting, limits, effects, accuracy];
+    [road, coins, cycle, orbiting, limits, effects, accuracy];
     figures::figures, figures::trajectory, figures::moving_picture
 }

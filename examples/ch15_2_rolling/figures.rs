@@ -35,7 +35,6 @@ figures! { _: &Parameters;
     /// A hexagon tips along a road from side to side. A corner of it draws five arcs of circles about the corners on which
     /// it tips; they follow a cycloid, a little inside.
     polygon: {
-        let at = |p: SpaceVector| (p.x(), p.z());
         let (corners, turn, pivots) = (tipping(6).0, TAU / 6.0, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
         let hexagon = |sketch: Sketch, x: f64| {
             let corner = |k: f64| (x + cos(k * turn - 2.0 * turn), cos(0.5 * turn) + sin(k * turn - 2.0 * turn));
@@ -44,20 +43,17 @@ figures! { _: &Parameters;
         let ends = |sketch: Sketch| hexagon(hexagon(sketch, 0.5), 6.5);
         let cycloid = Curve::new(times(0.0, TAU, 120).map(on_cycloid), Ink::Ink).thin().dashed();
         let sketch = hexagon(road_sketch().ghost(ends), 3.5).curve(cycloid);
-        let tip = |sketch: Sketch, (x, pair): (f64, &[SpaceVector])| {
-            let (pivot, arm) = ((x, 0.0), (pair[0].x() - x, pair[0].z()));
-            let arc = times(0.0, turn, 20).map(|a| {
-                let (s, c) = sincos(a);
-                (x + c * arm.0 + s * arm.1, c * arm.1 - s * arm.0)
-            });
-            let spoke = |sketch: Sketch, end| sketch.curve(Curve::new([pivot, at(end)], Ink::Ink).thin());
+        let tip = |sketch: Sketch, (x, ends): (f64, &[(f64, f64)])| {
+            let (pivot, along, up) = ((x, 0.0), ends[0].0 - x, ends[0].1);
+            let arc = times(0.0, turn, 20).map(|a| (x + cos(a) * along + sin(a) * up, cos(a) * up - sin(a) * along));
+            let spoke = |sketch: Sketch, end| sketch.curve(Curve::new([pivot, end], Ink::Ink).thin());
             sketch
                 .curve(Curve::new(arc, Ink::Body))
                 .dot(pivot, Ink::Ink, "", Side::Below)
-                .only_if(x == 3.0, |sketch| spoke(spoke(sketch, pair[0]), pair[1]))
+                .only_if(x == 3.0, |sketch| spoke(spoke(sketch, ends[0]), ends[1]))
         };
         let sketch = pivots.into_iter().zip(corners.windows(2)).fold(sketch, tip);
-        corners.iter().fold(sketch, |s, &p| s.dot(at(p), Ink::Body, "", Side::Above))
+        corners.iter().fold(sketch, |sketch, &corner| sketch.dot(corner, Ink::Body, "", Side::Above))
     };
 
     /// A fixed coin C1; on top of it, at alpha, the coin C2, with an arrow from its centre O2 down to the point A where
@@ -246,7 +242,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// Coin on coin, told twice: in the laboratory, and as seen from the line of centres. Where it
 /// slips, an arrow at the contact says how fast.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let (net, slip) = (net_turns(p), p.slip);
+    let (slip, net) = (p.slip, 2.0 - p.slip.unwrap_or(0.0));
     let spin = net - 1.0;
     let turned = Axis::angle("turned").range(TAU * spin.min(0.0), 2.0 * TAU);
     let line = |turns: f64| Curve::new([(0.0, 0.0), (TAU, turns * TAU)], Ink::Body);

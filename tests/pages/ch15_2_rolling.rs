@@ -52,7 +52,7 @@ fn what_does_not_roll_is_refused() {
 #[test]
 fn eq_15_2_wheel_speed() {
     let cases = [100_u32, 200, 400, 800].map(|sides| {
-        let (speed, unit) = (tipping(sides).0[sides as usize].x() / TAU, f64::from(sides * sides));
+        let (speed, unit) = (tipping(sides).0[sides as usize].0 / TAU, f64::from(sides * sides));
         [(1.0 - speed) * unit / (PI * PI / 6.0) - 1.0, 2.0 - speed]
     });
     assert_largest!(beside_twins(cases, 0.9, 4), 4, @"4.93e-5");
@@ -216,7 +216,7 @@ fn the_card_says_what_the_bodies_do() {
     assert_eq!(card.len(), 4);
     card.iter().for_each(|[predicted, measured]| assert_eq!(predicted, measured));
     let flats = [8_u32, 22, 100].map(|sides| {
-        let (b, tipped) = (PI / f64::from(sides), tipping(sides).0[sides as usize].x() / TAU);
+        let (b, tipped) = (PI / f64::from(sides), tipping(sides).0[sides as usize].0 / TAU);
         [tipped - sin(b) / b, (tipped - 1.0 + (1.0 - cos(b)) / 3.0) / b.powi(4)]
     });
     assert_largest!(beside_twins(flats, 5e-3, 3), 3, @"1.11e-16");
