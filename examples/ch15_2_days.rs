@@ -209,9 +209,8 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     // Spread evenly over a year.
     let points = 1461;
     let year = (0..points).map(|k| p.year / f64::from(points) * f64::from(k));
-    let most = |e: f64, tilt: f64| {
-        largest(year.clone().map(|t| sun(&with(p, e, tilt), t).equation_of_time().abs()))
-    };
+    let most =
+        |e, tilt| largest(year.clone().map(|t| sun(&with(p, e, tilt), t).equation_of_time()));
     // The first terms of the series, with the sizes of the first left out.
     let ((e, y), half) = ((p.eccentricity, tan(0.5 * p.obliquity)), 0.5 * p.obliquity);
     let y = y * y;
@@ -222,7 +221,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         let second = 4.0 * e * y * sin(m) * cos(2.0 * l) - 0.5 * y * y * sin(4.0 * l);
         first + second - 1.25 * e * e * sin(2.0 * m)
     };
-    let off = largest(year.clone().map(|t| (series(t) - sun(p, t).equation_of_time()).abs()));
+    let off = largest(year.clone().map(|t| series(t) - sun(p, t).equation_of_time()));
     let third = (e + y) * (e + y) * (e + y) / (cos(half) * cos(half));
     let mean = year.clone().map(|t| sun(&with(p, e, 0.0), t).centre).sum::<f64>();
     limits! { report,

@@ -160,7 +160,7 @@ figures! { p: &Parameters, [phi, theta, zeta] = p.angles();
     /// once and zeta rises by as much; their sum stays smooth, and theta comes down and goes up again.
     passage: {
         let over = |pick: fn([f64; 3]) -> f64, ink| {
-            Curve::of(times(-1.0, 1.0, 400), |t| pick(Passage(0.05).angles(t)), ink)
+            Curve::of(times(-1.0, 1.0, 400), |t| pick(pole::passing_angles(0.05, t)), ink)
         };
         let axis = Axis::linear("$t$ / s").range(-1.0, 1.0);
         Panel::over_axes(axis, Axis::angle("angle / rad").range(-PI, PI))

@@ -1,6 +1,7 @@
 //! What the orbit of two bodies and a steady turn leave out: predicted by one step from the
 //! closed form, measured in simulated years with it and without it.
 
+use super::orbit::Seen;
 use super::*;
 use rotation_dynamics::effects::KeplerOrbit;
 use rotation_dynamics::integrators::after;
@@ -9,16 +10,14 @@ use rotation_dynamics::integrators::after;
 /// the Sun.
 const MOON: f64 = 4_671.0 / 149_597_871.0;
 
-/// Seen from the Earth, the Sun circles with the Moon. Where it is seen, from time, place and
-/// velocity on the orbit.
+/// Seen from the Earth, the Sun circles with the Moon.
 pub fn by_the_moon(t: f64, [x, y, ..]: [f64; 4]) -> [f64; 2] {
     let (s, c) = sincos(TAU * t / 27.321_661);
     [x + MOON * c, y + MOON * s]
 }
 
-/// Light takes 499 s for the mean distance, and the Sun is seen where it was; `lag` is that time in
-/// days.
-pub fn by_light(lag: f64) -> impl Fn(f64, [f64; 4]) -> [f64; 2] + Copy {
+/// Light takes the time `lag`, in days, for the mean distance, and the Sun is seen where it was.
+pub fn by_light(lag: f64) -> impl Fn(f64, [f64; 4]) -> [f64; 2] {
     move |_, [x, y, u, v]| {
         let late = lag * (x * x + y * y).sqrt();
         [x - late * u, y - late * v]
@@ -38,7 +37,7 @@ fn on_orbit(p: &Parameters) -> Result<impl Fn(f64) -> [f64; 4] + use<>> {
 
 /// By how much noon comes later on each day of the year, in seconds, to first order: how far
 /// past the meridian the Sun is seen at the noon that the closed form gives, over its rate.
-pub fn later(p: &Parameters, seen: impl Fn(f64, [f64; 4]) -> [f64; 2]) -> Result<Vec<f64>> {
+pub fn later(p: &Parameters, seen: Seen<'_>) -> Result<Vec<f64>> {
     let at = on_orbit(p)?;
     let past = |t: f64| past_meridian(p, t, [at(t)[0], at(t)[1]]);
     let late = |t: f64| {
@@ -55,10 +54,7 @@ fn compared(p: &Parameters, noons: &[f64]) -> Result<Vec<f64>> {
 }
 
 /// The same as [`later`] from two simulated years, and the work of the second.
-pub fn simulated(
-    p: &Parameters,
-    seen: impl Fn(f64, [f64; 4]) -> [f64; 2],
-) -> Result<(Vec<f64>, Work)> {
+pub fn simulated(p: &Parameters, seen: Seen<'_>) -> Result<(Vec<f64>, Work)> {
     let (with, work) = orbit::noons_seen(p, 1e-13, seen)?;
     Ok((compared(p, &with)?, work))
 }
@@ -66,7 +62,7 @@ pub fn simulated(
 /// The largest deviation from the mean: a clock is set by the mean.
 pub fn spread(seconds: &[f64]) -> f64 {
     let mean = seconds.iter().sum::<f64>() / seconds.len() as f64;
-    largest(seconds.iter().map(|x| (x - mean).abs()))
+    largest(seconds.iter().map(|x| x - mean))
 }
 
 /// The most by which Jupiter moves the Earth along its orbit (rad), both on circles but for that:
@@ -96,7 +92,7 @@ pub fn by_jupiter(mass: f64) -> Result<(f64, Work)> {
     let end = half(v)?.0.t;
     let off = sampled((1..60).map(|k| end * f64::from(k) / 60.0), |t| {
         let [x, y, ..] = after(t, &earth, &[1.0, 0.0, 0.0, v - rate], 1e-13)?;
-        Ok((atan2(y, x) - PI * t / end).abs())
+        Ok(atan2(y, x) - PI * t / end)
     })?;
     Ok((largest(off), work))
 }
@@ -106,17 +102,17 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (second, lag) = (p.day / TAU, 499.004_784 / p.day);
     let (_, work) = orbit::noons(p, 1e-13)?;
     let counted = |with: Work| format!("{}, {} derivatives", work.derivatives, with.derivatives);
-    let (light, circled) = (by_light(lag), simulated(p, by_the_moon)?);
+    let (light, circled) = (by_light(lag), simulated(p, &by_the_moon)?);
     // The perihelion moves against the equinox by 61.9 arcsec a year (Simon et al. 1994).
     let perihelion = 61.9 / TURN * TAU;
     let moved = p.but(|p| p.perigee += perihelion);
     let (turned, place) = (orbit::noons(&moved, 1e-13)?, on_orbit(&moved)?);
-    let by_turn = later(p, |t, _| [place(t)[0], place(t)[1]])?;
+    let by_turn = later(p, &|t, _| [place(t)[0], place(t)[1]])?;
     // The largest term of Newcomb's; there are smaller ones.
     let (jupiter, (pulled, rounds)) = (7.2 / TURN * TAU, by_jupiter(1.0 / 1047.35)?);
     let (tides, near) = (2.4e-3 / 86_400.0, 1e-10 * p.day);
     effect_card! { report,
-        "Moon: the Earth circles the common centre": "r/au" = MOON, costs spread(&later(p, by_the_moon)?), "s of E, to first order", beside "earliest",
+        "Moon: the Earth circles the common centre": "r/au" = MOON, costs spread(&later(p, &by_the_moon)?), "s of E, to first order", beside "earliest",
             measured spread(&circled.0), within near, at_cost counted(circled.1);
         "planets, most of all Jupiter": "change of longitude" = jupiter, costs jupiter * second, "s of E, by its largest term", beside "earliest",
             measured pulled * second, at_cost format!("none, {} derivatives", rounds.derivatives);
@@ -124,9 +120,9 @@ pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // In a year of nine hours the Earth would have a tenth of the speed of light.
     let speed = TAU * lag / p.year;
     if speed < 0.1 {
-        let delayed = simulated(p, light)?;
+        let delayed = simulated(p, &light)?;
         effect_card! { report,
-            "aberration of light": "v/c" = speed, costs spread(&later(p, light)?), "s of E, to first order", beside "earliest",
+            "aberration of light": "v/c" = speed, costs spread(&later(p, &light)?), "s of E, to first order", beside "earliest",
                 measured spread(&delayed.0), within near, at_cost counted(delayed.1);
         }?;
     }

@@ -16,17 +16,16 @@ pub fn longitude(p: &Parameters, t: f64, step: f64) -> Result<(f64, Work)> {
     Ok((atan2(y, x), work))
 }
 
+/// Where the Sun is seen, from the time and `[x, y, x', y']` on the orbit.
+pub type Seen<'a> = &'a dyn Fn(f64, [f64; 4]) -> [f64; 2];
+
 /// The noons of a year from the epoch, in mean days, and the work of finding them.
 pub fn noons(p: &Parameters, step: f64) -> Result<(Vec<f64>, Work)> {
-    noons_seen(p, step, |_, [x, y, ..]| [x, y])
+    noons_seen(p, step, &|_, [x, y, ..]| [x, y])
 }
 
-/// The same if the Sun is seen elsewhere than the orbit alone has it, at `[x, y, x', y']`.
-pub fn noons_seen(
-    p: &Parameters,
-    step: f64,
-    seen: impl Fn(f64, [f64; 4]) -> [f64; 2],
-) -> Result<(Vec<f64>, Work)> {
+/// The same if the Sun is seen elsewhere than the orbit alone has it.
+pub fn noons_seen(p: &Parameters, step: f64, seen: Seen<'_>) -> Result<(Vec<f64>, Work)> {
     // From the last perigee that lies two days or more before the epoch.
     let mut start = (p.perigee - p.mean_longitude) * p.year / TAU;
     while start > -2.0 {

@@ -200,8 +200,8 @@ fn what_is_left_out_is_as_large_as_predicted() {
     let years = [p.clone(), year(0.1, 0.7), year(0.3, 1.2), p.but(|p| p.year = 30.5)];
     let cases = years.into_iter().flat_map(|p| {
         let pairs = [
-            (later(&p, by_the_moon).unwrap(), simulated(&p, by_the_moon).unwrap().0),
-            (later(&p, light).unwrap(), simulated(&p, light).unwrap().0),
+            (later(&p, &by_the_moon).unwrap(), simulated(&p, &by_the_moon).unwrap().0),
+            (later(&p, &light).unwrap(), simulated(&p, &light).unwrap().0),
         ];
         pairs.map(|(predicted, measured)| {
             assert_eq!(predicted.len(), measured.len());
