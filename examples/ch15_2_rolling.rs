@@ -384,9 +384,10 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     effect_card! { report,
         "flattening of a pneumatic tyre": "d/R" = flat, costs flat * speed / 3.0, "m/s of the speed, to first order",
             measured speed * (1.0 - tipped), at_cost "none, 22 tips";
-        "rolling resistance of a hoop": "C" = resistance, costs stops, "m/s a turn", measured slower, at_cost format!("none, {}", counted(slowing));
-        "coins that differ a little": "(R1 - R2)/R2" = edge, costs TAU * edge, "rad a circuit", measured other.end_time() - like.end_time(), within 1e-11,
-            at_cost format!("{}, {}", counted(like.work()), counted(other.work()));
+        "rolling resistance of a hoop": "C" = resistance, costs stops, "m/s a turn",
+            measured slower, at_cost format!("none, {}", counted(slowing));
+        "coins that differ a little": "(R1 - R2)/R2" = edge, costs TAU * edge, "rad a circuit", measured other.end_time() - like.end_time(),
+            within 1e-11, at_cost format!("{}, {}", counted(like.work()), counted(other.work()));
         "width of the tyre on the circle": "b/(2 a)" = width, costs width, "of the speed Omega a, as slip at its edges",
             measured slip(p, spin(p), 0.01)? / (p.rate * p.shaft),
             within 1e-11 * (1.0 + p.radius / p.shaft) * (1.0 + p.shaft / p.radius), at_cost "none, 4 places";

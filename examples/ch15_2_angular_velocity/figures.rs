@@ -6,11 +6,6 @@ use kit::draw::Camera;
 
 const ORIGIN: SpaceVector = SpaceVector::zero();
 
-/// For the two stills of its own: seen from where x, y and z part best.
-fn posed(p: &Parameters) -> Gyroscope {
-    Gyroscope::of(p, 0.1).but(|g| g.angles[0] = -0.2)
-}
-
 /// A box after quarter turns about these axes.
 fn ordered(axes: [SpaceVector; 2]) -> Result<View> {
     let turned = twice(FRAC_PI_2, axes)?;
@@ -42,7 +37,10 @@ fn gimbals(view: View, g: &Gyroscope) -> View {
         .line([face - mark * 0.08, face - mark * 0.5], Ink::Paper)
 }
 
-figures! { p: &Parameters, g = posed(p), [x, y, z] = g.triad();
+figures! { p: &Parameters,
+    // The gyroscope of the stills: seen from where x, y and z part best.
+    g = Gyroscope::of(p, 0.1).but(|g| g.angles[0] = -0.2), [x, y, z] = g.triad();
+
     /// A plate on a pivot O. A line on it through O was at a small angle from the x axis and is at a larger one; another
     /// line, away from O, has turned by the same angle.
     line: {
@@ -201,10 +199,6 @@ figures! { p: &Parameters, g = posed(p), [x, y, z] = g.triad();
     };
 }
 
-/// Azimuth of the eye: with the angles and rates of the page both rings are wide open in all three
-/// stills.
-const FACING: f64 = 1.13;
-
 /// How long the gyroscope is watched, s.
 const END: f64 = 6.0;
 
@@ -249,7 +243,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             now.angles[1],
             omega.norm()
         );
-        let view = View::of(UP * 0.06, 1.6).camera(Camera::new(FACING, 0.38)).size(340, 350);
+        // With the angles and rates of the page both rings are wide open in all three stills.
+        let view = View::of(UP * 0.06, 1.6).camera(Camera::new(1.13, 0.38)).size(340, 350);
         let scene = gimbals(view, &now)
             .ground(UP * -1.36, 1.0)
             .dashed([corner, sum], Ink::Velocity)

@@ -271,18 +271,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .curve(centres([right, above]));
         let sketch = coin(coin(sketch, left, up, Ink::Frame), right, up - t, Ink::Frame);
         let sketch = coin(sketch, there, net * t - up, Ink::Body);
-        let sketch =
-            coin(sketch, above, spin * t - up, Ink::Body).only_if(slip.is_some(), |sketch| {
-                let contact = sum(left, polar(1.0, up + t));
-                let sliding = polar(0.8 * slip.unwrap_or(0.0), 2.0 * up + t);
-                sketch.arrow_along([contact, sum(contact, sliding)], Ink::Ink)
-            });
-        let sketch = sketch.text((left.0, -3.6), "in the laboratory", Ink::Ink, Side::Centre).text(
-            (right.0, -3.6),
-            "from the line of centres",
-            Ink::Ink,
-            Side::Centre,
-        );
-        Ok((alt, sketch))
+        let sketch = coin(sketch, above, spin * t - up, Ink::Body);
+        let contact = sum(left, polar(1.0, up + t));
+        let tip = sum(contact, polar(0.8 * slip.unwrap_or(0.0), 2.0 * up + t));
+        let sketch = sketch.only_if(slip.is_some(), |s| s.arrow_along([contact, tip], Ink::Ink));
+        let below = |s: Sketch, x, words| s.text((x, -3.6), words, Ink::Ink, Side::Centre);
+        let sketch = below(sketch, left.0, "in the laboratory");
+        Ok((alt, below(sketch, right.0, "from the line of centres")))
     })
 }
