@@ -4,7 +4,8 @@ use insta::{Comparator, Settings, Snapshot};
 use rotation_dynamics::math;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use support::{
-    EPS, Errors, assert_error, assert_largest, assert_table, attained, relative, three_digits,
+    EPS, Errors, assert_error, assert_largest, assert_table, attained, beside_twins, relative,
+    three_digits,
 };
 
 /// What the assertion says when it fails; none if it passes.
@@ -80,8 +81,10 @@ fn a_damaged_collection_fails() {
         // A twin that is not noticed.
         ("not above", Box::new(|| of(&[9.0, 4.9]).exceed(5.0, 2))),
         ("not above", Box::new(|| of(&[5.0]).exceed(5.0, 1))),
+        ("not above", Box::new(|| drop(beside_twins([[0.0, 9.0], [0.0, 4.9]], 5.0, 2)))),
         // Errors that nobody looks at, and units that are none.
         ("never judged", Box::new(|| drop(of(&[2.34])))),
+        ("never judged", Box::new(|| drop(beside_twins([[0.0, 9.0]], 5.0, 1)))),
         ("no unit", Box::new(|| drop(Errors::in_units_of(0.0, "the twin")))),
         ("no unit", Box::new(move || drop(Errors::in_units_of(nan, "the twin")))),
     ];
@@ -91,7 +94,7 @@ fn a_damaged_collection_fails() {
         assert!(told.contains(words), "twin {i}: {told}");
         failed += 1;
     }
-    assert_eq!(failed, 30);
+    assert_eq!(failed, 32);
 }
 
 #[test]
