@@ -81,6 +81,7 @@ pub fn from_two_points(v: SpaceVector, w: SpaceVector, s: SpaceVector) -> SpaceV
 }
 // ANCHOR_END: velocity
 
+// ANCHOR: gyroscope
 /// A rotor in gimbals: its angles phi, theta, zeta and their rates.
 #[derive(Clone, Copy)]
 pub struct Gyroscope {
@@ -88,7 +89,6 @@ pub struct Gyroscope {
     pub rates: [f64; 3],
 }
 
-// ANCHOR: gyroscope
 impl Gyroscope {
     /// The line of nodes x, the third direction y and the axis z, in space.
     pub fn triad(&self) -> [SpaceVector; 3] {
