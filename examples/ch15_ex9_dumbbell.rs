@@ -41,12 +41,6 @@ pub fn scene(p: &Parameters) -> Result<Hit> {
     Ok(Hit { slant: p.slant, ..Hit::across(p.restitution, reach) })
 }
 
-/// Distance from the ball to the upper mass, from middle to middle, after this angle.
-fn to_upper(a: Answer, reach: f64, angle: f64) -> f64 {
-    let [ball, _, upper] = cycloids(a, reach, angle);
-    hypot(upper[0] - ball[0], upper[1] - ball[1])
-}
-
 /// The second hit for e = 1/2: how far the stick has turned. Ball and middle of the stick run
 /// level, so the ball stays at the end of a tangent to the circle of the masses; the other mass
 /// meets it along the second tangent.
@@ -56,7 +50,7 @@ pub fn second(reach: f64) -> f64 {
 
 /// The sum of the radii, in l, above which the ball of an elastic hit meets the upper mass: the
 /// least of those whose circle passes through it.
-pub fn touching() -> f64 {
+fn touching() -> f64 {
     // The upper mass is behind the ball, as point masses, by this much.
     let radius = |angle: f64| {
         let [ball, _, upper] = cycloids(Answer::new(1.0, 0.0), 0.0, angle);
@@ -67,13 +61,13 @@ pub fn touching() -> f64 {
 }
 
 /// The same by simulations, between one with a second hit and one without.
-pub fn touching_simulated(within: f64) -> Result<f64> {
+fn touching_simulated() -> Result<f64> {
     // A contact that only grazes can pass between two steps, so the distance decides.
     let clears = |reach: f64| -> Result<bool> {
         let blow = Blow::new(Hit::across(1.0, reach), 1e-9, 2.0)?;
         Ok(blow.nearest(0.7, 1.8) > reach + 1e-10)
     };
-    Ok(try_bisect([1.0, 1.5], within, clears)?.iter().sum::<f64>() * 0.5)
+    Ok(try_bisect([1.0, 1.5], 1e-6, clears)?.iter().sum::<f64>() * 0.5)
 }
 
 /// A hit that returns half of the relative velocity, for two thirds of a turn.
@@ -83,16 +77,13 @@ pub fn halved(reach: f64, step: f64) -> Result<Blow> {
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (scene, a) = (scene(p)?, Answer::new(p.restitution, p.slant));
-    let (m, l, v0, bound) = (p.mass, p.length, p.speed, 1e-12);
-    let (s, c) = sincos(p.slant);
-    let blow = Blow::new(scene, p.tolerance, 0.02)?;
-    let after = blow.after;
-    let along = |v: [f64; 2]| v[0] * c + v[1] * s;
-    let [centre, ball] = [[0, 1], [3, 4]].map(|at| along(at.map(|k| after.v[k])));
-    let [struck, other] = velocities(&after).map(|v| v0.abs() * hypot(v[0], v[1]));
+    let (m, l, v0, (s, c), bound) = (p.mass, p.length, p.speed, sincos(p.slant), 1e-12);
+    let after = Blow::new(scene, p.tolerance, 0.02)?.after;
+    let [centre, ball] = [[0, 1], [3, 4]].map(|[x, y]| after.v[x] * c + after.v[y] * s);
+    let [_, struck, other] = velocities(&after).map(|v| v0.abs() * hypot(v[0], v[1]));
     // The turning adds to the velocity of the struck mass across the stick and takes it
     // from the other.
-    let of = |sign: f64| v0.abs() * hypot(a.impulse * s, a.impulse * c * (1.0 + sign));
+    let of = |sign: f64| v0.abs() * hypot(a.centre * s, a.centre * c * (1.0 + sign));
     let elastic = p.restitution == 1.0 && p.slant == 0.0 && scene.reach < 1.2;
     let turn = TAU / a.angular_velocity.max(0.1);
     let followed = || Blow::new(scene, p.tolerance, turn);
@@ -108,8 +99,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             0.5 * v0 * (1.0 + p.restitution) => "the dumbbell also turns",
             v0.signum() * of(1.0) => "that is the struck mass";
         /// angular velocity of the dumbbell
-        omega: v0 / l * a.angular_velocity, "rad/s", "contacts simulated" => v0 / l * after.v[2], within bound * v0 / l,
-        in "The velocities":
+        omega: v0 / l * a.angular_velocity, "rad/s", "contacts simulated" => v0 / l * after.v[2], within bound * v0 / l, in "The velocities":
             0.5 * v0 / l * a.angular_velocity => "the arm is half of the stick",
             2.0 * v0 / l * c => "the ball keeps a part of its momentum";
         /// speed of the struck mass
@@ -119,21 +109,19 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         v_other: of(-1.0), "m/s", "contacts simulated" => other, within bound * v0, in "The velocities":
             v0.abs() * a.centre => "the turning takes it backward";
         /// impulse of the hit
-        impulse: m * v0 * a.impulse, "N s", "contacts simulated" => m * v0 * (1.0 - ball), within bound * m * v0,
-        in "The velocities":
+        impulse: m * v0 * a.centre, "N s", "contacts simulated" => m * v0 * (1.0 - ball), within bound * m * v0, in "The velocities":
             m * v0 => "the ball does not stop",
             (1.0 + p.restitution) * m * v0 => "the ball does not come back as from a wall";
         /// way of the centre of mass in a turn
-        way: PI * l, "m", "contacts simulated" => l * followed()?.at(turn)?.q[0], within 1e2 * p.tolerance * l, if elastic,
-        in "What follows":
+        way: PI * l, "m", "contacts simulated" => l * followed()?.at(turn)?.q[0], within 1e2 * p.tolerance * l, if elastic, in "What follows":
             TAU * l => "the circle of the masses has the radius l/2";
         /// least distance from the ball to the other mass, from middle to middle
-        nearest: l * least(|x| to_upper(a, scene.reach, x), 1.0, 3.0), "m", "contacts simulated" =>
+        nearest: l * least(|x| to_upper(cycloids(a, scene.reach, x)), 1.0, 3.0), "m", "contacts simulated" =>
             l * followed()?.nearest(1.0 / a.angular_velocity, 3.0 / a.angular_velocity), within 1e2 * p.tolerance * l, if elastic;
         /// for e = 1/2: angle at the second hit
-        again: second(scene.reach), "rad", "contacts simulated" => half()?.again()?.0 * half()?.after.v[2], within 1e3 * p.tolerance, if elastic;
+        again: second(scene.reach), "rad", "contacts simulated" => half()?.again()? * half()?.after.v[2], within 1e3 * p.tolerance, if elastic;
         /// sum of the radii, over l, that makes a second hit
-        touching: touching(), "-", "simulations with and without" => touching_simulated(1e-6)?, within 1e-6, if elastic;
+        touching: touching(), "-", "simulations with and without" => touching_simulated()?, within 1e-6, if elastic;
     }
 }
 
@@ -143,7 +131,7 @@ fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     let along = Answer::new(1.0, FRAC_PI_2);
     let struck = |a: Answer| a.centre + 0.5 * a.angular_velocity;
     let speeds = [elastic.ball, elastic.centre, 0.5 * elastic.angular_velocity];
-    let energy: f64 = speeds.iter().map(|speed| 0.5 * speed * speed).sum();
+    let energy = speeds.map(|speed| 0.5 * speed * speed).iter().sum();
     limits! { report,
         /// a particle of half its mass: 2 m/(m + m/2); the other mass feels nothing
         "elastic: struck mass, over v0": struck(elastic) => 4.0 / 3.0, within 1e-15;
@@ -173,7 +161,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let heavy = struck(Hit { moment: 0.25 * (1.0 + size), ..plain })?;
     let staff = struck(Hit { mass: 1.01, moment: 0.25 + 0.01 / 12.0, ..plain })?;
     let cost = |other: &Blow| {
-        let [without, with] = [&free, other].map(|blow| blow.work().derivatives);
+        let [without, with] = [&free, other].map(|blow| blow.motion.work().derivatives);
         format!("{without} derivatives, {with} derivatives")
     };
     // Along the stick nothing turns; a ball that is far aside misses; what rubs much stops it.
@@ -202,9 +190,8 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let time = second(reach) / a.angular_velocity;
     let asked = [p.tolerance, 1e-6, 1e-9, 1e-12];
     report.in_closed_form(move |_| second(reach));
-    let error = move |blow: &Blow| Ok(blow.again()?.0 - time);
-    let run = move |step| halved(reach, step);
-    report.stepped(asked, run, Blow::work, error)
+    let error = move |blow: &Blow| Ok(blow.again()? - time);
+    report.stepped(asked, move |step| halved(reach, step), |blow| blow.motion.work(), error)
 }
 
 example! {

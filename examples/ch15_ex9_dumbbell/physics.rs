@@ -2,12 +2,12 @@
 //! conservation law. The mass of the ball, the length of the stick and the speed are 1.
 
 // ANCHOR: physics
+use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, Work, ode, size_or};
 use rotation_dynamics::math::{cos, hypot, sincos};
 use rotation_dynamics::planar::contact::{
-    Contact, ContactEvent, ContactMotion, Mechanism, MechanismState, motion,
+    Contact, ContactMotion, Mechanism, MechanismState, motion,
 };
-use rotation_dynamics::{Error, Result};
 
 /// Place or velocity in the plane.
 pub type Plane = [f64; 2];
@@ -15,9 +15,8 @@ pub type Plane = [f64; 2];
 /// What the three laws give; masses in m, lengths in l, speeds in v0.
 #[derive(Debug, Clone, Copy)]
 pub struct Answer {
-    pub impulse: f64,
     pub ball: f64,   // velocity of the ball after the hit, along its own before
-    pub centre: f64, // velocity of the middle of the stick, in the same direction
+    pub centre: f64, // velocity of the middle of the stick, in that direction; also the impulse
     pub angular_velocity: f64,
 }
 
@@ -26,8 +25,7 @@ impl Answer {
         let across = cos(slant);
         // The impulse J at this slant gives the struck mass the velocity J (1 + across^2) along it.
         let impulse = (1.0 + restitution) / (2.0 + across * across);
-        let (ball, angular_velocity) = (1.0 - impulse, 2.0 * impulse * across);
-        Self { impulse, ball, centre: impulse, angular_velocity }
+        Self { ball: 1.0 - impulse, centre: impulse, angular_velocity: 2.0 * impulse * across }
     }
 }
 
@@ -57,14 +55,16 @@ pub fn arms(angle: f64) -> [Plane; 2] {
     [[0.5 * s, -0.5 * c], [-0.5 * s, 0.5 * c]]
 }
 
-/// Where the two masses are.
-pub fn places(q: &[f64; 5]) -> [Plane; 2] {
-    arms(q[2]).map(|arm| [q[0] + arm[0], q[1] + arm[1]])
+/// Where the ball and the two masses are.
+pub fn places(q: &[f64; 5]) -> [Plane; 3] {
+    let [lower, upper] = arms(q[2]).map(|arm| [q[0] + arm[0], q[1] + arm[1]]);
+    [[q[3], q[4]], lower, upper]
 }
 
-/// The velocities of the two masses.
-pub fn velocities(MechanismState { q, v }: &MechanismState<5>) -> [Plane; 2] {
-    arms(q[2]).map(|arm| [v[0] - v[2] * arm[1], v[1] + v[2] * arm[0]])
+/// The velocities of the three.
+pub fn velocities(MechanismState { q, v }: &MechanismState<5>) -> [Plane; 3] {
+    let [lower, upper] = arms(q[2]).map(|arm| [v[0] - v[2] * arm[1], v[1] + v[2] * arm[0]]);
+    [[v[3], v[4]], lower, upper]
 }
 
 impl Hit {
@@ -87,15 +87,15 @@ impl Mechanism<5, 2> for Hit {
     }
 
     fn contacts(&self, state: &MechanismState<5>) -> [Contact<5>; 2] {
-        let (q, v) = (&state.q, &state.v);
+        let ([ball, places @ ..], [v, moves @ ..]) = (places(&state.q), velocities(state));
         let contact = |name, k: usize| {
-            let (arm, at, moves) = (arms(q[2])[k], places(q)[k], velocities(state)[k]);
-            let [x, y] = [at[0] - q[3], at[1] - q[4]];
+            let (arm, turn) = (arms(state.q[2])[k], state.v[2]);
+            let [x, y] = [0, 1].map(|i| places[k][i] - ball[i]);
             let far = hypot(x, y);
             let n = [x / far, y / far];
             // How fast the line of centres turns, and how the mass is kept on its circle.
-            let across = n[0] * (moves[1] - v[4]) - n[1] * (moves[0] - v[3]);
-            let inward = -v[2] * v[2] * (n[0] * arm[0] + n[1] * arm[1]);
+            let across = n[0] * (moves[k][1] - v[1]) - n[1] * (moves[k][0] - v[0]);
+            let inward = -turn * turn * (n[0] * arm[0] + n[1] * arm[1]);
             let gradient = [n[0], n[1], n[1] * arm[0] - n[0] * arm[1], -n[0], -n[1]];
             let bias = inward + across * across / far;
             Contact::new(name, far - self.reach, gradient, bias).restitution(self.restitution)
@@ -111,7 +111,7 @@ pub const APPROACH: f64 = 0.8;
 
 /// The approach, the hit at t = 0, and what follows.
 pub struct Blow {
-    motion: ContactMotion<Hit, 5, 2>,
+    pub motion: ContactMotion<Hit, 5, 2>,
     pub after: MechanismState<5>, // just after the first hit
 }
 
@@ -130,47 +130,35 @@ impl Blow {
 
     /// The state at this time after the hit.
     pub fn at(&self, t: f64) -> Result<MechanismState<5>> {
-        let t = (t + APPROACH).clamp(0.0, self.motion.end_time());
-        self.motion.at(t)
+        self.motion.at((t + APPROACH).clamp(0.0, self.motion.end_time()))
     }
 
     /// How near the ball comes to the upper mass between these times, from middle to middle.
     pub fn nearest(&self, from: f64, to: f64) -> f64 {
-        let distance = |t| self.at(t).map_or(f64::NAN, |state| distances(&state.q)[1]);
-        least(distance, from, to)
+        let places = |t| self.at(t).map_or([[f64::NAN; 2]; 3], |state| places(&state.q));
+        least(|t| to_upper(places(t)), from, to)
     }
 
-    /// The second hit: when it is, and the state just after.
-    pub fn again(&self) -> Result<(f64, MechanismState<5>)> {
-        let (name, until) = ("a second hit", self.motion.end_time() - APPROACH);
-        let none = Error::NotReached { name, until };
-        let (t, event) = self.later().next().ok_or(none)?;
-        Ok((t, event.after))
+    /// When the other mass is hit.
+    pub fn again(&self) -> Result<f64> {
+        Ok(self.motion.event("upper bounces")?.t - APPROACH)
     }
+}
 
-    /// The hits after the first, with their times.
-    pub fn later(&self) -> impl Iterator<Item = (f64, &ContactEvent<5, 2>)> {
-        let hits = self.motion.events().iter().skip(1);
-        hits.map(|event| (event.t - APPROACH, event))
-    }
-
-    /// What it cost.
-    pub fn work(&self) -> Work {
-        self.motion.work()
-    }
+/// Distance from the ball to the upper mass, from middle to middle.
+pub fn to_upper([ball, _, upper]: [Plane; 3]) -> f64 {
+    hypot(upper[0] - ball[0], upper[1] - ball[1])
 }
 
 /// How two masses on a table that rubs are held back: the force on the middle of the stick and
 /// the moment about it, for friction on each of its half of the weight, the friction being 1.
 fn rubbing(state: &MechanismState<5>) -> [f64; 3] {
-    let ways = velocities(state).map(|[x, y]| {
-        let speed = hypot(x, y).max(1e-12);
-        [-0.5 * x / speed, -0.5 * y / speed]
+    let ([a, b], [_, u, v]) = (arms(state.q[2]), velocities(state));
+    let [one, other] = [(a, u), (b, v)].map(|(arm, way)| {
+        let [x, y] = way.map(|part| -0.5 * part / hypot(way[0], way[1]).max(1e-12));
+        [x, y, arm[0] * y - arm[1] * x]
     });
-    let [a, b] = arms(state.q[2]);
-    let about = |arm: Plane, way: Plane| arm[0] * way[1] - arm[1] * way[0];
-    let moment = about(a, ways[0]) + about(b, ways[1]);
-    [ways[0][0] + ways[1][0], ways[0][1] + ways[1][1], moment]
+    [0, 1, 2].map(|k| one[k] + other[k])
 }
 
 /// The part of its speed V that the middle of the stick loses in the way l, per mu g l/V^2, to
@@ -199,11 +187,6 @@ pub fn rubbed(after: &MechanismState<5>, friction: f64) -> Result<(f64, Work)> {
     let far = |y: &[f64; 6]| hypot(y[0], y[1]) - 1.0;
     let (there, work) = Dop853::new(1e-11)?.zero(&law, start, 1, 20.0 / speed, far)?;
     Ok((1.0 - hypot(there.state[3], there.state[4]) / speed, work))
-}
-
-/// How far the ball is from the middle of the lower mass and of the upper one.
-pub fn distances(q: &[f64; 5]) -> [f64; 2] {
-    places(q).map(|[x, y]| hypot(x - q[3], y - q[4]))
 }
 
 /// The least value of a function with one valley between these places, by the golden section.
