@@ -1,13 +1,10 @@
 //! Exercise 15.5: where a bat must hit the ball so that the hands feel nothing.
 
-#[path = "ch15_ex5_centre_of_percussion/bat.rs"]
-pub mod bat;
 #[path = "ch15_ex5_centre_of_percussion/figures.rs"]
 mod figures;
 #[path = "ch15_ex5_centre_of_percussion/physics.rs"]
 pub mod physics;
 
-use bat::Blow;
 use core::f64::consts::PI;
 use kit::prelude::*;
 use physics::*;
@@ -50,13 +47,12 @@ fn sigma() -> f64 {
 
 /// Its shape from x = 0 to 1; the mean square is 1.
 pub fn shape(x: f64) -> f64 {
-    let (ratio, (s, c)) = (sigma(), sincos(BETA * x));
-    let (grown, shrunk) = (exp(BETA * x), exp(-BETA * x));
+    let (ratio, (s, c), grown, shrunk) = (sigma(), sincos(BETA * x), exp(BETA * x), exp(-BETA * x));
     0.5 * (grown * (1.0 - ratio) + shrunk * (1.0 + ratio)) + c - ratio * s
 }
 
 /// Where the mode has its second node, by bisection.
-pub fn node() -> f64 {
+fn node() -> f64 {
     bisect([0.5, 1.0], 0.0, |x| shape(x) < 0.0)[1]
 }
 
@@ -64,12 +60,10 @@ pub fn node() -> f64 {
 pub fn shot(tolerance: f64) -> Result<(f64, [f64; 4])> {
     let fourth = BETA * BETA * BETA * BETA;
     let law = ode(move |_, &[w, a, b, c]: &[f64; 4]| [a, b, c, fourth * w]);
-    let law = law.scaled(size_or([1.0; 4]));
+    let (law, start) = (law.scaled(size_or([1.0; 4])), [2.0, -2.0 * BETA * sigma(), 0.0, 0.0]);
     let node = Event::rising("node", |_, w: &[f64; 4]| w[0]);
-    let start = [2.0, -2.0 * BETA * sigma(), 0.0, 0.0];
     let run = Dop853::new(tolerance)?.solve(&law, 0.0, &start, 1.0, &[node])?;
-    let found = run.events().first().map_or(f64::NAN, |node| node.t);
-    Ok((found, *run.end_state()))
+    Ok((run.events().first().map_or(f64::NAN, |node| node.t), *run.end_state()))
 }
 
 /// Error of the simulations with a soft ball, of which four digits are shown.
@@ -79,17 +73,6 @@ pub const SOFT: f64 = 1e-7;
 fn turn(p: &Parameters) -> f64 {
     let [arm, hit] = arms(p);
     impulse(p, true) * hit / (p.mass * inertia(p, arm))
-}
-
-/// Refuses hands and blows that are not on the bat, and contacts that are no blow.
-fn check(p: &Parameters) -> Result<()> {
-    allowed! {
-        "hands/length": p.hands / p.length, from_to(0.0, 0.45), "held at its middle a bat has no such place";
-        "hit/length": p.hit / p.length, from_to(p.hands / p.length, 1.0), "between the hands and the tip";
-        "ball/mass": p.ball / p.mass, from_to(1e-3, 1e3), "what one gets is lost beside the other";
-        "|speed| contact/length": p.speed.abs() * p.contact / p.length, above(1e-10), "a slower ball is lost in rounding beside the bat";
-        "Omega t_c, the angle in the time of contact,": turn(p).abs() * p.contact, from_to(0.0, 1.0), "or it is no blow";
-    }
 }
 
 /// Another place for the blow, as a part of the length.
@@ -107,19 +90,23 @@ pub fn rigid(p: &Parameters, held: bool) -> Result<Blow> {
 fn unfelt(p: &Parameters) -> Result<f64> {
     let (near, far) = (0.55, 0.95);
     let [a, b] = [near, far].map(|part| rigid(&at(p, part), true));
-    let (a, b) = (a?.reaction(), b?.reaction());
+    let (a, b) = (a?.reaction, b?.reaction);
     Ok((near - a * (far - near) / (b - a)) * p.length - p.hands)
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    check(p)?;
-    let ([arm, hit], l, bound) = (arms(p), p.length, 100.0 * p.tolerance);
-    let sense = p.speed.signum();
-    let (held, free) = (rigid(p, true)?, rigid(p, false)?);
-    let (push, loose) = (impulse(p, true), impulse(p, false));
     let turn = turn(p);
-    let away = loose / p.mass * free_hands(p);
-    let (reaction, centre) = (reaction(p), centre(p));
+    allowed! {
+        "hands/length": p.hands / p.length, from_to(0.0, 0.45), "held at its middle a bat has no such place";
+        "hit/length": p.hit / p.length, from_to(p.hands / p.length, 1.0), "between the hands and the tip";
+        "ball/mass": p.ball / p.mass, from_to(1e-3, 1e3), "what one gets is lost beside the other";
+        "|speed| contact/length": p.speed.abs() * p.contact / p.length, above(1e-10), "a slower ball is lost in rounding beside the bat";
+        "Omega t_c, the angle in the time of contact,": turn.abs() * p.contact, from_to(0.0, 1.0), "or it is no blow";
+    }?;
+    let ([arm, hit], l, bound) = (arms(p), p.length, 100.0 * p.tolerance);
+    let (held, free, sense) = (rigid(p, true)?, rigid(p, false)?, p.speed.signum());
+    let (push, loose) = (impulse(p, true), impulse(p, false));
+    let (reaction, centre, away) = (reaction(p), centre(p), loose / p.mass * free_hands(p));
     claims! { report,
         /// distance from the hands at which a blow is not felt
         centre: centre, "m", "two impacts simulated" => unfelt(p)?, within bound * l, in "The place":
@@ -127,19 +114,18 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             centre - arm => "that is from the centre of mass", l - p.hands => "that is the tip",
             0.75 * l => "compare the velocity of the centre of mass with the angular velocity";
         /// impulse of the hands over that of the ball
-        reaction: reaction, "-", "impact simulated" => held.reaction(), within bound, in "The hands":
+        reaction: reaction, "-", "impact simulated" => held.reaction, within bound, in "The hands":
             -reaction => "that is the impulse on the hands",
             hit / centre => "the momentum of the bat comes from the ball as well",
             free_hands(p) => "that is how a free bat would move there";
         /// impulse of the ball on the bat
-        impulse: push, "N s", "impact simulated" => sense * held.impulse(), within bound * push;
+        impulse: push, "N s", "impact simulated" => sense * held.impulse, within bound * push;
         /// impulse of the hands on the bat, along that of the ball
-        hands: reaction * push, "N s", "impact simulated" => sense * held.hands(), within bound * push;
+        hands: reaction * push, "N s", "impact simulated" => sense * held.hands, within bound * push;
         /// angular velocity of the bat after
-        turn: turn, "rad/s", "impact simulated" => sense * held.after.v[2], within bound * turn.abs().max(p.speed.abs() / l);
+        turn: turn, "rad/s", "impact simulated" => sense * held.turn, within bound * turn.abs().max(p.speed.abs() / l);
         /// velocity of the place of the hands if nobody holds the bat
-        away: away, "m/s", "impact simulated, bat free" => sense * free.end_velocity(), within bound * p.speed,
-        in "The hands":
+        away: away, "m/s", "impact simulated, bat free" => sense * free.away, within bound * p.speed, in "The hands":
             loose / p.mass => "that is the centre of mass; the bat turns as well";
         /// second node of the bending, from the end of the handle
         node: node() * l, "m", "shooting from a free end" => shot(1e-13)?.0 * l, within 1e-10 * l;
@@ -148,17 +134,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// A blow at each end and in the middle, and hands that hold elsewhere.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
-    let unit = |hands: f64, hit: f64| Parameters {
-        length: 1.0,
-        hands,
-        hit,
-        mass: 1.0,
-        speed: 1.0,
-        restitution: 1.0,
-        ..p.clone()
-    };
-    let tip = |ball| impulse(&unit(0.0, 1.0).but(|p| p.ball = ball), true);
-    let [light, heavy] = [1e-9, 1e9].map(tip);
+    let p = p.but(|p| (p.length, p.mass, p.speed, p.restitution) = (1.0, 1.0, 1.0, 1.0));
+    let unit = |hands, hit| p.but(|p| (p.hands, p.hit) = (hands, hit));
+    let [light, heavy] =
+        [1e-9, 1e9].map(|ball| impulse(&unit(0.0, 1.0).but(|p| p.ball = ball), true));
     limits! { report,
         /// a blow on the hands: they carry all of it
         "d = 0: J_h/J": reaction(&unit(0.0, 0.0)) => -1.0, within 1e-15;
@@ -179,19 +158,17 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// Soft balls: the same blow, spread over a longer time, as long as it is one.
 fn soft(p: &Parameters, report: &mut Report) -> Result<()> {
-    let [forces, turned] = ["largest force, ball / kN", "turned meanwhile / rad"];
-    let columns = ["contact / s", "J_h/J", forces, "hands / kN", turned];
+    let columns =
+        "contact / s | J_h/J | largest force, ball / kN | hands / kN | turned meanwhile / rad";
     let rate = turn(p).abs();
-    let brief = |contact: &f64| rate * contact <= 1.0;
-    let contacts = [0.0001, 0.001, 0.01].into_iter().filter(brief);
-    let table = Table::of("soft", columns, contacts, |contact| {
+    let contacts = [0.0001, 0.001, 0.01].into_iter().filter(|contact| rate * contact <= 1.0);
+    report.add(Table::of("soft", columns.split(" | "), contacts, |contact| {
         let blow = Blow::new(Strike::soft(&p.but(|p| p.contact = contact)), SOFT)?;
         let [ball, hands] = blow.largest_forces()?.map(|force| format!("{:.2}", 1e-3 * force));
-        let (reaction, turned) = (blow.reaction(), blow.turned()?);
-        let [reaction, turned] = [reaction, turned].map(|number| format!("{number:.4}"));
+        let turned = blow.motion.at(blow.touch + contact)?.q[2];
+        let [reaction, turned] = [blow.reaction, turned].map(|number| format!("{number:.4}"));
         Ok([contact.to_string(), reaction, ball, hands, turned])
-    })?;
-    report.add(table)
+    })?)
 }
 
 /// What the turning of the bat changes in a blow of Hertz's law, to second order: means over the
@@ -263,8 +240,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
             measured swings.map(|left| bends * left), within 1e-6, at_work soft.motion.work();
         "half as heavy again at the tip, lighter at the handle": "e" = heavier, costs shifted, "m of the place",
             measured in_pieces(p, heavier)? - centre(p), within 1e-5 * l;
-        "the contact lasts": "Omega t_c" = soft.after.v[2] * contact, costs (1.0 + reaction(p)) * turns, "of J_h/J",
-            measured soft.reaction() - reaction(p), within slack, at_work soft.motion.work();
+        "the contact lasts": "Omega t_c" = soft.turn * contact, costs (1.0 + reaction(p)) * turns, "of J_h/J",
+            measured soft.reaction - reaction(p), within slack, at_work soft.motion.work();
         "weight during the contact": "m g t_c/J" = weight, costs weight * reaction(&at(p, 0.5)).abs(), "of J_h/J, at most";
     }
 }
@@ -273,12 +250,10 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (p, exact) = (p.clone(), reaction(p));
     let asked = [p.tolerance, 1e-4, 1e-6, 1e-8, 1e-12];
-    let error = move |blow: &Blow| Ok((blow.reaction() - exact).abs());
-    let line = p.clone();
+    let (error, line) = (move |blow: &Blow| Ok((blow.reaction - exact).abs()), p.clone());
     report.in_closed_form(move |part| reaction(&at(&line, part)));
     let run = move |tolerance| Blow::new(Strike::rigid(&p, true), tolerance);
-    let work = |blow: &Blow| blow.motion.work();
-    report.controlled("contacts by DOP853", asked, run, work, error)
+    report.controlled("contacts by DOP853", asked, run, |blow| blow.motion.work(), error)
 }
 
 example! {

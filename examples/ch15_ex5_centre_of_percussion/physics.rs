@@ -4,7 +4,9 @@
 // ANCHOR: physics
 use super::Parameters;
 use kit::prelude::*;
-use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState};
+use rotation_dynamics::planar::contact::{
+    Contact, ContactMotion, Mechanism, MechanismState, motion_within,
+};
 
 /// Distances from the middle of the bat to the hands, and from the hands to the blow, m.
 pub fn arms(p: &Parameters) -> [f64; 2] {
@@ -108,11 +110,9 @@ impl Mechanism<5, 3> for Strike {
             true => Contact::joint(name, gap, gradient, bias),
             false => Contact::joint(name, 0.0, none, 0.0),
         };
-        let x = [1.0, 0.0, arm * s, 0.0, 0.0];
-        let y = [0.0, 1.0, -arm * c, 0.0, 0.0];
-        let along = hold("along", q[0] - arm * c, x, arm * c * square);
-        let across = hold("hands", q[1] - arm * s, y, arm * s * square);
-        [ball, along, across]
+        let along = hold("along", q[0] - arm * c, [1.0, 0.0, arm * s, 0.0, 0.0], arm * c * square);
+        let up = hold("hands", q[1] - arm * s, [0.0, 1.0, -arm * c, 0.0, 0.0], arm * s * square);
+        [ball, along, up]
     }
     // ANCHOR_END: scene
 
@@ -123,3 +123,65 @@ impl Mechanism<5, 3> for Strike {
     }
 }
 // ANCHOR_END: physics
+
+/// A blow, simulated from before the impact until the two have parted.
+pub struct Blow {
+    strike: Strike,
+    pub motion: ContactMotion<Strike, 5, 3>,
+    pub touch: f64,    // when they touch first
+    pub impulse: f64,  // momentum that the ball has lost, N s
+    pub hands: f64,    // momentum of the bat that does not come from the ball, N s
+    pub reaction: f64, // the second over the first
+    pub turn: f64,     // angular velocity of the bat just after
+    pub away: f64,     // velocity of the place of the hands just after
+}
+
+impl Blow {
+    pub fn new(strike: Strike, tolerance: f64) -> Result<Self> {
+        let (p, [arm, hit]) = (&strike.p, arms(&strike.p));
+        // Rigid bodies have parted at once, and may meet again later.
+        let parted = if strike.stiffness.is_none() { 0.1 } else { 1.5 };
+        let (touch, end) = (0.5 * p.contact, (0.5 + parted) * p.contact);
+        let q = [arm, 0.0, 0.0, hit, -touch * p.speed];
+        let v = [0.0, 0.0, 0.0, 0.0, p.speed];
+        let motion = motion_within(strike.clone(), tolerance, MechanismState { q, v }, end)?;
+        let (before, after) = match strike.stiffness {
+            None => motion.event("ball bounces").map(|at| (at.before.v, at.after.v))?,
+            Some(_) => (motion.at(touch)?.v, motion.at(end)?.v),
+        };
+        let impulse = p.ball * (before[4] - after[4]);
+        let hands = p.mass * after[1] - impulse;
+        let (reaction, turn, away) = (hands / impulse, after[2], after[1] - arm * after[2]);
+        Ok(Self { strike, motion, touch, impulse, hands, reaction, turn, away })
+    }
+
+    /// Forces of the ball and of the hands on the bat, along y at the start, N.
+    pub fn forces(&self, t: f64) -> Result<[f64; 2]> {
+        let hands = self.motion.forces(t)?[2].normal;
+        Ok([self.strike.push(&self.motion.at(t)?), hands])
+    }
+
+    /// Times from the first touch on, with these forces.
+    fn pushed(&self) -> Result<Vec<(f64, [f64; 2])>> {
+        let all = times(self.touch, self.motion.end_time(), 600);
+        sampled(all, |t| Ok((t, self.forces(t)?)))
+    }
+
+    /// The largest of each.
+    pub fn largest_forces(&self) -> Result<[f64; 2]> {
+        let (pushed, larger) =
+            (self.pushed()?, |a: f64, b: f64| if b.abs() > a.abs() { b } else { a });
+        Ok([0, 1].map(|k| pushed.iter().map(|(_, forces)| forces[k]).fold(0.0, larger)))
+    }
+
+    /// How much of the impulse of a soft ball is left in a vibration of this angular frequency
+    /// that it sets going: the length of the integral of force times e^(i omega t), over that
+    /// of the force.
+    pub fn left_swinging(&self, frequency: f64) -> Result<f64> {
+        let pushed = self.pushed()?;
+        let sum = |of: fn(f64) -> f64| -> f64 {
+            pushed.iter().map(|(t, [ball, _])| ball * of(frequency * t)).sum()
+        };
+        Ok(hypot(sum(cos), sum(sin)) / sum(|_| 1.0))
+    }
+}
