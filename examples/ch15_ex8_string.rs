@@ -4,14 +4,12 @@
 mod figures;
 #[path = "ch15_ex8_string/physics.rs"]
 pub mod physics;
-#[path = "ch15_ex8_string/pull.rs"]
-pub mod pull;
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 use kit::prelude::*;
 use physics::*;
-use pull::Pulled;
 use rotation_dynamics::integrators::{Ode, after, newton, ode, place_and_velocity, size_or};
+use rotation_dynamics::planar::contact::ContactEvent;
 
 parameters! {
     /// The string of the exercise; the notes leave all numbers open.
@@ -74,16 +72,16 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let bound = 1e3 * p.tolerance * (0.1 * a.angle(end)).max(1.0);
     let edge_bound = 1e3 * p.tolerance * (0.003 * a.angle(far)).max(1.0);
     let run = Pulled::new(a.pull, hole, p.tolerance, end)?;
-    let ([before, jerked], _) = run.event("hand touches")?;
-    let last = run.at(end)?;
-    let (r, v) = (a.radius(end), a.across(end));
+    let ContactEvent { before, after: jerked, .. } = run.motion.event("hand touches")?;
+    let (last, r, v) = (run.at(end)?, a.radius(end), a.across(end));
     let speed = hypot(a.pull, v);
     // The string is held again: the particle flies off, until it is taut.
     let slack = 2.0 * r * a.pull / (speed * speed);
     let held = Pulled::held(last, p.tolerance, 2.0 * slack)?;
-    let ([flown, caught], taut) = held.event("knot touches")?;
+    let ContactEvent { before: flown, after: caught, t: taut, .. } =
+        held.motion.event("knot touches")?;
     let chord = 2.0 * atan2(a.pull, v);
-    let flight = (direction(&flown) - direction(&last)).rem_euclid(TAU);
+    let [from, to] = [last.q, flown.q].map(|[x, y, _]| atan2(y, x).rem_euclid(TAU));
     // On to the edge of the hole.
     let edge = Pulled::new(a.pull, hole, p.tolerance, 2.0 * far)?;
     let turning = ode(|t, _: &[f64; 1]| [a.across(t)]).scaled(size_or([1.0; 1]));
@@ -98,46 +96,41 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             force / r => "does the speed stay?", force => "that is at the beginning",
             force / (r * r) => "the speed has grown, and enters as its square";
         /// the same at the beginning
-        force_first: force, "N", "string simulated" => force * run.tension(0.0)?, within bound * force,
-        in "The force";
+        force_first: force, "N", "string simulated" => force * run.tension(0.0)?, within bound * force, in "The force";
         /// velocity towards the hole
-        inward: p.pull, "m/s", "string simulated" => -u * outward(&last), within bound * u * v,
-        in "The velocities";
+        inward: p.pull, "m/s", "string simulated" => -u * outward(&last), within bound * u * v, in "The velocities";
         /// velocity at right angles to the string
-        across: sense * u * v, "m/s", "string simulated" => sense * u * across(&last), within bound * u * v,
-        in "The velocities":
+        across: sense * u * v, "m/s", "string simulated" => sense * u * across(&last), within bound * u * v, in "The velocities":
             sense * u => "the force is not at right angles to the path",
             sense * u * r => "what stays is the angular momentum";
         /// speed
-        speed: u * speed, "m/s", "string simulated" => u * hypot(last.v[0], last.v[1]), within bound * u * v,
-        judged 1e-4, in "The velocities":
+        speed: u * speed, "m/s", "string simulated" => u * hypot(last.v[0], last.v[1]), within bound * u * v, judged 1e-4, in "The velocities":
             u * v => "the particle also moves inward";
         /// angular velocity
         angular_velocity: sense * u / r0 * a.angular_velocity(end), "rad/s", "string simulated" => sense * u / r0 * across(&last) / radius(&last),
         within 10.0 * bound * u / r0 * v * v, in "The velocities":
-            sense * u / r0 / r => "that is for a speed that stays",
-            sense * u / r0 => "that is at the beginning";
+            sense * u / r0 / r => "that is for a speed that stays", sense * u / r0 => "that is at the beginning";
         /// angle since the beginning of the pull
         angle: sense * a.angle(end), "rad", "string simulated" => sense * run.angle(end)?, within bound * (1.0 + a.angle(end)) * v,
         in "The velocities":
             sense * keeping => "that is for a speed that stays",
             sense * end * a.angular_velocity(end) => "it has turned slower before";
         /// work of the hand after the jerk
-        work: joule * a.work(end), "J", "energy gained, simulated" => joule * (energy(&last) - energy(&jerked)),
+        work: joule * a.work(end), "J", "energy gained, simulated" => joule * (energy(&last) - energy(jerked)),
         within bound * joule * (1.0 + v * v), in "The work":
             force * r0 * a.pull * end => "the force grows",
             joule * a.force(end) * a.pull * end => "the force was smaller before";
         /// impulse of the jerk
-        impulse: m * p.pull, "N s", "string simulated" => m * u * (outward(&before) - outward(&jerked)), within bound * m * u;
+        impulse: m * p.pull, "N s", "string simulated" => m * u * (outward(before) - outward(jerked)), within bound * m * u;
         /// energy lost in it
-        lost: 0.5 * m * p.pull * p.pull, "J", "string simulated" => joule * (a.pull * a.pull - (energy(&jerked) - energy(&before))),
+        lost: 0.5 * m * p.pull * p.pull, "J", "string simulated" => joule * (a.pull * a.pull - (energy(jerked) - energy(before))),
         within 2.0 * bound * joule;
         /// time for which the string is slack when it is held
         slack: t0 * slack, "s", "string simulated" => t0 * taut, within bound * t0 * v;
         /// angle of that flight
-        flight: sense * chord, "rad", "string simulated" => sense * flight, within bound * v;
+        flight: sense * chord, "rad", "string simulated" => sense * (to - from).rem_euclid(TAU), within bound * v;
         /// energy lost when it is taut again
-        caught: 0.5 * m * p.pull * p.pull, "J", "string simulated" => joule * (energy(&flown) - energy(&caught)), within 2.0 * bound * joule * v * v;
+        caught: 0.5 * m * p.pull * p.pull, "J", "string simulated" => joule * (energy(flown) - energy(caught)), within 2.0 * bound * joule * v * v;
         /// when the particle is at the edge of the hole
         edge_time: t0 * far, "s", "string simulated" => t0 * edge.end(), within edge_bound * t0 * far;
         /// turns by then
@@ -174,9 +167,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (r, area) = (a.radius(end), 0.5e-6 * FRAC_PI_2);
     let force = p.mass * p.speed * p.speed / p.radius * a.force(end);
     let edge = exp(0.2 * FRAC_PI_2) - 1.0;
-    let unit = p.radius / (p.speed * p.speed);
     // Friction turns against the path, the part of it across the string takes angular momentum.
-    let (rub, pull) = (0.001 * 9.80665 * unit, a.pull);
+    let (rub, pull) = (0.001 * 9.80665 * (p.radius / (p.speed * p.speed)), a.pull);
     let slant = |r: f64| (1.0 + pull * pull * r * r).sqrt();
     let rubbed = rub * end * (1.0 + r) / (slant(1.0) + slant(r));
     // The angular momentum simulated with it; the force goes with its square.
@@ -209,11 +201,15 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let state = move |t| [a.radius(t), a.angle(t), a.force(t)];
     report.in_closed_form(move |part| state(part * end));
     let run = move |step| Pulled::new(a.pull, hole, step, end);
-    let error = move |run: &Pulled| {
-        let [x, y, _] = run.at(end)?.q;
-        Ok(hypot(x - r * c, y - r * s) / r)
-    };
-    report.stepped(asked, run, Pulled::work, error)
+    report.stepped(
+        asked,
+        run,
+        |run| run.motion.work(),
+        move |run: &Pulled| {
+            let [x, y, _] = run.at(end)?.q;
+            Ok(hypot(x - r * c, y - r * s) / r)
+        },
+    )
 }
 
 example! {

@@ -17,21 +17,24 @@ fn lengths() -> Sweep {
     Sweep::over("$r/r_0$", 0.25, 1.0).at([0.3, 0.4, 0.55, 0.7, 0.85])
 }
 
-/// What the simulation of the pull says where this much of the string is left.
-fn pulled(of: impl Fn(f64, f64) -> f64) -> impl Fn(f64) -> Result<f64> {
+/// Energy, 0, or angular momentum, 1, over the start where this much of the string is left.
+fn pulled(k: usize) -> impl Fn(f64) -> Result<f64> {
     move |r| {
         let t = (1.0 - r) / PULL;
         let state = Pulled::new(PULL, 0.1, 1e-9, t)?.at(t)?;
-        Ok(of(energy(&state), radius(&state) * across(&state)))
+        Ok([2.0 * energy(&state), radius(&state) * across(&state)][k])
     }
 }
 
-/// The same for a post of a fiftieth of the radius, on which the string winds.
-fn wound(of: impl Fn(f64, f64) -> f64) -> impl Fn(f64) -> Result<f64> {
+/// The same for a post of a fiftieth of the radius, on which the string winds: this much of it is
+/// free at last.
+fn wound(k: usize) -> impl Fn(f64) -> Result<f64> {
     move |free| {
-        let [place, velocity] = wound_up(0.02, free)?;
-        let momentum = place.x() * velocity.y() - place.y() * velocity.x();
-        Ok(of(0.5 * velocity.dot(&velocity), momentum))
+        let (post, start) = (0.02, [1.0, -0.02, 0.0, 0.0, 1.0, 0.0]);
+        // The free part turns at 1/l and winds up at post/l.
+        let end = 0.5 * (1.0 - free * free) / post;
+        let [place, v] = place_and_velocity(&after(end, &on_post(post), &start, 1e-12)?);
+        Ok([2.0 * (0.5 * v.dot(&v)), place.x() * v.y() - place.y() * v.x()][k])
     }
 }
 
@@ -61,8 +64,8 @@ figures! { _: &Parameters;
     energy: lengths().panel(Axis::linear("$K/K_0$").range(0.0, 16.0))
         .curve(lengths().exact(|r| 1.0 / (r * r) + PULL * PULL).label_at("hole", 0.4, 7.5, Side::Right))
         .curve(lengths().exact(|_| 1.0).label_at("post", 0.36, 1.0, Side::Above))
-        .curve(lengths().simulated(pulled(|energy, _| 2.0 * energy))?)
-        .curve(lengths().simulated(wound(|energy, _| 2.0 * energy))?);
+        .curve(lengths().simulated(pulled(0))?)
+        .curve(lengths().simulated(wound(0))?);
 
     /// Angular momentum about the hole, or the post, over that at the start against the length of string that
     /// is left. Through a hole it stays at one, on a post it falls in proportion to the length. Dots:
@@ -70,8 +73,8 @@ figures! { _: &Parameters;
     momentum: lengths().panel(Axis::linear("$L/L_0$").range(0.0, 1.2))
         .curve(lengths().exact(|_| 1.0).label_at("hole", 0.5, 1.0, Side::Above))
         .curve(lengths().exact(|r| r).label_at("post", 0.6, 0.6, Side::BelowRight))
-        .curve(lengths().simulated(pulled(|_, momentum| momentum))?)
-        .curve(lengths().simulated(wound(|_, momentum| momentum))?);
+        .curve(lengths().simulated(pulled(1))?)
+        .curve(lengths().simulated(wound(1))?);
 
     /// A piece of the inward spiral of the particle. Its velocity leans a little inward from the direction at
     /// right angles to the string, and the pull of the string, towards the hole, makes with it an angle of less
@@ -81,15 +84,15 @@ figures! { _: &Parameters;
         let (o, m) = ((0.0, 0.0), place(a, 0.8));
         let (s, c) = sincos(a.angle(0.8));
         let (v, tip) = (a.across(0.8), |x: f64, y: f64| (m.0 + 0.42 * x, m.1 + 0.42 * y));
-        let corner = tip(-v * s, v * c);
+        let (corner, end) = (tip(-v * s, v * c), tip(-v * s - 0.35 * c, v * c - 0.35 * s));
         Sketch::within((-0.6, 1.25), (-0.25, 1.2))
             .guide(times(0.0, 1.55, 90).map(|t| place(a, t)))
             .string(m, o, "", Side::Above)
             .ring(o, Ink::Ink, "hole", Side::Below)
             .guide([m, corner])
-            .guide([corner, tip(-v * s - 0.35 * c, v * c - 0.35 * s)])
+            .guide([corner, end])
             .right_angle(m, o, corner)
-            .arrow_to(m, tip(-v * s - 0.35 * c, v * c - 0.35 * s), Ink::Ink, "$v$", Side::Left)
+            .arrow_to(m, end, Ink::Ink, "$v$", Side::Left)
             .text(tip(-0.55 * v * s, 0.55 * v * c), "$r_0u/r$", Ink::Ink, Side::Right)
             .text(corner, "$s$", Ink::Ink, Side::Above)
             .arrow_along([m, tip(-0.9 * c, -0.9 * s)], Ink::Force)
@@ -118,75 +121,53 @@ figures! { _: &Parameters;
     };
 }
 
-/// A particle with the speed 1 on a string of the free length 1, when this much of it is left
-/// that is not wound on a post of this radius.
-pub fn wound_up(post: f64, free: f64) -> Result<[SpaceVector; 2]> {
-    let start = [1.0, -post, 0.0, 0.0, 1.0, 0.0];
-    // The free part turns at 1/l and winds up at post/l.
-    let end = 0.5 * (1.0 - free * free) / post;
-    let wound = after(end, &on_post(post), &start, 1e-12)?;
-    Ok(place_and_velocity(&wound))
-}
-
-/// From half a unit before the pull to a while after it.
-struct Whole {
-    run: Pulled,
-    held: Pulled,
-    end: f64,
-    last: f64,
-}
-
-impl Whole {
-    fn new(p: &Parameters) -> Result<Self> {
-        let (a, end, hole) = scene(p)?;
-        let run = Pulled::new(a.pull, hole, p.tolerance, end)?;
-        let r = a.radius(end);
-        let rest = (4.0 * r * a.pull / (a.pull * a.pull + 1.0 / (r * r))).max(TAU * r * r);
-        let held = Pulled::held(run.at(end)?, p.tolerance, rest)?;
-        let last = end + rest;
-        Ok(Self { run, held, end, last })
-    }
-
-    /// Place, velocity and tension.
-    fn at(&self, t: f64) -> Result<([f64; 2], [f64; 2], f64)> {
-        let (run, t) = if t > self.end { (&self.held, t - self.end) } else { (&self.run, t) };
-        let MechanismState { q, v } = run.at(t)?;
-        Ok(([q[0], q[1]], [v[0], v[1]], run.tension(t)?))
-    }
+/// From half a unit before the pull to a while after it: the state and the tension at a time, and
+/// when the pull ends, for how long the string is then slack, and when all ends.
+fn whole(
+    p: &Parameters,
+) -> Result<(impl Fn(f64) -> Result<(MechanismState<3>, f64)> + Send + Sync + 'static, [f64; 3])> {
+    let (a, end, hole) = scene(p)?;
+    let run = Pulled::new(a.pull, hole, p.tolerance, end)?;
+    let r = a.radius(end);
+    let rest = (4.0 * r * a.pull / (a.pull * a.pull + 1.0 / (r * r))).max(TAU * r * r);
+    let held = Pulled::held(run.at(end)?, p.tolerance, rest)?;
+    let taut = held.motion.event("knot touches")?.t;
+    let at = move |t: f64| -> Result<_> {
+        let (run, t) = if t > end { (&held, t - end) } else { (&run, t) };
+        Ok((run.at(t)?, run.tension(t)?))
+    };
+    Ok((at, [end, taut, end + rest]))
 }
 
 /// That motion for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let (whole, unit) = (Whole::new(p)?, p.radius / p.speed.abs());
-    let sense = p.speed.signum();
-    let columns = ["t [s]", "x [m]", "y [m]", "vx [m/s]", "vy [m/s]", "F [N]"];
-    let newton = p.mass * p.speed.abs() / unit;
-    Trajectory::sampled(columns, times(-0.5, whole.last, 600), |t| {
-        let (place, velocity, force) = whole.at(t)?;
-        let ([x, y], u) = (place.map(|x| x * p.radius), p.speed.abs());
-        let [vx, vy] = velocity.map(|v| v * u);
-        Ok([t * unit, x, sense * y, vx, sense * vy, force * newton])
+    let ((at, [.., last]), u, sense) = (whole(p)?, p.speed.abs(), p.speed.signum());
+    let unit = p.radius / u;
+    let columns = "t [s], x [m], y [m], vx [m/s], vy [m/s], F [N]";
+    Trajectory::sampled(columns.split(", "), times(-0.5, last, 600), |t| {
+        let (MechanismState { q, v }, force) = at(t)?;
+        let ([x, y, _], [vx, vy, _]) = (q.map(|x| x * p.radius), v.map(|v| v * u));
+        Ok([t * unit, x, sense * y, vx, sense * vy, force * (p.mass * u / unit)])
     })
 }
 
 /// That motion, with the pull of the string.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let (whole, unit) = (Whole::new(p)?, p.radius / p.speed.abs());
+    let ((at, [end, taut, last]), unit) = (whole(p)?, p.radius / p.speed.abs());
     let (clockwise, newton) = (p.speed < 0.0, p.mass * p.speed.abs() / unit);
-    let (end, last) = (whole.end, whole.last);
-    let (most, taut) = (whole.at(end)?.2, whole.held.event("knot touches")?.1);
+    let most = at(end)?.1;
     // The force falls to nothing and comes back at once.
-    let slack = times(end + 1e-9, end + taut, 2);
-    let instants = times(-0.5, end, 200).chain(slack);
+    let instants = times(-0.5, end, 200).chain(times(end + 1e-9, end + taut, 2));
     let instants = instants.chain(times(end + taut + 1e-9, last, 20));
-    let force = sampled(instants, |t| Ok((t * unit, newton * whole.at(t)?.2)))?;
+    let force = sampled(instants, |t| Ok((t * unit, newton * at(t)?.1)))?;
     let newtons = Axis::linear("$F$ / N").range(0.0, 1.1 * newton * most);
     let graph = Panel::over_axes("$t$ / s", newtons).curve(Curve::new(force, Ink::Force));
     let stills = [0.02, 0.9 * end, end + 0.5 * taut].map(|t| t * unit);
     MovingPicture::above(graph, -0.5 * unit..=last * unit, stills, move |t| {
         let now = (t / unit).min(last);
-        let ([x, y], [vx, vy], force) = whole.at(now)?;
-        let path = sampled(times(-0.5, now, 400), |t| Ok(whole.at(t)?.0.into()))?;
+        let (MechanismState { q: [x, y, _], v: [vx, vy, _] }, force) = at(now)?;
+        let path =
+            sampled(times(-0.5, now, 400), |t| at(t).map(|(state, _)| (state.q[0], state.q[1])))?;
         let (since, what) = match now > end {
             true => ((now - end) * unit, "after the hand has stopped"),
             false => (now * unit, "after the beginning of the pull"),
@@ -197,10 +178,10 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             if force > 0.0 { "the pull of the string" } else { "the slack string" }
         );
         let (pull, hole) = (0.3 * force / most / hypot(x, y), (0.0, 0.0));
-        let scene = Sketch::within((-1.35, 1.35), (-1.1, 1.15)).guide(path);
         let slack = [(x, y), (0.5 * x + 0.08 * y, 0.5 * y - 0.08 * x), hole];
         let pulled = [(x, y), (x - pull * x, y - pull * y)];
-        let scene = scene
+        let scene = Sketch::within((-1.35, 1.35), (-1.1, 1.15))
+            .guide(path)
             .only_if(force > 0.0, |s| s.string((x, y), hole, "", Side::Above))
             .only_if(force <= 0.0, |s| s.guide(slack))
             .ring(hole, Ink::Ink, "", Side::Below)

@@ -2,9 +2,13 @@
 //! plane, with a string that cannot stretch.
 
 // ANCHOR: physics
-use core::f64::consts::TAU;
-use rotation_dynamics::math::{atan2, hypot};
-use rotation_dynamics::planar::contact::{Contact, Mechanism, MechanismState};
+use kit::{sampled, times};
+use rotation_dynamics::Result;
+use rotation_dynamics::integrators::Dop853;
+use rotation_dynamics::math::{atan2, hypot, sincos};
+use rotation_dynamics::planar::contact::{
+    Contact, ContactMotion, Mechanism, MechanismState, motion,
+};
 
 /// The motion while the string is pulled; lengths in r0, speeds in u, forces in m u^2/r0.
 #[derive(Debug, Clone, Copy)]
@@ -54,9 +58,8 @@ impl Mechanism<3, 2> for Pull {
         [0.0; 3]
     }
 
-    fn contacts(&self, MechanismState { q, v }: &MechanismState<3>) -> [Contact<3>; 2] {
-        let ([x, y, clock], r) = (*q, hypot(q[0], q[1]));
-        let across = (x * v[1] - y * v[0]) / r;
+    fn contacts(&self, state: &MechanismState<3>) -> [Contact<3>; 2] {
+        let ([x, y, clock], r, across) = (state.q, radius(state), across(state));
         // Taut when the length that is left is the distance from the middle of the hole.
         let taut = |name, left: f64| {
             let inward = [-x / r, -y / r, 0.0];
@@ -67,14 +70,13 @@ impl Mechanism<3, 2> for Pull {
     }
     // ANCHOR_END: string
 
-    fn end(&self, MechanismState { q, .. }: &MechanismState<3>) -> Option<(&'static str, f64)> {
-        Some(("edge", hypot(q[0], q[1]) - self.hole))
+    fn end(&self, state: &MechanismState<3>) -> Option<(&'static str, f64)> {
+        Some(("edge", radius(state) - self.hole))
     }
 
-    fn scale(&self, MechanismState { q, .. }: &MechanismState<3>) -> MechanismState<3> {
-        let r = hypot(q[0], q[1]);
-        let (q, v) = ([r, r, 1.0], [1.0 / r, 1.0 / r, 1.0]);
-        MechanismState { q, v }
+    fn scale(&self, state: &MechanismState<3>) -> MechanismState<3> {
+        let r = radius(state);
+        MechanismState { q: [r, r, 1.0], v: [1.0 / r, 1.0 / r, 1.0] }
     }
 }
 
@@ -97,9 +99,61 @@ pub fn across(MechanismState { q, v }: &MechanismState<3>) -> f64 {
 pub fn energy(MechanismState { v, .. }: &MechanismState<3>) -> f64 {
     0.5 * (v[0] * v[0] + v[1] * v[1])
 }
-
-/// The direction of the string at a state, between 0 and a turn.
-pub fn direction(MechanismState { q, .. }: &MechanismState<3>) -> f64 {
-    atan2(q[1], q[0]).rem_euclid(TAU)
-}
 // ANCHOR_END: physics
+
+/// How long the particle circles before the hand pulls.
+const BEFORE: f64 = 0.5;
+
+/// A motion of the particle, its mass, first radius and first speed 1; the hand pulls from the time 0 on.
+pub struct Pulled {
+    pub motion: ContactMotion<Pull, 3, 2>,
+    before: f64, // how long the motion lasts before the time 0
+}
+
+impl Pulled {
+    /// The circle, and the pull at this speed, up to the time `end` or the edge of the hole.
+    pub fn new(speed: f64, hole: f64, step: f64, end: f64) -> Result<Self> {
+        let (s, c) = sincos(BEFORE);
+        let (q, v) = ([c, -s, -BEFORE], [s, c, 1.0]);
+        let pull = Pull { knot: 1.0, hand: 1.0, speed, hole };
+        let motion = motion(pull, &Dop853::new(step)?, MechanismState { q, v }, BEFORE + end)?;
+        Ok(Self { motion, before: BEFORE })
+    }
+
+    /// The motion from this state on when the string is held, for a while.
+    pub fn held(start: MechanismState<3>, step: f64, end: f64) -> Result<Self> {
+        // The hand is out of reach, the hole too.
+        let pull = Pull { knot: radius(&start), hand: 2.0, speed: 0.0, hole: 0.0 };
+        Ok(Self { motion: motion(pull, &Dop853::new(step)?, start, end)?, before: 0.0 })
+    }
+
+    /// That of the motion, from the first to the last.
+    fn clock(&self, t: f64) -> f64 {
+        (t + self.before).clamp(0.0, self.motion.end_time())
+    }
+
+    /// The state at this time.
+    pub fn at(&self, t: f64) -> Result<MechanismState<3>> {
+        self.motion.at(self.clock(t))
+    }
+
+    /// The tension at this time.
+    pub fn tension(&self, t: f64) -> Result<f64> {
+        let forces = self.motion.forces(self.clock(t))?;
+        Ok(forces.iter().map(|force| force.normal).sum())
+    }
+
+    /// When it ends.
+    pub fn end(&self) -> f64 {
+        self.motion.end_time() - self.before
+    }
+
+    /// The angle from the time 0 to `t`, in small steps.
+    pub fn angle(&self, t: f64) -> kit::Result<f64> {
+        let last = self.at(t)?;
+        let count = 1 + (2.0 * t * across(&last) / radius(&last)) as u32;
+        let places = sampled(times(0.0, t, count), |t| Ok(self.at(t)?.q))?;
+        let turn = |[[x, y, _], [u, v, _]]: [[f64; 3]; 2]| atan2(x * v - y * u, x * u + y * v);
+        Ok(places.windows(2).map(|pair| turn([pair[0], pair[1]])).sum())
+    }
+}

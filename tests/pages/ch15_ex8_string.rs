@@ -3,7 +3,6 @@
 
 use kit::simpson;
 use pages::ch15_ex8_string::physics::*;
-use pages::ch15_ex8_string::pull::Pulled;
 use pages::ch15_ex8_string::*;
 use rotation_dynamics::integrators::{after, place_and_velocity};
 use rotation_dynamics::math::{hypot, sincos};
