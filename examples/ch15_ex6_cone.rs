@@ -61,74 +61,56 @@ fn circuit(a: f64, step: f64) -> rotation_dynamics::Result<(Attitude, Work)> {
     Ok((Attitude::from_quaternion(q)?, work))
 }
 
-/// Refuses a rate at which the cone would not roll.
-fn check(p: &Parameters) -> Result<()> {
-    let (a, unit) = (p.half_angle, (p.gravity / p.height).sqrt());
-    let slips = unit * (p.friction / needed(a, 1.0)).sqrt();
-    let (tips, slow) = (unit * tips(a).sqrt(), p.rate.abs());
-    allowed! {
-        "|rate|, beyond which the cone tips,": slow, above_to(0.0, tips), "faster, it tips over its rim";
-        "|rate|, beyond which the cone slips,": slow, above_to(0.0, slips), "faster, it slips";
-    }
-}
-
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    check(p)?;
     let (a, m, h, rate) = (p.half_angle, p.mass, p.height, p.rate);
+    let (tips, slips, frequency) = (tips(a), p.friction / needed(a, 1.0), (p.gravity / h).sqrt());
+    let (tipping_rate, slipping_rate) = (frequency * tips.sqrt(), frequency * slips.sqrt());
+    allowed! {
+        "|rate|, beyond which the cone tips,": rate.abs(), above_to(0.0, tipping_rate), "faster, it tips over its rim";
+        "|rate|, beyond which the cone slips,": rate.abs(), above_to(0.0, slipping_rate), "faster, it slips";
+    }?;
     let ((s, c), unit, w) = (sincos(a), m * h * h * rate, h * rate * rate / p.gravity);
     let (omega, energy) = (rate * angular_velocity(a), kinetic_energy(a));
-    let [rho, up] = angular_momentum(a);
-    let spin = spin_at_rest(a, level(0.0), rate)?;
+    let ([rho, up], spin) = (angular_momentum(a), spin_at_rest(a, level(0.0), rate)?);
     // The spin about the axis and the turning about the vertical, added.
     let net = SpaceVector::new(spin * c, 0.0, rate + spin * s);
-    let (sums, near) = (summed(p, rate)?, 3e-11 / (s * s * c * c));
-    let (tips, slips) = (tips(a), p.friction / needed(a, 1.0));
+    let (sums, near, size) = (summed(p, rate)?, 3e-11 / (s * s * c * c), unit * hypot(rho, up));
     // At the tipping of a thin cone what the particles need is w times what the weight gives.
     let at_rim = near.max(3e-12 * tips / (s * s * c * c));
-    let frequency = (p.gravity / h).sqrt();
-    let size = unit * hypot(rho, up);
     // With the friction needed at two rates, which grows as the square of the rate.
     let friction = |rate: f64| -> Result<f64> { Ok(-summed(p, rate)?.force.x() / (m * p.gravity)) };
     claims! { report,
         /// angular velocity, along rho
-        omega: omega, "rad/s", "the line of contact at rest" => net.x(), within near * omega.abs(),
-        in "The motion":
+        omega: omega, "rad/s", "the line of contact at rest" => net.x(), within near * omega.abs(), in "The motion":
             rate => "that is how fast the line of contact turns, not the cone",
             rate / s => "that is the spin about the axis of the cone, relative to the line of contact",
             -omega => "which way must the axis of the cone move?";
         /// its upward part
         omega_up: 0.0, "rad/s", "the line of contact at rest" => net.z(), within near * omega.abs();
         /// angular momentum about the vertex, along rho
-        l_rho: unit * rho, "kg m^2/s", "24 particles" => sums.angular_momentum.x(), within near * size,
-        in "The motion":
+        l_rho: unit * rho, "kg m^2/s", "24 particles" => sums.angular_momentum.x(), within near * size, in "The motion":
             -0.3 * unit * tan(a) => "the axis of the cone is not along rho";
         /// angular momentum about the vertex, upward
-        l_up: unit * up, "kg m^2/s", "24 particles" => sums.angular_momentum.z(), within near * size,
-        in "The motion":
+        l_up: unit * up, "kg m^2/s", "24 particles" => sums.angular_momentum.z(), within near * size, in "The motion":
             0.0 => "the angular velocity is level; is the angular momentum parallel to it?";
         /// kinetic energy
-        energy: unit * rate * energy, "J", "24 particles" => sums.kinetic_energy, within near * unit * rate,
-        in "The motion":
+        energy: unit * rate * energy, "J", "24 particles" => sums.kinetic_energy, within near * unit * rate, in "The motion":
             unit * rate * energy * 2.0 => "half of that",
             0.5 * m * (0.75 * h * c * rate) * (0.75 * h * c * rate) => "that is the part of the centre of mass only";
         /// turns about its axis in a circuit, seen from the line of contact
         turns: 1.0 / s, "-", "the line of contact at rest" => -spin / rate, within near / s, in "The motion":
             1.0 / tan(a) => "the table meets the slanted side, not the base";
         /// where the table bears the cone, from the vertex
-        borne_at: h * centre_of_pressure(a, w), "m", "24 particles" => borne_at(p, rate)?, within near * h,
-        in "The forces":
+        borne_at: h * centre_of_pressure(a, w), "m", "24 particles" => borne_at(p, rate)?, within near * h, in "The forces":
             0.75 * h * c => "so it is at rest";
         /// friction needed, over the weight
-        needed: needed(a, w), "-", "24 particles" => friction(rate)?, within near * needed(a, w),
-        in "The forces":
-            w * c => "how far from the vertex is the centre of mass?",
-            0.75 * w => "the axis of the cone is not level";
+        needed: needed(a, w), "-", "24 particles" => friction(rate)?, within near * needed(a, w), in "The forces":
+            w * c => "how far from the vertex is the centre of mass?", 0.75 * w => "the axis of the cone is not level";
         /// rate at which it tips over the rim
-        omega_tip: frequency * tips.sqrt(), "rad/s", "made to roll ever faster" => tipping(p)?, within at_rim * frequency * tips.sqrt(),
-        in "The forces":
+        omega_tip: tipping_rate, "rad/s", "made to roll ever faster" => tipping(p)?, within at_rim * tipping_rate, in "The forces":
             frequency * (1.0 / c / -rho).sqrt() => "the weight has a moment too";
         /// rate at which it slips
-        omega_slip: frequency * slips.sqrt(), "rad/s", "24 particles" => rate.abs() * (p.friction / friction(rate)?).sqrt(), within near * frequency * slips.sqrt(),
+        omega_slip: slipping_rate, "rad/s", "24 particles" => rate.abs() * (p.friction / friction(rate)?).sqrt(), within near * slipping_rate,
         in "The forces":
             frequency * (p.friction / c).sqrt() => "how far from the vertex is the centre of mass?";
         /// coefficient of friction above which it tips before it slips
@@ -174,9 +156,8 @@ fn left(p: &Parameters, report: &mut Report) -> Result<()> {
 /// The card of effects: hard smooth surfaces, in air.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, h, rate) = (p.half_angle, p.height, p.rate);
-    let w = h * rate * rate / p.gravity;
     // The pressure of a rolling body lies ahead of the contact by this lever, m.
-    let lever = 2e-5;
+    let (w, lever) = (h * rate * rate / p.gravity, 2e-5);
     let bears = p.mass * p.gravity * lever * -angular_velocity(a);
     let energy = p.mass * h * h * rate * rate * kinetic_energy(a);
     // As if all of its side met the air as fast as its centre of mass.
@@ -187,13 +168,11 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (rolled, its_work) = left_to_itself(rolling, turning, |_| bears)?;
     let (blown, work) = left_to_itself(air, turning, |rate| strips * rate * rate)?;
     effect_card! { report,
-        "friction, as far as it is needed":
-            "3 w cos(alpha)/(4 mu)" = needed(a, w) / p.friction, costs 1.0, "of omega: it would slide", included;
+        "friction, as far as it is needed": "3 w cos(alpha)/(4 mu)" = needed(a, w) / p.friction, costs 1.0, "of omega: it would slide", included;
         "rolling resistance": "b/h" = lever / h, costs rolling.min(1.0), "of the energy in a circuit",
             measured rolled, within 1e-10, at_work its_work;
-        "drag of the air":
-            "rho h S/M" = 1.204 * h * side / p.mass, costs air.min(1.0), "of the energy in a circuit, to first order",
-            measured blown, within 1e-10, at_work work;
+        "drag of the air": "rho h S/M" = 1.204 * h * side / p.mass,
+            costs air.min(1.0), "of the energy in a circuit, to first order", measured blown, within 1e-10, at_work work;
     }
 }
 
@@ -203,8 +182,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
     let error = move |run: &(Attitude, Work)| Ok(run.0.angle_to(&exact));
     report.set_closed_form(ClosedForm::new(move |part| rolled(a, part * TAU)));
-    let run = move |step| circuit(a, step);
-    report.stepped(asked, run, |run| run.1, error)
+    report.stepped(asked, move |step| circuit(a, step), |run| run.1, error)
 }
 
 example! {

@@ -51,21 +51,20 @@ impl Parameters {
         const SECOND: [f64; 7] = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0]; // over 180 h^2
         let attitudes: Result<Vec<Attitude>> = (-3..=3).map(|k| at(f64::from(k) * h)).collect();
         let (attitudes, zero) = (attitudes?, SpaceVector::zero());
-        let mut sums =
+        let mut sum =
             Sums { angular_momentum: zero, kinetic_energy: 0.0, force: zero, moment: zero };
         for (mass, place) in self.particles() {
-            let places = attitudes.iter().map(|attitude| attitude.to_space(place));
-            let places: Vec<SpaceVector> = places.collect();
-            let sum =
-                |weights: [f64; 7]| (0..7).map(|k| places[k] * weights[k]).sum::<SpaceVector>();
-            let (r, v) = (places[3], sum(FIRST) / (60.0 * h));
-            let a = sum(SECOND) / (180.0 * h * h);
-            sums.angular_momentum += r.cross(&v) * mass;
-            sums.kinetic_energy += 0.5 * mass * v.dot(&v);
-            sums.force += a * mass;
-            sums.moment += r.cross(&a) * mass;
+            let weighted = |weights: [f64; 7]| -> SpaceVector {
+                attitudes.iter().zip(weights).map(|(at, weight)| at.to_space(place) * weight).sum()
+            };
+            let (r, v) = (attitudes[3].to_space(place), weighted(FIRST) / (60.0 * h));
+            let a = weighted(SECOND) / (180.0 * h * h);
+            sum.angular_momentum += r.cross(&v) * mass;
+            sum.kinetic_energy += 0.5 * mass * v.dot(&v);
+            sum.force += a * mass;
+            sum.moment += r.cross(&a) * mass;
         }
-        Ok(sums)
+        Ok(sum)
     }
 
     /// The moment about the vertical with which air of this density (kg/m^3) brakes the cone,
@@ -136,8 +135,7 @@ pub fn spin_at_rest(rise: f64, contact: SpaceVector, rate: f64) -> Result<f64> {
     let sliding = |spin: f64| -> Result<f64> {
         let point = placed(rise, 0.0, 0.0)?.to_body(contact);
         let h = 1e-3 / (rate + spin);
-        let at =
-            |t: f64| -> Result<f64> { Ok(placed(rise, rate * t, spin * t)?.to_space(point).y()) };
+        let at = |t: f64| placed(rise, rate * t, spin * t).map(|at| at.to_space(point).y());
         Ok((8.0 * (at(h)? - at(-h)?) - (at(2.0 * h)? - at(-2.0 * h)?)) / (12.0 * h))
     };
     let (still, turned) = (sliding(0.0)?, sliding(rate)?);

@@ -29,15 +29,12 @@ figures! { _: &Parameters;
     /// along rho and turns about the vertical Z at the rate Omega. Its axis rises from the table by the half
     /// angle alpha; its height is h.
     setup: {
-        let (azimuth, o) = (1.75, SpaceVector::zero());
-        let (rho, attitude) = (level(azimuth), placed(ALPHA, azimuth, 0.9)?);
+        let (rho, o, attitude) = (level(1.75), SpaceVector::zero(), placed(ALPHA, 1.75, 0.9)?);
         let axis = attitude.axis();
         let rise = times(0.0, ALPHA, 12).map(|b| (rho * cos(b) + UP * sin(b)) * 1.42);
         on_table(ALPHA, &attitude)
-            .dashed([o, axis * 1.5], Ink::Body)
-            .text(axis * 1.5, "axis", Ink::Body, Side::Above)
-            .line(rise, Ink::Ink)
-            .text((rho * cos(0.2) + UP * sin(0.2)) * 1.44, r"$\alpha$", Ink::Ink, Side::Right)
+            .dashed([o, axis * 1.5], Ink::Body).text(axis * 1.5, "axis", Ink::Body, Side::Above)
+            .line(rise, Ink::Ink).text((rho * cos(0.2) + UP * sin(0.2)) * 1.44, r"$\alpha$", Ink::Ink, Side::Right)
             .text(axis * 0.45 + UP * 0.22, "$h$", Ink::Ink, Side::Above)
             .arrow(o, rho * 1.6, Ink::Frame, r"$\hat\rho$", Side::Below)
             .arrow(o, UP * 0.95, Ink::Frame, r"$Z$", Side::Right)
@@ -49,21 +46,17 @@ figures! { _: &Parameters;
     /// The side of the cone, laid out flat: a sector of a circle, less than half of it. Faint sectors of the
     /// same size follow it round the circle; two and a half fill it.
     sector: {
-        let angle = TAU * sin(ALPHA);
-        let outline = |from: f64, to: f64| {
-            let rim = times(from, to, 60).map(|t| (cos(t), sin(t)));
-            core::iter::once((0.0, 0.0)).chain(rim)
-        };
+        let (angle, on) = (TAU * sin(ALPHA), |r: f64, t: f64| (r * cos(t), r * sin(t)));
+        let outline = |from: f64, to: f64| [(0.0, 0.0)].into_iter().chain(times(from, to, 60).map(move |t| on(1.0, t)));
         let rest = |s: Sketch| s.body(outline(angle, 2.0 * angle), Ink::Body, 0.3).body(outline(2.0 * angle, TAU), Ink::Body, 0.1);
-        let beside = (0.3 * cos(0.5 * angle), 0.3 * sin(0.5 * angle));
         Sketch::within((-1.35, 1.45), (-1.2, 1.2))
-            .guide(times(0.0, TAU, 120).map(|t| (cos(t), sin(t))))
+            .guide(times(0.0, TAU, 120).map(|t| on(1.0, t)))
             .ghost(rest)
             .body(outline(0.0, angle), Ink::Body, 0.25)
             .angle((0.0, 0.0), 0.25, (0.0, angle), "")
-            .text(beside, r"$2\pi\,\sin\,\alpha$", Ink::Ink, Side::AboveRight)
+            .text(on(0.3, 0.5 * angle), r"$2\pi\,\sin\,\alpha$", Ink::Ink, Side::AboveRight)
             .text((0.5, 0.0), r"$h/\cos\,\alpha$", Ink::Ink, Side::Below)
-            .text((cos(0.9), sin(0.9)), r"$2\pi h\,\tan\,\alpha$", Ink::Body, Side::AboveRight)
+            .text(on(1.0, 0.9), r"$2\pi h\,\tan\,\alpha$", Ink::Body, Side::AboveRight)
             .dot((0.0, 0.0), Ink::Ink, "$O$", Side::Left)
     };
 
@@ -95,15 +88,14 @@ figures! { _: &Parameters;
     /// coefficient of friction of 0.3 slipping runs below it everywhere; for 1 the two run close together from
     /// 0.25 to 1.2 rad.
     regimes: {
-        let angle = Axis::linear(r"$\alpha$ / rad").range(0.0, 1.5);
-        let axes = Panel::over_axes(angle, Axis::linear(r"$h\Omega^2/g$").range(0.0, 7.0));
         let tip = Curve::of(times(0.05, 1.5, 200), tips, Ink::Ink);
         let slip = |mu: f64, a: f64, side| {
             let at = move |a: f64| mu / needed(a, 1.0);
             let curve = Curve::of(times(0.0, 1.5, 150), at, Ink::Force).dashed();
             curve.label_at(&format!(r"slips, $\mu={mu}$"), a, at(a), side)
         };
-        axes.curve(tip.label_at("tips", 0.1, tips(0.1), Side::Right))
+        Panel::over_axes(Axis::linear(r"$\alpha$ / rad").range(0.0, 1.5), Axis::linear(r"$h\Omega^2/g$").range(0.0, 7.0))
+            .curve(tip.label_at("tips", 0.1, tips(0.1), Side::Right))
             .curve(slip(0.3, 1.2, Side::BelowRight))
             .curve(slip(1.0, 0.85, Side::AboveLeft))
     };
@@ -112,24 +104,20 @@ figures! { _: &Parameters;
 /// Made to roll ever faster, evenly, from rest to the tipping in this time, s.
 const END: f64 = 6.0;
 
-/// The rate, and how far the line of contact has turned, at `t`.
-fn sped_up(p: &Parameters, t: f64) -> (f64, f64) {
+/// The rate, how far the line of contact has turned, and where the table bears it, over h, at `t`.
+fn sped_up(p: &Parameters, t: f64) -> [f64; 3] {
     let last = p.rate.signum() * (tips(p.half_angle) * p.gravity / p.height).sqrt();
-    (last * t / END, 0.5 * last * t * t / END)
-}
-
-/// Where the table then bears it, over h.
-fn borne(p: &Parameters, t: f64) -> f64 {
-    let (rate, _) = sped_up(p, t);
-    centre_of_pressure(p.half_angle, p.height * rate * rate / p.gravity)
+    let rate = last * t / END;
+    let borne = centre_of_pressure(p.half_angle, p.height * rate * rate / p.gravity);
+    [rate, 0.5 * last * t * t / END, borne]
 }
 
 /// Made to roll ever faster, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let columns = ["t [s]", "Omega [rad/s]", "phi [rad]", "d [m]"];
     Trajectory::sampled(columns, times(0.0, END, 300), |t| {
-        let (rate, turn) = sped_up(p, t);
-        Ok([t, rate, turn, p.height * borne(p, t)])
+        let [rate, turn, borne] = sped_up(p, t);
+        Ok([t, rate, turn, p.height * borne])
     })
 }
 
@@ -137,17 +125,19 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// contact as those of the cone of the page.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (p, a, page) = (p.clone(), p.half_angle, Parameters::default());
-    let lowest = borne(&p, 0.0) * cos(a);
-    let share = Axis::linear(r"$d\,\cos\,\alpha/h$").range(lowest.min(0.5), 1.05);
-    let outward = Curve::of(times(0.0, END, 120), |t| borne(&p, t) * cos(a), Ink::Force);
-    let graph = Panel::over_axes("$t$ / s", share).level(1.0, Ink::Frame, "rim").curve(outward);
+    let outward = |t: f64| sped_up(&p, t)[2] * cos(a);
+    let share = Axis::linear(r"$d\,\cos\,\alpha/h$").range(outward(0.0).min(0.5), 1.05);
+    let graph = Panel::over_axes("$t$ / s", share).level(1.0, Ink::Frame, "rim").curve(Curve::of(
+        times(0.0, END, 120),
+        outward,
+        Ink::Force,
+    ));
     let [l, l_page] = [a, ALPHA].map(|a| hypot(angular_momentum(a)[0], angular_momentum(a)[1]));
-    let swift = size(a) * (sped_up(&page, END).0 / sped_up(&p, END).0.abs());
+    let swift = size(a) * (sped_up(&page, END)[0] / sped_up(&p, END)[0].abs());
     let strong = swift * (l_page / l);
     MovingPicture::above(graph, 0.0..=END, [2.3, 4.2, END], move |t| {
-        let (rate, turn) = sped_up(&p, t);
-        let (rho, d, o) = (level(turn + 2.35), borne(&p, t), SpaceVector::zero());
-        let [along, up] = angular_momentum(a);
+        let ([rate, turn, d], [along, up]) = (sped_up(&p, t), angular_momentum(a));
+        let (rho, o) = (level(turn + 2.35), SpaceVector::zero());
         let way = ["upward", "downward"][usize::from(up * rate < 0.0)];
         let (omega, l) = match rate < 0.0 {
             true => ("under the cone", "outward"),
@@ -158,14 +148,13 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              L {way} and {l}. The table bears the cone at {d:.2} of its height from the vertex. \
              Below, that distance over the length of the line of contact against time."
         );
-        let omega = rho * (-0.17 * rate * swift);
         let momentum = (rho * along + UP * up) * (0.3 * rate * strong);
-        let (bearing, force) = (rho * d, UP * (0.75 * size(a)));
+        let force = rho * d + UP * (0.75 * size(a));
         let view = on_table(a, &rolled(a, turn + 2.35)?)
-            .arrow(o, omega, Ink::Velocity, r"$\omega$", Side::Left)
+            .arrow(o, rho * (-0.17 * rate * swift), Ink::Velocity, r"$\omega$", Side::Left)
             .arrow(o, momentum, Ink::Momentum, "$L$", Side::Above)
             .dashed([o, rho / cos(a)], Ink::Ink)
-            .arrow(bearing, bearing + force, Ink::Force, "$N$", Side::Right)
+            .arrow(rho * d, force, Ink::Force, "$N$", Side::Right)
             .dot(o, Ink::Ink, "", Side::Below);
         Ok((alt, view))
     })

@@ -6,8 +6,7 @@ use pages::ch15_ex6_cone::physics::*;
 use pages::ch15_ex6_cone::*;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::solids;
-use core::f64::consts::TAU;
-use rotation_dynamics::math::{cos, exp, sin, tan};
+use rotation_dynamics::math::{cos, sin, tan};
 use support::{EPS, Errors, assert_largest};
 
 /// The particles have the mass, the centre and the moments about the vertex of the library's
@@ -16,22 +15,20 @@ use support::{EPS, Errors, assert_largest};
 fn twenty_four_particles_stand_for_the_cone() {
     let (mut errors, mut damaged) = (Errors::in_units_of(EPS, "moments"), Errors::of("a tenth wider"));
     for half_angle in [0.1, 0.4, 1.2] {
-        let body = Parameters { half_angle, ..Parameters::default() };
-        let sum = |f: &dyn Fn([f64; 3]) -> f64| -> f64 {
-            body.particles().iter().map(|(m, r)| m * f(r.to_array())).sum()
-        };
-        let solid = |radius: f64| solids::cone(2.0, radius, 0.3).expect("a cone");
+        let (body, radius) = (Parameters { half_angle, ..Parameters::default() }, 0.3 * tan(half_angle));
+        let sum = |f: fn([f64; 3]) -> f64| -> f64 { body.particles().iter().map(|(m, r)| m * f(r.to_array())).sum() };
         // The vertex lies 3 h/4 from the centre of mass.
-        let about_vertex = |radius: f64| solid(radius).about(DesignVector::new(0.0, 0.0, -0.225));
-        let radius = 0.3 * tan(half_angle);
-        let [first, _, third] = about_vertex(radius).expect("moments").matrix();
-        errors.add(sum(&|_| 1.0), 2.0, 2.0);
-        errors.add(sum(&|[_, _, z]| z), 0.45, 0.45);
-        errors.add(sum(&|[_, y, z]| y * y + z * z), first[0], first[0]);
-        errors.add(sum(&|[x, y, _]| x * x + y * y), third[2], third[2]);
-        errors.push(sum(&|[x, y, z]| x * y + y * z + z * x) / third[2]);
-        let wide = about_vertex(1.1 * radius).expect("moments").matrix()[2][2];
-        damaged.add(sum(&|[x, y, _]| x * x + y * y), wide, third[2]);
+        let about_vertex = |radius: f64| {
+            let solid = solids::cone(2.0, radius, 0.3).expect("a cone");
+            solid.about(DesignVector::new(0.0, 0.0, -0.225)).expect("moments").matrix()
+        };
+        let [first, _, third] = about_vertex(radius);
+        errors.add(sum(|_| 1.0), 2.0, 2.0);
+        errors.add(sum(|[_, _, z]| z), 0.45, 0.45);
+        errors.add(sum(|[_, y, z]| y * y + z * z), first[0], first[0]);
+        errors.add(sum(|[x, y, _]| x * x + y * y), third[2], third[2]);
+        errors.push(sum(|[x, y, z]| x * y + y * z + z * x) / third[2]);
+        damaged.add(sum(|[x, y, _]| x * x + y * y), about_vertex(1.1 * radius)[2][2], third[2]);
     }
     assert_largest!(errors, 15, @"4.20");
     damaged.exceed(0.2, 3);
@@ -71,33 +68,21 @@ fn the_force_moves_outward_because_l_turns() {
     damaged.exceed(0.1, 4);
 }
 
-/// The card of effects, by hand: over the angle, what does not depend on the rate takes the
-/// energy evenly, and air takes it exponentially. The damaged twins have each other's law.
+/// The card of effects: the air of a hundred strips is that of the whole side, what the table takes
+/// counts more if the cone is slow, what air takes does not. The claims of `--with rolling` and
+/// `--with air` say by which law each brakes.
 #[test]
 fn left_to_itself_it_loses_what_the_card_measures() {
-    let (mut errors, mut damaged) = (Errors::of("part lost"), Errors::of("the other law"));
     let mut strips = Errors::of("a hundred strips");
-    for (half_angle, rate, part) in [(0.1, 0.5, 0.03), (0.4, 1.5, 0.1), (1.2, 6.0, 0.6)] {
-        let body = Parameters { half_angle, ..Parameters::default() };
-        let air = body.air(half_angle, 1.204);
+    for half_angle in [0.1, 0.4, 1.2] {
+        let air = Parameters { half_angle, ..Parameters::default() }.air(half_angle, 1.204);
         let whole = 1.204 * tan(half_angle) * cos(half_angle).powi(3) * 0.3_f64.powi(5) / 5.0;
         strips.push(air / whole - 1.0);
-        // So heavy that this part is lost to first order.
-        let inertia = 2.0 * TAU * air / part;
-        let ran = |brake: &dyn Fn(f64) -> f64| cone::left_to_itself(part, [inertia, rate], brake).unwrap().0.unwrap();
-        let (even, blown) = (ran(&|_| air * rate * rate), ran(&|rate| air * rate * rate));
-        errors.push(even - part);
-        errors.push(blown - (1.0 - exp(-part)));
-        damaged.push(even - (1.0 - exp(-part)));
-        damaged.push(blown - part);
     }
-    assert_largest!(errors, 6, @"1.11e-16");
-    damaged.exceed(4e-4, 6);
     assert_largest!(strips, 3, @"8.33e-5");
-    let card = ledger(&EXAMPLE, "");
-    assert_eq!(card.len(), 2);
     // Twice as slow, what the table takes counts four times; in air it is the same part.
-    let slow = ledger(&EXAMPLE, "--rate=0.75");
+    let [card, slow] = ["", "--rate=0.75"].map(|flags| ledger(&EXAMPLE, flags));
+    assert_eq!(card.len(), 2);
     assert!((slow[0][1] / card[0][1] - 4.0).abs() < 0.06 && slow[1] == card[1], "{card:?} {slow:?}");
     // At a hundredth of the rate it stops on the way.
     assert_eq!(ledger(&EXAMPLE, "--rate=0.015").len(), 1);
@@ -107,10 +92,9 @@ fn left_to_itself_it_loses_what_the_card_measures() {
 #[test]
 fn with_a_coefficient_of_one_tipping_and_slipping_are_close() {
     let apart = |a: f64| (tips(a) * needed(a, 1.0)).max(1.0 / (tips(a) * needed(a, 1.0)));
-    let mut errors = Errors::of("ratio from 0.2 to 1.35 rad");
+    let (mut errors, mut beyond) = (Errors::of("ratio from 0.2 to 1.35 rad"), Errors::of("of other cones"));
     (0..=115).for_each(|k| errors.push(apart(0.2 + 0.01 * f64::from(k))));
     assert_largest!(errors, 116, @"1.25");
-    let mut beyond = Errors::of("ratio of slimmer and flatter cones");
     [0.05, 0.1, 0.18, 1.4, 1.45, 1.5].into_iter().for_each(|a| beyond.push(apart(a)));
     beyond.exceed(1.26, 6);
 }
