@@ -37,8 +37,8 @@ parameters! {
 /// The laws of the page over their parameters: dry friction, friction that weakens with the
 /// slip, a film of oil; each has the torque of the page at the first slip.
 pub fn torque(p: &Parameters, law: &str, slip: f64) -> f64 {
-    let part = slip / Answer::new(p).relative;
-    let size = p.friction * Answer::new(p).relative.signum();
+    let first = Answer::new(p).relative;
+    let (part, size) = (slip / first, p.friction * first.signum());
     match law {
         "dry" => size,
         "weakening" => size * (1.0 + exp(-5.0 * part)) / (1.0 + exp(-5.0)),
@@ -48,8 +48,7 @@ pub fn torque(p: &Parameters, law: &str, slip: f64) -> f64 {
 
 /// The largest slip in the last quarter of a run.
 pub fn left_over(slips: &[(f64, f64)]) -> f64 {
-    let last = &slips[slips.len() * 3 / 4..];
-    last.iter().fold(0.0, |most, (_, w)| w.abs().max(most))
+    slips[slips.len() * 3 / 4..].iter().fold(0.0, |most, (_, w)| w.abs().max(most))
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -67,10 +66,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let before = kinetic_energy(p, first);
     let oil = rubbed(p, 1e-9, |slip| torque(p, "oil", slip))?;
     let dry = rubbed(p, 0.0, |slip| torque(p, "dry", slip))?;
-    let (bound, whole) = (100.0 * p.tolerance, p.upper + p.lower);
-    let near = bound * whole * size;
+    let (bound, whole, both) =
+        (100.0 * p.tolerance, p.upper + p.lower, p.upper_rate + p.lower_rate);
+    let (near, square) = (bound * whole * size, bound * whole * size * size);
     let time = bound * a.time * size / a.relative.abs();
-    let (square, both) = (bound * whole * size * size, p.upper_rate + p.lower_rate);
     claims! { report,
         /// the rate at which both turn in the end
         common: a.common, "rad/s", "discs simulated" => end.v[1], within bound * size, in "The common rate":
@@ -78,8 +77,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             momentum(first.map(f64::abs)) / whole => "rates have signs",
             (2.0 * before / whole).sqrt() => "energy is not kept: the discs rub";
         /// kinetic energy lost
-        lost: a.lost, "J", "discs simulated" => before - kinetic_energy(p, last), within square,
-        in "The energy":
+        lost: a.lost, "J", "discs simulated" => before - kinetic_energy(p, last), within square, in "The energy":
             0.5 * whole * a.relative * a.relative => "not both turn at that rate: which inertia belongs to the slip?",
             0.5 * a.reduced * both * both => "the slip is the difference of the rates, signs included",
             before => "they still turn in the end", before - a.lost => "that is what is left";
@@ -104,10 +102,9 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     // Over the moment of inertia and the rate of the upper disc.
     let of = |lower: f64, lower_rate: f64| {
-        let p = p.but(|p| (p.upper, p.upper_rate) = (1.0, 1.0));
-        let p = p.but(|p| (p.lower, p.lower_rate) = (lower, lower_rate));
-        let a = Answer::new(&p);
-        (a.common, a.lost / kinetic_energy(&p, [1.0, lower_rate]))
+        let p = &Parameters { upper: 1.0, upper_rate: 1.0, lower, lower_rate, ..p.clone() };
+        let a = Answer::new(p);
+        (a.common, a.lost / kinetic_energy(p, [1.0, lower_rate]))
     };
     let ((heavy, all), (light, _), (like, half)) = (of(1e12, 0.0), of(1e-12, -1.0), of(1.0, 0.0));
     limits! { report,
@@ -130,11 +127,11 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The rate at which both turn in the end if something brakes the two discs from outside (N m,
 /// of their rates).
-fn braked(p: &Parameters, brake: &dyn Fn(f64, f64) -> [f64; 2]) -> Result<f64> {
+fn braked(p: &Parameters, brake: impl Fn([f64; 2]) -> [f64; 2]) -> Result<f64> {
     let a = Answer::new(p);
     let rubs = p.friction * a.relative.signum();
-    let law = ode(|_, &[fast, slow]: &[f64; 2]| {
-        let [upper, lower] = brake(fast, slow);
+    let law = ode(|_, rates: &[f64; 2]| {
+        let [upper, lower] = brake(*rates);
         [-(rubs + upper) / p.upper, (rubs - lower) / p.lower]
     })
     .scaled(size_or([1.0; 2]));
@@ -160,13 +157,12 @@ fn rough(p: &Parameters, report: &mut Report) -> Result<()> {
     let (wait, lower) = if turned { (wait, 0.0) } else { (0.0, p.lower_rate) };
     let (upper, way) = (p.upper_rate + fast * wait, if against && !turned { -1.0 } else { 1.0 });
     let time = (upper - lower) / (slow(way * bearing) - fast);
-    let common = upper + fast * time;
-    let brake = |_: f64, lower: f64| [0.0, bearing * lower.signum()];
+    let found = braked(p, |[_, lower]| [0.0, bearing * lower.signum()])?;
     claims! { report,
         /// with a bearing that rubs: common angular velocity
-        rough_common: common, "rad/s", "simulated" => braked(p, &brake)?, within 1e-8 * rate(p);
+        rough_common: upper + fast * time, "rad/s", "simulated" => found, within 1e-8 * rate(p);
         /// and how long they slip
-        rough_time: wait + time, "s", "simulated" => (braked(p, &brake)? - p.upper_rate) / fast, within 1e-8 * (rate(p) / fast).abs();
+        rough_time: wait + time, "s", "simulated" => (found - p.upper_rate) / fast, within 1e-8 * (rate(p) / fast).abs();
     }
 }
 
@@ -179,22 +175,17 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let air = 3.87 / reynolds.sqrt() * 0.5 * 1.204 * size * size * radius.powi(5);
     // What brakes a disc turns round with it: over the slip, the rate changes evenly.
     let mean = |from: f64, power: f64| {
-        let turned = a.common - from;
         let grown = pow(a.common.abs(), power + 1.0) - pow(from.abs(), power + 1.0);
-        let mean = grown / ((power + 1.0) * turned);
-        if turned == 0.0 { 0.0 } else { mean }
+        if a.common == from { 0.0 } else { grown / ((power + 1.0) * (a.common - from)) }
     };
     let by_bearing = bearing * mean(p.lower_rate, 0.0) * a.time / whole;
     let blown = mean(p.upper_rate, 1.5) + mean(p.lower_rate, 1.5);
     let by_air = 0.5 * air / pow(size, 1.5) * blown * a.time / whole;
-    let dry = |_: f64, lower: f64| [0.0, bearing * lower.signum()];
+    let dry = |[_, lower]: [f64; 2]| [0.0, bearing * lower.signum()];
     let wind = |rate: f64| 0.5 * air * rate / size * (rate.abs() / size).sqrt();
     // What brakes more than the discs rub stops both, and tells nothing of the slip.
-    let common = |torque: f64, brake: &dyn Fn(f64, f64) -> [f64; 2]| {
-        when(torque < 0.3 * p.friction, || braked(p, brake))
-    };
-    let dried = common(bearing, &dry)?;
-    let blown = common(air, &|upper, lower| [wind(upper), wind(lower)])?;
+    let dried = when(bearing < 0.3 * p.friction, || braked(p, dry))?;
+    let blown = when(air < 0.3 * p.friction, || braked(p, |rates| rates.map(wind)))?;
     // Where the two halves cancel, what is left is of second order.
     let second = |torque: f64| 4.0 * size * pow(torque / p.friction, 2.0) + 1e-9 * size;
     let beside = 1e-6 / (radius * radius);
@@ -212,15 +203,10 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 fn naive(p: &Parameters, report: &mut Report) -> Result<()> {
     let (start, time) = ([p.upper_rate, p.lower_rate, 0.0], Answer::new(p).time);
     let columns = ["solver", "steps", "comes to t/T", "slip left / rad/s"];
-    let (mut table, end) = (Table::new("naive", columns)?, 2.0 * time);
-    let mut row = |solver: &str, steps: u64, t: f64, slip: Option<f64>| {
-        let slip = slip.map_or("-".into(), |slip| format!("{slip:.3}"));
-        let t = format!("{:.6}", t / time);
-        table.push([solver.into(), steps.to_string(), t, slip])
-    };
+    let (mut rows, end) = (Vec::new(), 2.0 * time);
     for steps in [51, 501, 5001] {
         let slip = left_over(&chattering(p, steps, end));
-        row("sign, equal steps", steps.into(), end, Some(slip))?;
+        rows.push(("sign, equal steps".into(), steps.into(), end, Some(slip)));
     }
     for tolerance in [1e-6, 1e-9] {
         let method = Dop853::new(tolerance)?.with_step_limit(10_000)?;
@@ -229,13 +215,15 @@ fn naive(p: &Parameters, report: &mut Report) -> Result<()> {
             Err(Error::LimitReached { t, limit, .. }) => (limit, t),
             Err(other) => return Err(other.into()),
         };
-        row(&format!("sign, DOP853 with {tolerance:e}"), steps, t, None)?;
+        rows.push((format!("sign, DOP853 with {tolerance:e}"), steps, t, None));
     }
     let run = fallen(p, 0.0, 2.0, p.tolerance)?;
     let [_, upper, lower] = run.at(end)?.v;
-    let left = Some((upper - lower).abs());
-    row("stick located", run.work().steps, end, left)?;
-    report.add(table)
+    rows.push(("stick located".into(), run.work().steps, end, Some((upper - lower).abs())));
+    report.add(Table::of("naive", columns, rows, |(solver, steps, t, slip)| {
+        let slip = slip.map_or("-".into(), |slip| format!("{slip:.3}"));
+        Ok([solver, steps.to_string(), format!("{:.6}", t / time), slip])
+    })?)
 }
 
 /// The accuracy strip: times and rates at the stick, after the fall.

@@ -20,6 +20,12 @@ fn discs(height: f64, [upper, lower]: [f64; 2]) -> View {
         .line([level(lower) + at(0.1), level(lower) - at(0.1)], Ink::Ink)
 }
 
+/// Until `end` after a release, and none where the rates jump, at the impact.
+fn instants(hit: f64, time: f64, end: f64) -> impl Iterator<Item = f64> {
+    let (before, after) = (hit - 1e-6 * time, hit + 1e-6 * time);
+    times(0.0, before.max(0.0), 2).chain(times(after, end, 60))
+}
+
 /// An arrow about the axis at this height, so long (rad), and its label.
 fn turning(view: View, z: f64, radius: f64, angle: f64, label: &str) -> View {
     let place = |a: f64| SpaceVector::new(radius * cos(a), radius * sin(a), z);
@@ -28,7 +34,7 @@ fn turning(view: View, z: f64, radius: f64, angle: f64, label: &str) -> View {
     view.text(place(to), label, Ink::Velocity, Side::Below)
 }
 
-figures! { p: &Parameters;
+figures! { p: &Parameters, a = Answer::new(p);
     /// Two thick discs on one upright axle, the upper one a little above the lower. An arrow shows that the
     /// upper disc turns counterclockwise seen from above at Omega 1, another that the lower one turns clockwise
     /// at Omega 2.
@@ -43,7 +49,7 @@ figures! { p: &Parameters;
     /// ends at one. Weaker at high speed: a line that bends down and ends a little earlier. Oil: a curve that
     /// comes down ever more slowly and never ends.
     laws: {
-        let (a, p) = (Answer::new(p), &p.but(|p| p.tolerance = 1e-9));
+        let p = &p.but(|p| p.tolerance = 1e-9);
         let slip = |law: &'static str, left: f64, end: f64| {
             let run = rubbed(p, left, |w| torque(p, law, w))?;
             sampled(times(0.0, run.end_time().min(end * a.time), 100), |t| {
@@ -62,29 +68,23 @@ figures! { p: &Parameters;
     /// Dropped from higher up it stays level, falls at once at the impact onto the same line, and goes on along
     /// it.
     fall: {
-        let a = Answer::new(p);
-        let slip = |panel: Panel, (part, ink): (f64, Ink)| {
+        let slip = |part: f64, ink| {
             let drop = part * p.gravity * a.time * a.time;
             let (run, hit) = (fallen(&p.but(|p| p.drop = drop), 0.0, 2.0, 1e-9)?, (2.0 * part).sqrt() * a.time);
-            let (before, after) = (hit - 1e-6 * a.time, hit + 1e-6 * a.time);
-            let all = times(0.0, before.max(0.0), 2).chain(times(after, 1.2 * a.time, 60));
-            let curve = Curve::sampled(all, |t| Ok(run.at(t)?.v[1] - run.at(t)?.v[2]), ink)?;
-            Ok::<_, kit::Error>(panel.curve(match part > 0.0 {
-                true => curve.dashed().label_at(&format!("from {drop:.1} m"), hit, a.relative * (1.0 - 0.4 * hit / a.time), Side::Right),
-                false => curve.label_at("without a fall", 0.45 * a.time, 0.55 * a.relative, Side::BelowLeft),
-            }))
+            let curve = Curve::sampled(instants(hit, a.time, 1.2 * a.time), |t| Ok(run.at(t)?.v[1] - run.at(t)?.v[2]), ink)?;
+            Ok::<_, kit::Error>((curve, hit, format!("from {drop:.1} m")))
         };
-        let panel = Panel::over_axes(Axis::linear("$t$ / s from the release"), Axis::linear("slip / rad/s").over([0.0, a.relative]));
-        [(0.0, Ink::Ink), (0.08, Ink::Body)].into_iter().try_fold(panel, slip)?
+        let ((plain, ..), (fallen, hit, height)) = (slip(0.0, Ink::Ink)?, slip(0.08, Ink::Body)?);
+        Panel::over_axes(Axis::linear("$t$ / s from the release"), Axis::linear("slip / rad/s").over([0.0, a.relative]))
+            .curve(plain.label_at("without a fall", 0.45 * a.time, 0.55 * a.relative, Side::BelowLeft))
+            .curve(fallen.dashed().label_at(&height, hit, a.relative * (1.0 - 0.4 * hit / a.time), Side::Right))
     };
 
     /// The slip near the time at which it ends. Located: a line that reaches zero and stays there. With the
     /// sign of the slip and equal steps: it jumps from one side of zero to the other at every step.
     chatter: {
-        let a = Answer::new(p);
-        let slips = chattering(p, 301, 2.0 * a.time);
-        let seen = |t: f64| (0.95..1.1).contains(&(t / a.time));
-        let wrong = slips.into_iter().filter(|(t, _)| seen(*t)).map(|(t, w)| (t / a.time, w));
+        let slips = chattering(p, 301, 2.0 * a.time).into_iter().map(|(t, w)| (t / a.time, w));
+        let wrong = slips.filter(|(t, _)| (0.95..1.1).contains(t));
         let right = times(0.95, 1.1, 301).map(|t| (t, a.relative * (1.0 - t).max(0.0)));
         Panel::over_axes("$t/T$", Axis::linear("slip / rad/s").over([-0.02 * a.relative, 0.05 * a.relative]))
             .curve(Curve::new(right, Ink::Ink).label_at("stick located", 0.97, 0.03 * a.relative, Side::AboveRight))
@@ -106,10 +106,9 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (a, run) = (Answer::new(p), fallen(p, 0.0, 2.0, 1e-9)?);
     let (hit, end) = ((2.0 * p.drop / p.gravity).sqrt(), 1.3 * a.time);
-    let (before, after) = ((hit - 1e-6 * a.time).max(0.0), hit + 1e-6 * a.time);
-    let all = || times(0.0, before, 2).chain(times(after, end, 60));
     let curve = |k: usize, name: &str, first: f64, side: Side| {
-        let curve = Curve::sampled(all(), |t| Ok(run.at(t)?.v[k]), Ink::Velocity)?;
+        let all = instants(hit, a.time, end);
+        let curve = Curve::sampled(all, |t| Ok(run.at(t)?.v[k]), Ink::Velocity)?;
         let (t, rate) = (0.4 * a.time, a.common + 0.6 * (first - a.common));
         Ok::<_, kit::Error>(curve.label_at(name, t, rate, side))
     };
@@ -119,13 +118,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(curve(2, "lower", p.lower_rate, Side::BelowRight)?.dashed());
     let (drop, largest, stills) = (p.drop, rate(p), [0.0, 0.55 * a.time, end]);
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
-        let MechanismState { q, v } = run.at(t)?;
+        let MechanismState { q, v: [_, upper, lower] } = run.at(t)?;
+        let so = if t < a.time { "" } else { ", as one body" };
         let alt = format!(
-            "{t:.2} s after the release the upper disc turns at {:.1} rad/s and the lower one at {:.1} \
-             rad/s{}. Below, both rates against time.",
-            v[1],
-            v[2],
-            if t < a.time { "" } else { ", as one body" },
+            "{t:.2} s after the release the upper disc turns at {upper:.1} rad/s and the lower one at {lower:.1} \
+             rad/s{so}. Below, both rates against time."
         );
         let height = 0.5 * q[0].max(0.0) / drop.max(1e-9);
         let view = discs(height, [q[1], q[2]].map(|turn| (0.05 * turn) % TAU));
@@ -133,7 +130,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             let shown = (w / largest).abs() > 0.02;
             view.only_if(shown, |view| turning(view, z, r, 1.6 * w / largest, label))
         };
-        let view = arrow(view, 0.24 + height, 0.98, v[1], r"$\Omega_1$");
-        Ok((alt, arrow(view, 0.0, 1.13, v[2], r"$\Omega_2$")))
+        let view = arrow(view, 0.24 + height, 0.98, upper, r"$\Omega_1$");
+        Ok((alt, arrow(view, 0.0, 1.13, lower, r"$\Omega_2$")))
     })
 }
