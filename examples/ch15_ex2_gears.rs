@@ -8,9 +8,7 @@ pub mod physics;
 use kit::prelude::*;
 use physics::*;
 use rotation_dynamics::integrators::Work;
-use rotation_dynamics::planar::contact::{
-    ContactMotion, Load, Mechanism, MechanismState, With, motion_within,
-};
+use rotation_dynamics::planar::contact::{Load, Mechanism, MechanismState, motion_within};
 
 parameters! {
     /// The gears of the exercise; the notes leave all numbers open.
@@ -41,7 +39,7 @@ parameters! {
 /// What the motor has given until B is up to speed, torque times time, by Simpson's rule.
 pub fn motor(run: &Run) -> Result<f64> {
     let sticks = run.event("rims sticks")?.t;
-    let torque = |part: f64| Ok::<_, kit::Error>(run.forces(part * sticks)?[1].normal);
+    let torque = |part: f64| run.forces(part * sticks).map(|forces| forces[1].normal);
     Ok(sticks / 6.0 * (torque(0.0)? + 4.0 * torque(0.5)? + torque(1.0)?))
 }
 
@@ -50,20 +48,18 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     allowed! {
         "radius_a/radius_b": r, from_to(1e-3, 1e3), "the simulation of the rims loses its digits beyond";
     }?;
-    let [run, free] = [true, false].map(|driven| spun_up(p, driven, p.tolerance));
-    let (run, free) = (run?, free?);
+    let (run, free) = (spun_up(p, true, p.tolerance)?, spun_up(p, false, p.tolerance)?);
     let (end, loose) = (run.at(run.end_time())?.v, free.at(free.end_time())?.v);
     let (sticks, given) = (run.event("rims sticks")?.t, motor(&run)?);
     let ([la, lb], push) = ([p.inertia_a * p.rate, p.inertia_b * b], push(p));
     let (all, energy) = (la.abs() + lb.abs(), kinetic_energy(p, [p.rate, b]));
-    let (origin, apart) = ([0.0; 2], p.radius_a + p.radius_b);
+    let (about_a, apart) = (|rates| particles(p, rates, [0.0; 2]), p.radius_a + p.radius_b);
     let gained = kinetic_energy(p, end) - kinetic_energy(p, [p.rate, 0.0]);
     let (carried, moving) = (rate_b(p, arm), p.mass_b * apart * apart * arm);
     // The rims push up or down, by the sense of A.
     let sense = p.rate.signum();
     // Nothing turns if the two would have no angular momentum together.
-    let sum = la + lb;
-    let kept = if sum == 0.0 { 0.0 } else { la / sum * p.rate };
+    let kept = if la + lb == 0.0 { 0.0 } else { la / (la + lb) * p.rate };
     let near = 1e-9 * (all + moving.abs() + p.inertia_b * carried.abs());
     claims! { report,
         /// rate of gear B
@@ -72,13 +68,11 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             -p.rate / r => "the smaller gear turns faster",
             -p.rate => "the speeds of the rims are equal, not the rates";
         /// angular momentum about the axis of A
-        momentum: la + lb, "kg m^2/s", "four particles for B" => la + particles(p, [0.0, b], origin), within near,
-        in "The gears":
+        momentum: la + lb, "kg m^2/s", "four particles for B" => la + about_a([0.0, b]), within near, in "The gears":
             la - lb => "B turns the other way", la => "B turns as well",
             la + lb + p.mass_b * apart * apart * p.rate => "the centre of B is at rest";
         /// kinetic energy
-        energy: energy, "J", "wheels simulated" => kinetic_energy(p, end), within bound * energy,
-        in "The gears":
+        energy: energy, "J", "wheels simulated" => kinetic_energy(p, end), within bound * energy, in "The gears":
             0.5 * (la + lb) * p.rate => "that is not a body that turns as one";
         /// time until B is up to speed
         time: time(p), "s", "located event" => sticks, within bound * time(p), in "Setting B going":
@@ -86,34 +80,31 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// push of the rims, summed over the time
         push: push, "N s", "wheels simulated" => p.friction * sticks, within bound * push;
         /// what the motor gives, torque times time
-        motor: sense * push * p.radius_a, "N m s", "torque of the motor, simulated" => given, within bound * push * p.radius_a,
-        in "Setting B going":
+        motor: sense * push * p.radius_a, "N m s", "torque of the motor, simulated" => given, within bound * push * p.radius_a, in "Setting B going":
             sense * push * p.radius_b => "that is what B receives; the lever at A is another",
             sense * push * apart => "that is what the bearing of B takes";
         /// what the bearing of B gives, about the axis of A
-        bearing: -sense * push * apart, "N m s", "particles, less the motor" => particles(p, [0.0, b], origin) - given, within near + bound * push * apart;
+        bearing: -sense * push * apart, "N m s", "particles, less the motor" => about_a([0.0, b]) - given, within near + bound * push * apart;
         /// work of the motor
-        work: push * p.radius_a * p.rate.abs(), "J", "torque of the motor, simulated" => given * p.rate, within bound * energy,
-        in "Setting B going":
+        work: push * p.radius_a * p.rate.abs(), "J", "torque of the motor, simulated" => given * p.rate, within bound * energy, in "Setting B going":
             0.5 * push * p.radius_a * p.rate.abs() => "that is what B has in the end; the rims slip meanwhile";
         /// heat of the rims
         heat: 0.5 * push * p.radius_a * p.rate.abs(), "J", "work less energy, simulated" => given * p.rate - gained, within bound * energy;
         /// rate of A in the end if nothing drives it
-        undriven: undriven(p), "rad/s", "wheels simulated" => loose[0], within bound * p.rate,
-        in "Setting B going":
+        undriven: undriven(p), "rad/s", "wheels simulated" => loose[0], within bound * p.rate, in "Setting B going":
             kept => "the bearings give angular momentum too",
             p.inertia_a * p.rate / (p.inertia_a + p.inertia_b) => "they do not turn as one body";
         /// rate of gear B, carried by the arm
         carried_rate: carried, "rad/s", "no slip, from places" => without_slip(p, arm), within 1e-9 * (carried.abs() + p.rate.abs() + (1.0 + r) * arm.abs());
         /// angular momentum then
-        carried_momentum: momentum(p, arm), "kg m^2/s", "four particles for B" => la + particles(p, [arm, carried], origin), within near;
+        carried_momentum: momentum(p, arm), "kg m^2/s", "four particles for B" => la + about_a([arm, carried]), within near;
     }
 }
 
 /// Gears like these with other ratios of radii and of moments of inertia.
 fn like(p: &Parameters, ratio: f64, inertia: f64) -> Parameters {
-    let (inertia_a, radius_b, rate) = (1.0, 1.0, 1.0);
-    Parameters { inertia_a, inertia_b: inertia, radius_a: ratio, radius_b, rate, ..p.clone() }
+    let p = p.but(|p| (p.inertia_a, p.radius_b, p.rate) = (1.0, 1.0, 1.0));
+    p.but(|p| (p.inertia_b, p.radius_a) = (inertia, ratio))
 }
 
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -136,7 +127,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 /// Torques besides those of the rims: of a motor that gives way, and of the bearing of B.
-pub struct Besides {
+struct Besides {
     rate: f64,
     motor: f64,
     bearing: f64,
@@ -144,28 +135,23 @@ pub struct Besides {
 
 impl Load<2> for Besides {
     fn force(&self, MechanismState { v, .. }: &MechanismState<2>) -> [f64; 2] {
-        let motor = self.motor * (self.rate - v[0]);
-        [motor, self.rate.signum() * self.bearing]
+        [self.motor * (self.rate - v[0]), self.rate.signum() * self.bearing]
     }
 }
 
-/// A motion with them.
-type Laden = ContactMotion<With<Wheels, Besides>, 2, 2>;
-
-/// The wheels with such torques, a motor that gives way and a bearing.
-fn besides(p: &Parameters, [motor, bearing]: [f64; 2], driven: bool, end: f64) -> Result<Laden> {
-    let (p, rate) = (p.clone(), p.rate);
-    let (q, v) = ([0.0; 2], [rate, 0.0]);
-    let wheels = Wheels { p, driven }.with(Besides { rate, motor, bearing });
-    Ok(motion_within(wheels, 1e-10, MechanismState { q, v }, end)?)
-}
-
-/// When B is up to speed with them, the rates then, and what the simulation costs.
-fn with(p: &Parameters, torques: [f64; 2], driven: bool) -> Result<(f64, [f64; 2], Work)> {
-    let end = 1.5 * time(p) / (1.0 - torques[1] / (p.friction * p.radius_b));
-    let run = besides(p, torques, driven, end)?;
+/// When B is up to speed with them, the rates then, and what the simulation costs; the torque that
+/// a motor must hold from then on.
+fn with(
+    p: &Parameters,
+    [motor, bearing]: [f64; 2],
+    driven: bool,
+) -> Result<(f64, [f64; 2], Work, f64)> {
+    let end = 1.5 * time(p) / (1.0 - bearing / (p.friction * p.radius_b));
+    let wheels = Wheels { p: p.clone(), driven }.with(Besides { rate: p.rate, motor, bearing });
+    let start = MechanismState { q: [0.0; 2], v: [p.rate, 0.0] };
+    let run = motion_within(wheels, 1e-10, start, end)?;
     let sticks = run.event("rims sticks")?;
-    Ok((sticks.t, sticks.after.v, run.work()))
+    Ok((sticks.t, sticks.after.v, run.work(), run.forces(end)?[1].normal))
 }
 
 /// What `--with bearing` adds: B takes longer, and then the motor has to go on.
@@ -175,10 +161,8 @@ fn rough(p: &Parameters, report: &mut Report) -> Result<()> {
     allowed! {
         "bearing over the torque of the rims": bearing / grip, between(0.0, 0.99), "or the bearing holds B";
     }?;
-    let end = 1.5 * p.inertia_b * b / (grip - bearing);
-    let (longer, run) = (end / 1.5, besides(p, [0.0, bearing], true, end)?);
-    let sticks = run.event("rims sticks")?.t;
-    let holds = run.forces(end)?[1].normal;
+    let longer = p.inertia_b * b / (grip - bearing);
+    let (sticks, _, _, holds) = with(p, [0.0, bearing], true)?;
     claims! { report,
         /// with friction in the bearing: time until B is up to speed
         rough_time: longer, "s", "located event" => sticks, within 1e-8 * longer;
@@ -190,8 +174,7 @@ fn rough(p: &Parameters, report: &mut Report) -> Result<()> {
 /// The card of effects, for friction wheels with bearings of 5 mm and a motor under load.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let which = p.inertia_b / p.inertia_a * ratio(p) * ratio(p);
-    let whole = momentum(p, 0.0);
-    let of_b = (p.inertia_b * rate_b(p, 0.0)).abs();
+    let (whole, of_b) = (momentum(p, 0.0).abs(), (p.inertia_b * rate_b(p, 0.0)).abs());
     let all = (p.inertia_a * p.rate).abs() + of_b;
     let rubs = 1.5e-3 * (p.mass_b * 9.80665 + p.friction) * 0.005;
     let bearing = rubs / (p.friction * p.radius_b);
@@ -205,8 +188,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let larger = with(&p.but(|p| p.radius_b += 1e-4), [0.0, 0.0], true)?;
     let both = |[a, b]: [f64; 2]| p.inertia_a * a + p.inertia_b * b;
     effect_card! { report,
-        "the motor gives way by 3 %": "dOmega1/Omega1" = droop, costs gives * whole.abs(), "kg m^2/s",
-            measured sluggish.map(|run| whole.abs() - both(run.1).abs()), within 1e-8 * all, at_work sluggish.map(|run| run.2);
+        "the motor gives way by 3 %": "dOmega1/Omega1" = droop, costs gives * whole, "kg m^2/s",
+            measured sluggish.map(|run| whole - both(run.1).abs()), within 1e-8 * all, at_work sluggish.map(|run| run.2);
         "creep of friction wheels, 1 %": "s" = creep, costs creep * of_b, "kg m^2/s";
         "a radius off by 0.1 mm": "dR/R2" = off, costs off * of_b, "kg m^2/s",
             measured of_b - p.inertia_b * larger.1[1].abs(), within 1e-8 * all, at_work larger.2;

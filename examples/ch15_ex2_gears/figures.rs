@@ -16,12 +16,8 @@ fn gear(sketch: Sketch, (x, y): (f64, f64), radius: f64, teeth: u32, turn: f64) 
     });
     let (s, c) = sincos(turn);
     let spoke = [(x, y), (x + 0.8 * radius * c, y + 0.8 * radius * s)];
-    sketch.body(outline, Ink::Body, 0.2).curve(Curve::new(spoke, Ink::Body).thin()).dot(
-        (x, y),
-        Ink::Ink,
-        "",
-        Side::Above,
-    )
+    let sketch = sketch.body(outline, Ink::Body, 0.2).curve(Curve::new(spoke, Ink::Body).thin());
+    sketch.dot((x, y), Ink::Ink, "", Side::Above)
 }
 
 /// A with 24 teeth about the origin and B with 12 that mesh, B's axis in this direction.
@@ -35,12 +31,9 @@ figures! { p: &Parameters;
     /// A large gear A on the left and a smaller gear B on the right, whose teeth mesh. A has the radius R1 and
     /// turns counterclockwise at Omega 1. Both axes are held by the ground.
     setup: meshed(Sketch::within((-1.3, 2.3), (-1.3, 1.45)), 0.0)
-        .turn((0.0, 0.0), 1.18, (1.2, 2.0), Ink::Velocity)
-        .text((-0.2, 1.2), r"$\Omega_1$", Ink::Velocity, Side::Above)
-        .arrow_along([(0.0, 0.0), (-0.55, -0.78)], Ink::Ink)
-        .text((-0.3, -0.35), "$R_1$", Ink::Ink, Side::Left)
-        .arrow_along([(1.5, 0.0), (1.5, -0.47)], Ink::Ink)
-        .text((1.5, -0.25), "$R_2$", Ink::Ink, Side::Right)
+        .turn((0.0, 0.0), 1.18, (1.2, 2.0), Ink::Velocity).text((-0.2, 1.2), r"$\Omega_1$", Ink::Velocity, Side::Above)
+        .arrow_along([(0.0, 0.0), (-0.55, -0.78)], Ink::Ink).text((-0.3, -0.35), "$R_1$", Ink::Ink, Side::Left)
+        .arrow_along([(1.5, 0.0), (1.5, -0.47)], Ink::Ink).text((1.5, -0.25), "$R_2$", Ink::Ink, Side::Right)
         .text((-0.6, 0.35), "$A$, $I_1$", Ink::Body, Side::Centre)
         .text((1.62, 0.58), "$B$, $I_2$", Ink::Body, Side::Above)
         .ring((0.0, 0.0), Ink::Ink, "", Side::Below)
@@ -64,18 +57,15 @@ figures! { p: &Parameters;
     /// of one thickness it is zero at the ratio one, negative below and rises towards one above, for those of
     /// one thickness faster. Dots: particles.
     momentum: {
-        let of = |power: i32| move |r: f64| 1.0 - r.powi(power);
-        let simulated = |power: i32| {
-            let at = move |r: f64| {
-                let p = &like(&Parameters::default(), r, r.powi(power - 1));
-                Ok(1.0 + particles(p, [0.0, rate_b(p, 0.0)], [0.0; 2]))
-            };
-            Curve::sampled([0.8, 1.25, 1.75, 2.5, 3.5], at, Ink::Momentum)
-        };
+        let of = |power: i32| Curve::of(times(0.75, 4.0, 120), move |r| 1.0 - r.powi(power), Ink::Momentum);
+        let simulated = |power: i32| Curve::sampled([0.8, 1.25, 1.75, 2.5, 3.5], |r| {
+            let p = &like(&Parameters::default(), r, r.powi(power - 1));
+            Ok(1.0 + particles(p, [0.0, rate_b(p, 0.0)], [0.0; 2]))
+        }, Ink::Momentum);
         Panel::over_axes(Axis::linear("$R_1/R_2$").range(0.75, 4.0), Axis::linear(r"$L/I_1\Omega_1$").range(-1.5, 1.0))
             .level(0.0, Ink::Frame, "")
-            .curve(Curve::of(times(0.75, 4.0, 120), of(-1), Ink::Momentum).dashed().label_at("one mass", 2.2, 0.54, Side::BelowRight))
-            .curve(Curve::of(times(0.75, 4.0, 120), of(-3), Ink::Momentum).label_at("one thickness", 1.5, 0.7, Side::AboveLeft))
+            .curve(of(-1).dashed().label_at("one mass", 2.2, 0.54, Side::BelowRight))
+            .curve(of(-3).label_at("one thickness", 1.5, 0.7, Side::AboveLeft))
             .curve(simulated(-1)?.dots())
             .curve(simulated(-3)?.dots())
     };
@@ -83,10 +73,9 @@ figures! { p: &Parameters;
     /// Rates against time while B is set going. Driven: A stays, B falls on a straight line to minus twice that
     /// rate. Not driven: A falls to half, B to minus what A had, and sooner.
     rates: {
-        let time = time(p);
+        let (time, b, loose) = (time(p), rate_b(p, 0.0), undriven(p));
         let (run, free) = (spun_up(p, true, 1e-9)?, spun_up(p, false, 1e-9)?);
         let of = |run: &Run, k: usize, ink| Curve::sampled(times(0.0, 1.4 * time, 140), |t| Ok(run.at(t)?.v[k]), ink);
-        let (b, loose) = (rate_b(p, 0.0), undriven(p));
         Panel::over_axes("$t$ / s", r"$\Omega$ / rad/s")
             .level(0.0, Ink::Frame, "")
             .curve(of(&run, 0, Ink::Velocity)?.label_at("$A$ driven", 1.0 * time, p.rate, Side::Below))
@@ -108,9 +97,8 @@ figures! { p: &Parameters;
 /// B set going, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let run = spun_up(p, true, p.tolerance)?;
-    let [one, two] = ["Omega1 [rad/s]", "Omega2 [rad/s]"];
-    let columns = ["t [s]", one, two, "L [kg m^2/s]", "motor [N m]"];
-    Trajectory::sampled(columns, times(0.0, run.end_time(), 300), |t| {
+    let columns = "t [s], Omega1 [rad/s], Omega2 [rad/s], L [kg m^2/s], motor [N m]";
+    Trajectory::sampled(columns.split(", "), times(0.0, run.end_time(), 300), |t| {
         let ([a, b], torque) = (run.at(t)?.v, run.forces(t)?[1].normal);
         Ok([t, a, b, p.inertia_a * a + p.inertia_b * b, torque])
     })
@@ -122,23 +110,20 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (a, b, rim) = (p.radius_a, p.radius_b, p.radius_a * p.rate);
     let (time, end) = (time(&p), run.end_time());
     let speed = |k: usize, r: f64| {
-        let of = |t| Ok(r * run.at(t)?.v[k]);
-        Curve::sampled(times(0.0, end, 120), of, Ink::Velocity)
+        Curve::sampled(times(0.0, end, 120), |t| Ok(r * run.at(t)?.v[k]), Ink::Velocity)
     };
-    let (of_a, of_b) = (speed(0, a)?, speed(1, -b)?.dashed());
     let graph = Panel::over_axes("$t$ / s", "speed of the rim / m/s")
-        .curve(of_a.label_at("$A$", 0.3 * time, rim, Side::Below))
-        .curve(of_b.label_at("$B$", 0.5 * time, 0.5 * rim, Side::BelowRight));
+        .curve(speed(0, a)?.label_at("$A$", 0.3 * time, rim, Side::Below))
+        .curve(speed(1, -b)?.dashed().label_at("$B$", 0.5 * time, 0.5 * rim, Side::BelowRight));
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.5 * time, end], move |t| {
         let (MechanismState { q, v }, slow) = (run.at(t)?, 0.2);
         let senses = ["counterclockwise", "clockwise"];
         let [of_a, of_b] = [rim < 0.0, rim > 0.0].map(|back| senses[usize::from(back)]);
         let rims = [" without slip", ", and they slip"][usize::from(t < time)];
+        let [at_a, at_b] = v.map(f64::abs);
         let alt = format!(
-            "{t:.2} s after the rims have met: A turns {of_a} at {:.0} rad/s, B {of_b} \
-             at {:.0} rad/s{rims}. Below, the speeds of the two rims where they touch.",
-            v[0].abs(),
-            v[1].abs(),
+            "{t:.2} s after the rims have met: A turns {of_a} at {at_a:.0} rad/s, B {of_b} at {at_b:.0} rad/s{rims}. \
+             Below, the speeds of the two rims where they touch."
         );
         let high = 1.15 * a.max(b);
         let scene = Sketch::within((-1.2 * a, a + 2.3 * b), (-high, high))
@@ -148,11 +133,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .text((-0.5 * a, 0.5 * a), "$A$", Ink::Body, Side::Centre)
             .text((a + b, 0.55 * b), "$B$", Ink::Body, Side::Centre);
         // Side by side, to be told apart.
-        let arrow = |scene: Sketch, x: f64, speed: f64| {
+        let arrow = |scene: Sketch, (x, speed): (f64, f64)| {
             let all = [(x, 0.0), (x, 0.9 * a * speed / rim.abs())];
             scene.only_if(speed.abs() > 0.05 * rim.abs(), |s| s.arrow_along(all, Ink::Velocity))
         };
-        let scene = arrow(scene, 0.98 * a, a * v[0]);
-        Ok((alt, arrow(scene, 1.02 * a, -b * v[1])))
+        let arrows = [(0.98 * a, a * v[0]), (1.02 * a, -b * v[1])];
+        Ok((alt, arrows.into_iter().fold(scene, arrow)))
     })
 }
