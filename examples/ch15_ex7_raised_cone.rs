@@ -76,21 +76,17 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let grown = pressed(p, rate)? / weight - 0.75;
     claims! { report,
         /// angular velocity, along rho
-        omega_rho: rate * along, "rad/s", "the lowest point at rest" => spin, within near * rate / s,
-        in "The motion":
+        omega_rho: rate * along, "rad/s", "the lowest point at rest" => spin, within near * rate / s, in "The motion":
             rate / s => "the axis is not the line of points at rest",
             -rate * along => "which way must the upper side of the cone move?";
         /// its size
-        omega: rate.abs() * hypot(along, up), "rad/s", "the lowest point at rest" => hypot(spin, rate), within near * rate / s,
-        in "The motion":
+        omega: rate.abs() * hypot(along, up), "rad/s", "the lowest point at rest" => hypot(spin, rate), within near * rate / s, in "The motion":
             -rate * along => "that is the spin alone", rate => "that is the part about the vertical alone";
         /// angular momentum about the vertex, along rho
-        l_rho: unit * rho, "kg m^2/s", "24 particles" => sums.angular_momentum.x(), within near * size,
-        in "The motion":
+        l_rho: unit * rho, "kg m^2/s", "24 particles" => sums.angular_momentum.x(), within near * size, in "The motion":
             -unit * rho => "which way does the spin point?";
         /// angular momentum about the vertex, upward
-        l_up: unit * vertical, "kg m^2/s", "24 particles" => sums.angular_momentum.z(), within near * size,
-        in "The motion":
+        l_up: unit * vertical, "kg m^2/s", "24 particles" => sums.angular_momentum.z(), within near * size, in "The motion":
             0.6 * unit => "the cone is not a thin rod",
             unit * (0.0375 + 0.15 * tan(a) * tan(a)) => "that is about the centre of mass";
         /// kinetic energy
@@ -146,21 +142,17 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // speed of the base.
     let (side, speed) = (h * h * tan(a), h * rate);
     let air = 0.4 * 0.5 * 1.204 * side * speed * speed * TAU * h / energy;
-    let turning = [2.0 * energy / (rate * rate), rate];
-    let strips = p.air(0.0, 1.204);
+    let (turning, strips) = ([2.0 * energy / (rate * rate), rate], p.air(0.0, 1.204));
     // Slower, it also presses less.
     let pressed = |rate: f64| bears(h * rate * rate / p.gravity);
     let (rolled, its_work) = left_to_itself(rolling, turning, pressed)?;
     let (blown, work) = left_to_itself(air, turning, |rate| strips * rate * rate)?;
     effect_card! { report,
-        "radial friction at the rim":
-            "mu tan(alpha)" = friction * tan(a), costs friction * tan(a), "of N, at most";
-        "rolling resistance":
-            "b/h" = lever / h, costs rolling.min(1.0), "of the energy in a circuit, to first order",
+        "radial friction at the rim": "mu tan(alpha)" = friction * tan(a), costs friction * tan(a), "of N, at most";
+        "rolling resistance": "b/h" = lever / h, costs rolling.min(1.0), "of the energy in a circuit, to first order",
             measured rolled, within 1e-10, at_work its_work;
-        "drag of the air":
-            "rho h S/M" = 1.204 * h * side / p.mass, costs air.min(1.0), "of the energy in a circuit, to first order",
-            measured blown, within 1e-10, at_work work;
+        "drag of the air": "rho h S/M" = 1.204 * h * side / p.mass,
+            costs air.min(1.0), "of the energy in a circuit, to first order", measured blown, within 1e-10, at_work work;
     }
 }
 

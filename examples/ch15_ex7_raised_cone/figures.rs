@@ -33,13 +33,12 @@ figures! { _: &Parameters;
     /// post is as high as the radius of the base. The axis points along rho and turns about the vertical Z at
     /// the rate Omega.
     setup: {
-        let (azimuth, radius) = (1.75, tan(ALPHA));
-        let (rho, vertex) = (level(azimuth), UP * radius);
-        on_post(ALPHA, &placed(0.0, azimuth, 2.2)?)
+        let (rho, vertex) = (level(1.75), UP * tan(ALPHA));
+        on_post(ALPHA, &placed(0.0, 1.75, 2.2)?)
             .arrow(vertex + rho * 1.02, vertex + rho * 1.4, Ink::Frame, r"$\hat\rho$", Side::Right)
             .arrow(vertex, vertex + UP * 0.75, Ink::Frame, "$Z$", Side::Right)
-            .turn(sweep(0.2, 2.6, 0.3).map(|p| p + UP * (radius + 0.5)), Ink::Velocity)
-            .text(UP * (radius + 0.5) - level(2.17) * 0.3, r"$\Omega$", Ink::Velocity, Side::Left)
+            .turn(sweep(0.2, 2.6, 0.3).map(|p| p + UP * (tan(ALPHA) + 0.5)), Ink::Velocity)
+            .text(UP * (tan(ALPHA) + 0.5) - level(2.17) * 0.3, r"$\Omega$", Ink::Velocity, Side::Left)
             .dot(vertex, Ink::Ink, "$O$", Side::Left)
     };
 
@@ -89,16 +88,12 @@ figures! { _: &Parameters;
     /// the longer one, in proportion 1 to cos alpha.
     two_cones: {
         let (slant, scale) = (1.0 / cos(ALPHA), 0.36);
-        let lying = |turn: f64, vertex: (f64, f64)| {
-            let at = |r: f64, angle: f64| {
-                (vertex.0 + r * cos(angle - turn), vertex.1 + r * sin(angle - turn))
-            };
-            [vertex, at(slant, 0.0), at(slant, 2.0 * ALPHA)]
+        let lying = |turn: f64, (x, y): (f64, f64)| {
+            let at = |angle: f64| (x + slant * cos(angle - turn), y + slant * sin(angle - turn));
+            [(x, y), at(0.0), at(2.0 * ALPHA)]
         };
+        let arrow = |(x, y): (f64, f64), turn: f64, size: f64| [(x, y), (x - size * cos(turn), y + size * sin(turn))];
         let (first, second) = ((-1.35, 0.0), (1.3, tan(ALPHA)));
-        let arrow = |(x, y): (f64, f64), turn: f64, size: f64| {
-            [(x, y), (x - size * cos(turn), y + size * sin(turn))]
-        };
         let (one, two) = (scale / tan(ALPHA), scale / sin(ALPHA));
         Sketch::within((-2.5, 2.6), (-0.35, 1.35))
             .wall((-2.4, 0.0), (-0.1, 0.0))
@@ -118,16 +113,12 @@ figures! { _: &Parameters;
 const END: f64 = 6.0;
 const LAST: f64 = 12.0;
 
-/// The rate, and how far the axis has turned, at `t`.
-fn sped_up(p: &Parameters, t: f64) -> (f64, f64) {
+/// The rate, how far the axis has turned, and the force of the table over the weight, at `t`.
+fn sped_up(p: &Parameters, t: f64) -> [f64; 3] {
     let last = p.rate.signum() * LAST * (lifting(p) / lifting(&Parameters::default()));
-    (last * t / END, 0.5 * last * t * t / END)
-}
-
-/// The force of the table then, over the weight.
-fn share(p: &Parameters, t: f64) -> f64 {
-    let (rate, _) = sped_up(p, t);
-    pressure(p.half_angle, p.height * rate * rate / p.gravity)
+    let rate = last * t / END;
+    let share = pressure(p.half_angle, p.height * rate * rate / p.gravity);
+    [rate, 0.5 * last * t * t / END, share]
 }
 
 /// A circuit at the rate of the parameters, for `--csv`.
@@ -146,18 +137,17 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// the cone as those of the cone of the page.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (p, a, page) = (p.clone(), p.half_angle, Parameters::default());
-    let table = Curve::of(times(0.0, END, 120), |t| share(&p, t), Ink::Force);
-    let joint = Curve::of(times(0.0, END, 120), |t| 1.0 - share(&p, t), Ink::Force);
+    let table = Curve::of(times(0.0, END, 120), |t| sped_up(&p, t)[2], Ink::Force);
+    let joint = Curve::of(times(0.0, END, 120), |t| 1.0 - sped_up(&p, t)[2], Ink::Force);
     let graph = Panel::over_axes("$t$ / s", Axis::linear("force$/Mg$").range(-0.4, 1.4))
         .level(0.0, Ink::Frame, "")
         .curve(table.label_at("table", 2.0, 0.84, Side::Above))
         .curve(joint.dashed().label_at("joint", 2.0, 0.3, Side::Above));
-    let swift = size(a) * (sped_up(&page, END).0 / sped_up(&p, END).0.abs());
+    let swift = size(a) * (sped_up(&page, END)[0] / sped_up(&p, END)[0].abs());
     MovingPicture::above(graph, 0.0..=END, [1.4, 3.3, END], move |t| {
-        let (rate, turn) = sped_up(&p, t);
-        let (rho, o, table) = (level(turn + 3.45), UP * tan(a), share(&p, t));
-        let joint = 1.0 - table;
-        let way = ["up", "down"][usize::from(joint < 0.0)];
+        let [rate, turn, table] = sped_up(&p, t);
+        let (rho, o, joint) = (level(turn + 3.45), UP * tan(a), 1.0 - table);
+        let (way, pushes) = (["up", "down"][usize::from(joint < 0.0)], joint.abs());
         let [[x, y], [u, v]] = [angular_velocity(a), angular_momentum(a)];
         let steeper = ["less steep", "steeper"][usize::from(v * x < y * u)];
         let omega = match rate < 0.0 {
@@ -166,21 +156,18 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         };
         let alt = format!(
             "The cone after {t:.1} s, at {rate:.1} rad/s. Omega points {omega}, L {steeper}. The table presses up with {table:.2} of the weight, and the joint \
-             pushes the vertex {way} with {:.2} of it. Below, both forces against time.",
-            joint.abs()
+             pushes the vertex {way} with {pushes:.2} of it. Below, both forces against time."
         );
         let vector = |of: fn(f64) -> [f64; 2], scale: f64| {
-            let [length, page] = [a, ALPHA].map(|a| hypot(of(a)[0], of(a)[1]));
-            let [along, up] = of(a);
+            let ([along, up], [length, page]) =
+                (of(a), [a, ALPHA].map(|a| hypot(of(a)[0], of(a)[1])));
             o + (rho * along + UP * up) * (scale * rate * (swift * (page / length)))
         };
-        let omega = vector(angular_velocity, 0.028);
-        let momentum = vector(angular_momentum, 0.1);
         let (rim, beside) = (rho * (1.0 + 0.03 * size(a)), o - rho * (0.07 * size(a)));
         let lift = |force: f64| UP * (0.6 * force * size(a));
         let view = on_post(a, &rolled(a, turn + 3.45)?)
-            .arrow(o, omega, Ink::Velocity, r"$\omega$", Side::Left)
-            .arrow(o, momentum, Ink::Momentum, "$L$", Side::Right)
+            .arrow(o, vector(angular_velocity, 0.028), Ink::Velocity, r"$\omega$", Side::Left)
+            .arrow(o, vector(angular_momentum, 0.1), Ink::Momentum, "$L$", Side::Right)
             .arrow(rim, rim + lift(table), Ink::Force, "$N$", Side::Right)
             .arrow(beside, beside + lift(joint), Ink::Force, "", Side::Left)
             .dot(o, Ink::Ink, "", Side::Below);
