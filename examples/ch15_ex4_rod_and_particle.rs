@@ -39,20 +39,16 @@ fn turn(p: &Parameters) -> f64 {
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, scene) = (Answer::new(p), scene(p));
     let blow = Blow::new(scene, p.tolerance, 0.5, turn(p))?;
-    let (before, after, end) = (blow.before, blow.after, blow.end()?);
-    let (m, v, l, bound) = (p.particle, p.speed, p.length, 1e-12);
-    let whole = p.mass + m;
-    let [push, _] = scene.momentum(&after);
-    let lost = 1.0 - a.energies[1] / a.energies[0];
-    let lost_there = 1.0 - scene.energy(&after) / scene.energy(&before);
-    let [w, middle] = [after.v[2], after.v[0]];
+    let (after, end) = (blow.after, blow.end()?);
+    let (m, v, l, bound, whole) = (p.particle, p.speed, p.length, 1e-12, p.mass + p.particle);
+    let [middle, _, w, particle, _] = after.v;
     let way = scene.centre(&end)[0] - scene.centre(&after)[0];
     let (rest, half) = (a.velocity / a.angular_velocity, 0.5 * m * v * l);
     // With a hinge the rod turns at this rate.
     let hinged = half / ((p.mass / 12.0 + 0.25 * m) * l * l);
     claims! { report,
         /// velocity of the centre of mass, before and after
-        velocity: a.velocity, "m/s", "contacts simulated, after" => push / whole, within bound * v,
+        velocity: a.velocity, "m/s", "contacts simulated, after" => scene.momentum(&after)[0] / whole, within bound * v,
         in "(a) The centre of mass":
             0.5 * l * hinged => "that is the particle, with a hinge",
             -a.centre * hinged => "that is with the hinge", v => "the rod has to be carried along";
@@ -65,8 +61,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         within bound * half, in "(b) The angular momentum":
             a.momentum => "that is about the centre of mass";
         /// angular velocity after
-        angular_velocity: a.angular_velocity, "rad/s", "contacts simulated" => w, within bound * v / l,
-        in "(c) The angular velocity":
+        angular_velocity: a.angular_velocity, "rad/s", "contacts simulated" => w, within bound * v / l, in "(c) The angular velocity":
             hinged => "that is with the hinge",
             a.momentum / (p.mass * l * l / 12.0) => "the particle turns with the rod",
             half / ((p.mass / 12.0 + 0.25 * m) * l * l - whole * a.centre * a.centre) => "moment and angular momentum about the same point";
@@ -74,27 +69,24 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         rest: rest, "m", "contacts simulated" => middle / w - a.centre, within bound * l, in "(d) The motion":
             rest + a.centre => "that is from the middle of the rod";
         /// way of the centre of mass in one turn
-        way: TAU * rest, "m", "contacts simulated" => way.abs(), within 100.0 * p.tolerance * way,
-        in "(d) The motion";
+        way: TAU * rest, "m", "contacts simulated" => way.abs(), within 100.0 * p.tolerance * way, in "(d) The motion";
         /// velocity of the particle just after
-        particle_after: a.after(-0.5 * l), "m/s", "contacts simulated" => after.v[3], within bound * v,
-        in "(d) The motion":
+        particle_after: a.after(-0.5 * l), "m/s", "contacts simulated" => particle, within bound * v, in "(d) The motion":
             a.velocity => "that is the centre of mass; the particle also turns about it";
         /// of the middle of the rod
-        middle_after: a.after(0.0), "m/s", "contacts simulated" => middle, within bound * v,
-        in "(d) The motion":
+        middle_after: a.after(0.0), "m/s", "contacts simulated" => middle, within bound * v, in "(d) The motion":
             a.velocity => "the middle of the rod is not the centre of mass";
         /// of the far end
-        far_after: a.after(0.5 * l), "m/s", "contacts simulated" => middle - 0.5 * w * l, within bound * v,
-        in "(d) The motion":
+        far_after: a.after(0.5 * l), "m/s", "contacts simulated" => middle - 0.5 * w * l, within bound * v, in "(d) The motion":
             -a.after(0.5 * l) => "which way does it go?",
             a.velocity => "the end also turns about the centre of mass";
         /// impulse of the particle on the rod
-        impulse: p.mass * a.after(0.0), "N s", "contacts simulated" => m * (v - after.v[3]), within bound * m * v;
+        impulse: p.mass * a.after(0.0), "N s", "contacts simulated" => m * (v - particle), within bound * m * v;
         /// kinetic energy after
         energy: a.energies[1], "J", "contacts simulated" => scene.energy(&after), within bound * a.energies[0];
         /// part of it that is lost
-        lost: lost, "-", "contacts simulated" => lost_there, within bound, in "(d) The motion":
+        lost: 1.0 - a.energies[1] / a.energies[0], "-", "contacts simulated" => 1.0 - scene.energy(&after) / scene.energy(&blow.before), within bound,
+        in "(d) The motion":
             p.mass / whole => "the rod also turns";
     }
 }
@@ -121,8 +113,7 @@ fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
 /// A rod 2 cm thick, a ball of steel on its face, a table that rubs with 0.1, and a miss by 1 mm.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, scene, m, l) = (Answer::new(p), scene(p), p.particle, p.length);
-    let (w, whole) = (a.angular_velocity, p.mass + m);
-    let inertia = a.momentum / w;
+    let (w, whole, inertia) = (a.angular_velocity, p.mass + m, a.momentum / a.angular_velocity);
     let thick = p.mass * 0.02 * 0.02 / 12.0 / inertia;
     let radius = cbrt(3.0 * m / (4.0 * PI * 7850.0));
     let ball = (0.4 * m + m * p.mass / whole) * radius * radius / inertia;
@@ -135,23 +126,18 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let braked = rub.min(1.0) * a.velocity * (m + p.mass / 3.0) / whole;
     // How much slower solids turn than rod and point, with the same angular momentum.
     let slower = |rod: MassProperties, particle: MassProperties| -> Result<f64> {
-        let both = MassProperties::of_parts(&[rod, particle])?;
-        let about = both.about_centre_of_mass();
-        let about = about.moment_about(DesignVector::new(1.0, 0.0, 0.0))?;
-        Ok(w - a.momentum / about)
+        let both = MassProperties::of_parts(&[rod, particle])?.about_centre_of_mass();
+        Ok(w - a.momentum / both.moment_about(DesignVector::new(1.0, 0.0, 0.0))?)
     };
     let point = MassProperties::of_points(&[(m, DesignVector::new(0.0, 0.0, -0.5 * l))])?;
     let broad = solids::cuboid(p.mass, 0.02, 0.02, l)?;
-    let on_face = DesignVector::new(0.0, radius, -0.5 * l);
-    let sphere = solids::sphere(m, radius)?.displaced(on_face)?;
+    let sphere = solids::sphere(m, radius)?.displaced(DesignVector::new(0.0, radius, -0.5 * l))?;
     let (yielding, slack) = (scene.pressed(0.0)?, 1e-13 * w);
     // The rod is hit on this side of its middle, and the table does not stop it.
     let run = |sound, strike, end: f64| when(sound, || Blow::new(strike, 1e-8, 0.5, end));
     let off = run(miss < 0.5, Strike { arm: scene.arm - 1e-3, ..scene }, 0.1)?;
-    let rough = Strike { rub: 0.1, ..scene };
-    let table = run(rub < 0.5, rough, 1.0 / (w.abs() * scene.unit()))?;
+    let table = run(rub < 0.5, Strike { rub: 0.1, ..scene }, 1.0 / (w.abs() * scene.unit()))?;
     let end = table.as_ref().map(Blow::end).transpose()?;
-    let push = end.map(|end| scene.momentum(&end)[0]);
     effect_card! { report,
         "thickness of the rod": "M b^2/(12 I)" = thick, costs thick * w, "rad/s", measured slower(broad, point)?, within slack;
         "size of the particle, a ball": "(2/5 m + mu) r^2/I" = ball, costs ball * w, "rad/s",
@@ -162,7 +148,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         "the contact lasts 1 ms": "Omega t_c" = contact, costs 0.5 * contact, "rad of the angle",
             measured yielding.0[1] * contact, at_work yielding.1;
         "friction of the table": "mu_k g/(V Omega)" = rub, costs braked, "m/s of V in the time 1/Omega, from the start",
-            measured push.map(|push| a.velocity - push / whole), within 1e-8 + 1e-5 * a.velocity,
+            measured end.map(|end| a.velocity - scene.momentum(&end)[0] / whole), within 1e-8 + 1e-5 * a.velocity,
             at_work table.map(|blow| blow.work());
     }
 }

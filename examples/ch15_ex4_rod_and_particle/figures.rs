@@ -14,8 +14,7 @@ figures! { _: &Parameters, a = ratio(1.0), rest = a.centre + a.velocity / a.angu
     setup: Sketch::within((-1.25, 0.75), (-0.72, 0.68))
         .bar((0.0, -0.5), (0.0, 0.5), 0.05, Ink::Body)
         .dot((0.0, 0.0), Ink::Body, "middle", Side::Left)
-        .disc((-0.75, -0.5), 0.045, Ink::Ink, 0.8)
-        .text((-0.75, -0.45), "$M$", Ink::Ink, Side::Above)
+        .disc((-0.75, -0.5), 0.045, Ink::Ink, 0.8).text((-0.75, -0.45), "$M$", Ink::Ink, Side::Above)
         .arrow_to((-0.68, -0.5), (-0.3, -0.5), Ink::Ink, "$v$", Side::Below)
         .text((0.0, 0.5), "$M$", Ink::Body, Side::Above)
         .dimension((0.5, -0.5), (0.5, 0.5), "$l$", Side::Right);
@@ -26,17 +25,16 @@ figures! { _: &Parameters, a = ratio(1.0), rest = a.centre + a.velocity / a.angu
     /// straight line.
     velocities: {
         let tip = |place: f64| (0.8 * a.after(place), place);
-        let arrow = |sketch: Sketch, (place, label, side): (f64, &str, Side)| {
-            sketch.arrow_to((0.0, place), tip(place), Ink::Ink, label, side)
-        };
-        let sketch = Sketch::within((-0.95, 1.25), (-0.68, 0.62))
+        Sketch::within((-0.95, 1.25), (-0.68, 0.62))
             .bar((0.0, -0.5), (0.0, 0.5), 0.04, Ink::Body)
             .disc((0.0, -0.5), 0.045, Ink::Ink, 0.8)
             .curve(Curve::new([tip(-0.5), tip(0.5)], Ink::Frame).thin().dashed())
             .dot((0.0, a.centre), Ink::Body, "$S$", Side::Left)
-            .ring((0.0, rest), Ink::Ink, "at rest", Side::Right);
-        let all = [(-0.5, "$4v/5$"), (a.centre, "$v/2$"), (0.0, "$v/5$")].map(|(at, label)| (at, label, Side::Right));
-        all.into_iter().chain([(0.5, "$-2v/5$", Side::Left)]).fold(sketch, arrow)
+            .ring((0.0, rest), Ink::Ink, "at rest", Side::Right)
+            .arrow_to((0.0, -0.5), tip(-0.5), Ink::Ink, "$4v/5$", Side::Right)
+            .arrow_to((0.0, a.centre), tip(a.centre), Ink::Ink, "$v/2$", Side::Right)
+            .arrow_to((0.0, 0.0), tip(0.0), Ink::Ink, "$v/5$", Side::Right)
+            .arrow_to((0.0, 0.5), tip(0.5), Ink::Ink, "$-2v/5$", Side::Left)
     };
 
     /// Paths of four points of the rod from the impact on. The centre of mass runs straight. The particle makes
@@ -88,36 +86,29 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// The blow, with what is kept and what is not.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let ((s, blow, [from, to]), l, a) = (whole(p)?, p.length, Answer::new(p));
-    // L about the centre of mass, P along the first velocity, and T.
-    let kept = |state: &MechanismState<5>| {
-        let angular = s.angular_momentum(state, s.centre(state));
-        [angular, s.momentum(state)[0], s.energy(state)]
-    };
-    let start = kept(&blow.before);
-    let part = |k: usize, ink: Ink| {
+    let part = |of: &dyn Fn(&MechanismState<5>) -> f64, ink: Ink| {
         let instants = times(from, -1e-9, 20).chain(times(0.0, to, 100));
-        Curve::sampled(instants, |t| Ok(kept(&blow.at(t)?)[k] / start[k]), ink)
+        Curve::sampled(instants, |t| Ok(of(&blow.at(t)?) / of(&blow.before)), ink)
     };
+    let spin = part(&|state| s.angular_momentum(state, s.centre(state)), Ink::Momentum)?;
     let time = Axis::linear("$t$ / s").range(from, to);
     let graph = Panel::over_axes(time, Axis::linear("over the start").range(0.0, 1.2))
-        .curve(part(0, Ink::Momentum)?.label_end("$L_S$, $P_x$"))
-        .curve(part(1, Ink::Ink)?.dashed())
-        .curve(part(2, Ink::Energy)?.label_end("$T$"));
-    let reach = (a.velocity * to).abs().max(l);
-    let (right, sense) = (p.speed > 0.0, p.speed.signum());
+        .curve(spin.label_end("$L_S$, $P_x$"))
+        .curve(part(&|state| s.momentum(state)[0], Ink::Ink)?.dashed())
+        .curve(part(&|state| s.energy(state), Ink::Energy)?.label_end("$T$"));
+    let (reach, right, sense) = ((a.velocity * to).abs().max(l), p.speed > 0.0, p.speed.signum());
     let stills = [0.7 * from, 0.12 * to, 0.55 * to];
     MovingPicture::above(graph, from..=to, stills, move |t| {
-        let (state, hit) = (blow.at(t)?, t >= 0.0);
-        let way = ["left", "right"][usize::from(right)];
+        let (state, hit, apart) = (blow.at(t)?, t >= 0.0, t.abs());
+        let way = if right { "right" } else { "left" };
         let drifts = format!("Rod and particle drift to the {way} and turn,");
         let (does, when) = match hit {
             true => (drifts.as_str(), "after"),
             false => ("The particle comes towards the rod,", "before"),
         };
         let alt = format!(
-            "{does} {:.2} s {when} the impact. Below, momentum and angular momentum about the centre of \
-             mass are one level line; the energy drops at the impact.",
-            t.abs()
+            "{does} {apart:.2} s {when} the impact. Below, momentum and angular momentum about the centre of \
+             mass are one level line; the energy drops at the impact."
         );
         let ([x, y], (sin, cos)) = (s.centre(&state), sincos(state.q[2]));
         let place = |at: f64| (state.q[0] - at * l * sin, state.q[1] + at * l * cos);
@@ -125,14 +116,13 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let (near, far) = (0.75 * l, reach + 0.85 * l);
         let across = if right { (-near, far) } else { (-far, near) };
         let trail = times(0.0, t.max(0.0), 120).map(|t| a.at(t, 0.5 * l));
-        let turned = state.q[2] - FRAC_PI_2;
-        let turns = (turned + sense * 0.3, turned + sense * 1.4);
+        let turns = [0.3, 1.4].map(|on| state.q[2] - FRAC_PI_2 + sense * on);
         let scene = Sketch::within(across, (-1.1 * l, 0.75 * l))
             .high(149)
             .curve(Curve::new(ahead, Ink::Body).thin().dashed())
             .only_if(hit, |scene| {
                 let scene = scene.curve(Curve::new(trail, Ink::Body));
-                scene.turn((x, y), 0.3 * l, turns, Ink::Velocity)
+                scene.turn((x, y), 0.3 * l, turns.into(), Ink::Velocity)
             })
             .bar(place(-0.5), place(0.5), 0.04 * l, Ink::Body)
             .disc((state.q[3], state.q[4]), 0.05 * l, Ink::Ink, 0.8)
