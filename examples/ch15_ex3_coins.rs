@@ -34,16 +34,14 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (r, rate, unit) = (ratio(p)?, p.rate, p.mass * p.inner * p.inner * p.rate);
     let (net, l, t) = (angular_velocity(r), angular_momentum(r), kinetic_energy(r));
     let bound = 100.0 * p.tolerance * (1.0 + net.abs());
-    let around = rolled(r, TAU, p.tolerance)?;
-    let turned = r.signum() * around.end_time() / TAU;
+    let turned = r.signum() * rolled(r, TAU, p.tolerance)?.end_time() / TAU;
     let [momentum, energy, force] = particles(r);
     // From contact to contact: an arch, for which the line of centres turns by 2 pi r.
     let arch = rolled(r, TAU * r.abs(), p.tolerance)?.end_state()[5];
     let speed = p.inner * rate * (1.0 + r);
     claims! { report,
         /// angular velocity of the rolling coin
-        omega: rate * net, "rad/s", "rolled about the contact" => rate * turned, within rate * bound,
-        in "The motion":
+        omega: rate * net, "rad/s", "rolled about the contact" => rate * turned, within rate * bound, in "The motion":
             rate * (net - 1.0) => "that is relative to the line of centres",
             rate * (1.0 + r) => "which of the two radii is it divided by?";
         /// how often it turns in a circuit
@@ -56,8 +54,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             unit * 0.5 * r * r * net => "that is about the middle of the coin",
             unit * ((1.0 + r) * (1.0 + r) + 0.5 * r * r * (net - 1.0)) => "take the rate in the laboratory, not that seen from the line of centres";
         /// kinetic energy
-        energy: unit * rate * t, "J", "four particles" => unit * rate * energy, within 1e-11 * unit * rate * t,
-        in "The motion":
+        energy: unit * rate * t, "J", "four particles" => unit * rate * energy, within 1e-11 * unit * rate * t, in "The motion":
             unit * rate * t / 1.5 => "the coin also turns";
         /// force that keeps its middle on the circle
         force: p.mass * speed * rate, "N", "four particles" => p.mass * p.inner * rate * rate * force, within 1e-10 * (1.0 + net * net) * p.mass * speed * rate;
@@ -68,18 +65,17 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// Large coins and small ones, outside and inside.
 fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
-    let part = |r: f64, k: usize| particles(r)[k];
     limits! { report,
         /// equal coins: two turns, as in section 15.2
         "R1 = R2: turns": angular_velocity(1.0) => 2.0, within 1e-15;
         /// equal coins: 5 M R^2 Omega, as in section 15.4
-        "R1 = R2: L/(M R^2 Omega)": part(1.0, 0) => 5.0, within 1e-11;
+        "R1 = R2: L/(M R^2 Omega)": particles(1.0)[0] => 5.0, within 1e-11;
         /// about a point it only turns, with 3/2 M R2^2 about its rim
         "R2 = 100 R1: L/(M R2^2 Omega)": angular_momentum(1e2) / 1e4 => 1.5, within 0.03;
         /// a straight road: once for each length of the rim, and once for the bend
         "R1 = 100 R2: turns": angular_velocity(0.01) => 101.0, within 1e-12;
         /// inside a ring of 3/2 of its radius: the spin takes what the circling gives
-        "inside, R1 = 3/2 R2: L/(M R1^2 Omega)": part(-2.0 / 3.0, 0) => 0.0, within 1e-12;
+        "inside, R1 = 3/2 R2: L/(M R1^2 Omega)": particles(-2.0 / 3.0)[0] => 0.0, within 1e-12;
         /// inside a ring of its own size it cannot roll at all
         "inside, R1 = R2: turns": angular_velocity(-1.0) => 0.0, within 1e-15;
     }
@@ -137,15 +133,13 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let slipped = when(faster > 0.0 && faster < 2.0, || {
         Dop853::new(1e-12)?.zero(&slipping, start(r), 1, long, |y| y[4] - TAU)
     })?;
-    let larger = ratio(&p.but(|p| p.outer += 1e-5)).ok();
-    let worn = larger.map(|r| rolled(r, TAU, 1e-12)).transpose()?;
+    let worn =
+        ratio(&p.but(|p| p.outer += 1e-5)).ok().map(|r| rolled(r, TAU, 1e-12)).transpose()?;
     let fewer = |end: f64| (around.end_time() - end) / TAU;
     effect_card! { report,
-        "rubbing on the table; the rate is held":
-            "W/T" = rubbed / energy, costs rubbed, "J to be given, a circuit",
+        "rubbing on the table; the rate is held": "W/T" = rubbed / energy, costs rubbed, "J to be given, a circuit",
             measured ran, within 1e-4 * rubbed, at_work around.work();
-        "slip of a hundredth at the contact":
-            "s" = slip, costs slip / r.abs(), "turns a circuit", beside "turns",
+        "slip of a hundredth at the contact": "s" = slip, costs slip / r.abs(), "turns a circuit", beside "turns",
             measured slipped.as_ref().map(|(there, _)| fewer(there.t)), within 1e-9 * (1.0 + 1.0 / r.abs()),
             at_work slipped.as_ref().map(|(_, work)| *work);
         "a radius off by 0.01 mm": "dR/R2" = edge, costs edge / r.abs(), "turns a circuit", beside "turns",
@@ -157,14 +151,13 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 /// The accuracy strip: where the mark of the coin is after a circuit.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (r, asked) = (ratio(p)?, [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15]);
-    let at = move |part: f64| Ok(place(r, part * TAU, r, 0.0));
+    let at = move |part: f64| place(r, part * TAU, r, 0.0);
     let error = move |run: &Solution<6>| {
-        let ([.., x, y, _, _], [u, v]) = (*run.end_state(), at(1.0)?);
+        let ([.., x, y, _, _], [u, v]) = (*run.end_state(), at(1.0));
         Ok(hypot(x - u, y - v))
     };
-    report.set_closed_form(ClosedForm::new(at));
-    let run = move |step| rolled(r, TAU, step);
-    report.stepped(asked, run, Solution::work, error)
+    report.in_closed_form(at);
+    report.stepped(asked, move |step| rolled(r, TAU, step), Solution::work, error)
 }
 
 example! {

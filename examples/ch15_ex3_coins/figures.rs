@@ -23,25 +23,21 @@ figures! { _: &Parameters;
     setup: {
         let (r, orbit, o) = (0.6, 0.7, (0.0, 0.0));
         let middle: (f64, f64) = place(r, orbit, 0.0, 0.0).into();
-        let (s, c) = sincos(orbit);
-        let sketch = Sketch::within((-1.2, 2.6), (-1.1, 2.5))
+        Sketch::within((-1.2, 2.6), (-1.1, 2.5))
             .ghost(|sketch| sketch.disc((1.0 + r, 0.0), r, Ink::Body, 0.15))
             .disc(o, 1.0, Ink::Frame, 0.15)
             .disc(middle, r, Ink::Body, 0.15)
             .guide([o, (1.0 + r, 0.0)])
             .curve(Curve::new([o, middle], Ink::Ink).thin().dashed())
             .angle(o, 0.5, (0.0, orbit), r"$\theta$")
-            .arrow_along([o, (-0.7, 0.7)], Ink::Ink)
-            .text((-0.35, 0.35), "$R_1$", Ink::Ink, Side::BelowLeft)
+            .arrow_along([o, (-0.7, 0.7)], Ink::Ink).text((-0.35, 0.35), "$R_1$", Ink::Ink, Side::BelowLeft)
             .arrow_along([middle, (middle.0, middle.1 + 0.57)], Ink::Ink)
             .text((middle.0, middle.1 + 0.3), "$R_2$", Ink::Ink, Side::Right)
-            .turn(o, 2.35, (0.75, 1.15), Ink::Velocity);
-        let (s2, c2) = sincos(0.95);
-        sketch
-            .text((2.4 * c2, 2.4 * s2), r"$\Omega=\dot\theta$", Ink::Velocity, Side::Left)
+            .turn(o, 2.35, (0.75, 1.15), Ink::Velocity)
+            .text((2.4 * cos(0.95), 2.4 * sin(0.95)), r"$\Omega=\dot\theta$", Ink::Velocity, Side::Left)
             .dot(o, Ink::Ink, "$O_1$", Side::BelowLeft)
             .dot(middle, Ink::Ink, "$O_2$", Side::BelowRight)
-            .dot((c, s), Ink::Ink, "", Side::Right)
+            .dot((cos(orbit), sin(orbit)), Ink::Ink, "", Side::Right)
     };
 
     /// Turns in a circuit against R1/R2. Outside: a straight line from 1 that rises by 1 for each unit; inside:
@@ -51,10 +47,9 @@ figures! { _: &Parameters;
         let ratio = Sweep::over("$R_1/R_2$", 0.0, 5.0);
         let turns = |sign: f64| move |x: f64| Ok(rolled(sign / x, TAU, 1e-9)?.end_time() / TAU);
         let (out, within) = (ratio.clone().at([0.5, 1.0, 5.0 / 3.0, 3.0]), ratio.at([1.5, 2.0, 3.0, 4.0]).beyond(1.0));
-        let (outside, inside) = (out.exact(|x| 1.0 + x), within.exact(|x| x - 1.0).dashed());
         out.panel(Axis::linear("turns").range(0.0, 6.0))
-            .curve(outside.label_at("outside", 3.4, 4.4, Side::AboveLeft))
-            .curve(inside.label_at("inside, backward", 2.6, 1.5, Side::BelowRight))
+            .curve(out.exact(|x| 1.0 + x).label_at("outside", 3.4, 4.4, Side::AboveLeft))
+            .curve(within.exact(|x| x - 1.0).dashed().label_at("inside, backward", 2.6, 1.5, Side::BelowRight))
             .curve(out.simulated(turns(1.0))?)
             .curve(within.simulated(turns(-1.0))?)
     };
@@ -63,13 +58,12 @@ figures! { _: &Parameters;
     /// within the ring; while the coin goes round to the left, its arrow turns to the right.
     inside: {
         let (r, o) = (-2.0 / 3.0, (0.0, 0.0));
-        let ring = times(0.0, TAU, 120).map(|t| (sincos(t).1, sincos(t).0));
+        let ring = times(0.0, TAU, 120).map(|t| (cos(t), sin(t)));
         let sketch = Sketch::within((-1.35, 1.35), (-1.15, 1.15))
             .curve(Curve::new(ring, Ink::Frame).width(3.0))
             .curve(Curve::new(path(r, 2.0 * TAU), Ink::Body).thin().dashed());
         coin(sketch, r, 1.1)
-            .turn(o, 1.12, (0.3, 0.8), Ink::Velocity)
-            .text((1.12, 0.65), r"$\Omega$", Ink::Velocity, Side::Right)
+            .turn(o, 1.12, (0.3, 0.8), Ink::Velocity).text((1.12, 0.65), r"$\Omega$", Ink::Velocity, Side::Right)
     };
 }
 
@@ -80,31 +74,26 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     Trajectory::sampled(columns.split(", "), times(0.0, TAU, 360), |turn| {
         let (t, turn) = (turn / p.rate.abs(), p.rate.signum() * turn);
         let ([x, y], [u, v]) = (place(r, turn, 0.0, 0.0), place(r, turn, r, 0.0));
-        let turned = angular_velocity(r) * turn;
-        Ok([t, turned, a * x, a * y, a * u, a * v])
+        Ok([t, angular_velocity(r) * turn, a * x, a * y, a * u, a * v])
     })
 }
 
 /// The coin on its way round, with the path of its mark; below, how far it has turned.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let (r, rate) = (ratio(p)?, p.rate);
-    let (net, end) = (angular_velocity(r), TAU / rate.abs());
-    let reach = 1.0 + 2.0 * r.max(0.0);
-    let sense = rate.signum();
+    let (r, rate, sense) = (ratio(p)?, p.rate, p.rate.signum());
+    let (net, end, reach) = (angular_velocity(r), TAU / rate.abs(), 1.0 + 2.0 * r.max(0.0));
     let line = |turns: f64| Curve::new([(0.0, 0.0), (end, sense * turns)], Ink::Body);
-    let [low, high] = [net.min(0.0), net.max(1.0)];
+    let (low, high) = (net.min(0.0), net.max(1.0));
     let (low, high) = if rate < 0.0 { (-high, -low) } else { (low, high) };
-    let turns = Axis::linear("turns").range(low, high);
-    let graph = Panel::over_axes("$t$ / s", turns)
+    let graph = Panel::over_axes("$t$ / s", Axis::linear("turns").range(low, high))
         .curve(line(net).label("coin"))
         .curve(line(1.0).dashed().label("line of centres"));
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.3 * end, end], move |t| {
         let turn = (rate * t).clamp(-TAU, TAU);
+        let [line, turned] = [turn, net * turn].map(f64::to_degrees);
         let alt = format!(
-            "The line of centres has turned by {:.0} degrees and the coin by {:.0}; dashed, the path of \
-             the point of its rim to which the arrow leads. Below, both in turns against time.",
-            turn.to_degrees(),
-            (net * turn).to_degrees()
+            "The line of centres has turned by {line:.0} degrees and the coin by {turned:.0}; dashed, the path of \
+             the point of its rim to which the arrow leads. Below, both in turns against time."
         );
         let (o, middle) = ((0.0, 0.0), place(r, turn, 0.0, 0.0).into());
         let window = |share: f64| (-share * reach, share * reach);
