@@ -15,6 +15,11 @@ pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
+/// The page of this stem, unless `PAGES` leaves it out.
+pub fn page(stem: &str) -> Option<&'static dyn Page> {
+    pages::ALL.iter().find(|page| page.stem() == stem).copied()
+}
+
 /// The number in this variable of the environment.
 pub fn asked(variable: &str) -> Option<u64> {
     let text = std::env::var(variable).ok()?;

@@ -1,15 +1,9 @@
 //! The exercises, a row each: numbers that are known otherwise, other numbers that the page must
 //! confirm, and refusals by their words. Single parameters over their ranges are in `ranges`.
 
-use crate::answers::{computed, confirmed, refused};
-use kit::Page;
-use pages::{ALL, WHOLE};
+use crate::answers::{computed, confirmed, page, refused};
+use pages::WHOLE;
 use support::{EPS, Errors, assert_table};
-
-/// The page of a row, unless `PAGES` leaves it out.
-fn page(stem: &str) -> Option<&'static dyn Page> {
-    ALL.iter().find(|page| page.stem() == stem).copied()
-}
 
 /// An exercise, its flags, and claims with their values: the instances of the notes, to 15 digits, and
 /// cases of the reference, to 25.

@@ -38,35 +38,30 @@ struct Number {
     ends: Vec<f64>,
 }
 
-fn numbers(page: &dyn Page) -> Vec<Number> {
+/// The numbers among the parameters of a page, and what it can be told in words, a line each: all as
+/// they are, and each other word.
+fn numbers_and_words(page: &dyn Page) -> (Vec<Number>, Vec<String>) {
     let declared: Value = serde_json::from_str(&page.declared()).expect("it is JSON");
-    let flags = declared["flags"].as_array().expect("a list").iter();
-    let number = |flag: &Value| {
+    let (mut numbers, mut words) = (Vec::new(), vec![String::new()]);
+    for flag in declared["flags"].as_array().expect("a list") {
         let text = |key: &str| flag[key].as_str().unwrap_or_default();
         let name = text("name").to_owned();
-        // What stands in brackets is the reason.
-        let allowed = text("allowed").split('(').next()?;
+        if flag["kind"] == "choice" {
+            let others = flag["words"].as_array().into_iter().flatten().skip(1);
+            words.extend(others.map(|word| format!("{name}={}\n", word.as_str().expect("a word"))));
+            continue;
+        }
         let usual = [text("default"), text("usual")].iter().find_map(|text| text.parse().ok());
-        Some(Number {
+        // What stands in brackets is the reason.
+        let allowed = text("allowed").split('(').next().unwrap_or_default();
+        numbers.push(Number {
             signed: ["rad/s", "m/s", "rad", "1/s", "deg/h"].contains(&text("unit")) && name != "tolerance",
             usual: usual.filter(|usual| *usual != 0.0).unwrap_or(1.0),
             ends: allowed.split(' ').filter_map(|word| word.parse().ok()).collect(),
             name,
-        })
-    };
-    flags.filter(|flag| flag["kind"] != "choice").filter_map(number).collect()
-}
-
-/// What a page can be told in words, a line each: all as they are, and each other word.
-fn words(page: &dyn Page) -> Vec<String> {
-    let declared: Value = serde_json::from_str(&page.declared()).expect("it is JSON");
-    let mut all = vec![String::new()];
-    for flag in declared["flags"].as_array().expect("a list") {
-        let others = flag["words"].as_array().into_iter().flatten().skip(1);
-        let name = flag["name"].as_str().expect("a name");
-        all.extend(others.map(|word| format!("{name}={}\n", word.as_str().expect("a word"))));
+        });
     }
-    all
+    (numbers, words)
 }
 
 /// The values to try, the most telling first.
@@ -77,12 +72,11 @@ fn values(number: &Number, seed: u64) -> Vec<f64> {
         [*end, end - hair, end + hair]
     });
     let decades = (-6..=6).filter(|k| *k != 0).map(|k| usual * 10_f64.powi(k));
-    let random = |dice: &mut Rand64| {
+    let mut others: Vec<f64> = hairs.chain(decades).chain([0.0]).collect();
+    others.extend((0..4).map(|_| {
         let sign = if dice.rand_u64().is_multiple_of(2) { 1.0 } else { -1.0 };
         sign * usual * 10_f64.powf(4.0 * dice.rand_float() - 2.0)
-    };
-    let mut others: Vec<f64> = hairs.chain(decades).chain([0.0]).collect();
-    others.extend((0..4).map(|_| random(&mut dice)));
+    }));
     // Fisher and Yates.
     for last in (1..others.len()).rev() {
         others.swap(last, dice.rand_range(0..last as u64 + 1) as usize);
@@ -145,11 +139,10 @@ struct Swept {
 
 fn sweep(page: &dyn Page, count: usize) -> Swept {
     let (mut swept, begun) = (Swept { stem: page.stem(), ..Swept::default() }, Instant::now());
-    let words = words(page);
+    let (numbers, words) = numbers_and_words(page);
     // At its tightest end a tolerance costs as much as all else.
-    let thinned = count == THIN;
-    let halved = asked("PROPERTY_CASES").is_none();
-    let numbers = numbers(page).into_iter().filter(|number| !thinned || number.name != "tolerance");
+    let (thinned, halved) = (count == THIN, asked("PROPERTY_CASES").is_none());
+    let numbers = numbers.into_iter().filter(|number| !thinned || number.name != "tolerance");
     for (place, number) in numbers.enumerate() {
         let seed = asked("PROPERTY_SEED").unwrap_or(1) * 1000 + place as u64;
         for (turn, value) in values(&number, seed).into_iter().take(count).enumerate() {
@@ -162,9 +155,8 @@ fn sweep(page: &dyn Page, count: usize) -> Swept {
                 Ok(_) => swept.answered += 1,
                 Err(error) => {
                     swept.refused += 1;
-                    if unexplained(&error, &number) {
-                        swept.faults.push(format!("{} {settings:?}: {error}", page.stem()));
-                    }
+                    let fault = || format!("{} {settings:?}: {error}", page.stem());
+                    swept.faults.extend(unexplained(&error, &number).then(fault));
                 }
             }
             let took = since.elapsed().as_secs_f64();
@@ -226,13 +218,8 @@ fn a_refusal_without_a_reason_is_seen() {
     assert!(seen(above(0.0), -1.5, true) && seen(from_to(0.0, 3.0), 4.0, true) && seen(above(0.0), 0.0, true));
     assert!(!seen(above(0.0), -1.5, false) && !seen(from_to(0.0, 1e4), 2e4, true));
     assert!(!seen(from_to(0.0, 3.0).because("it slips"), 4.0, true));
-    let contradicted = Error::Contradicted {
-        key: "rate".into(),
-        value: 1.0,
-        oracle: "simulated".into(),
-        oracle_value: 2.0,
-        bound: 1e-3,
-    };
+    let (key, oracle) = ("rate".into(), "simulated".into());
+    let contradicted = Error::Contradicted { key, value: 1.0, oracle, oracle_value: 2.0, bound: 1e-3 };
     let nan = Refusal::out_of_range("rate", f64::NAN, "a number");
     for fault in [contradicted, nan.into(), Refusal::NotReached { name: "stop", until: 1.0 }.into()] {
         assert!(unexplained(&fault, &number("rate", true)), "{fault}");
