@@ -157,7 +157,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let rub = weak / (a.centre * a.centre);
     let (plain, struck) = (scene(p)?, |hit: Hit| Blow::new(hit, 1e-13, 0.02));
     let free = struck(plain)?;
-    let after = &free.after;
+    let [x, y, turn, ..] = free.after.v;
     let heavy = struck(Hit { moment: 0.25 * (1.0 + size), ..plain })?;
     let staff = struck(Hit { mass: 1.01, moment: 0.25 + 0.01 / 12.0, ..plain })?;
     let cost = |other: &Blow| {
@@ -165,12 +165,12 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
         format!("{without} derivatives, {with} derivatives")
     };
     // Along the stick nothing turns; a ball that is far aside misses; what rubs much stops it.
-    let turned = (square > 1e-6).then(|| 1.0 - heavy.after.v[2] / after.v[2]);
+    let turned = (square > 1e-6).then(|| 1.0 - heavy.after.v[2] / turn);
     let astray = when(aside < 0.5, || struck(Hit { aside: 1e-3 / l, ..plain }))?;
     let its_cost = astray.as_ref().map_or("-".into(), cost);
     let off = |blow: &Blow| (atan2(blow.after.v[1], blow.after.v[0]) - p.slant).abs();
-    let held = rub * held_back(after);
-    let braked = when(held < 0.4, || rubbed(after, weak))?;
+    let held = rub * held_back([x, y, turn]);
+    let braked = when(held < 0.4, || rubbed([x, y, turn], weak))?;
     effect_card! { report,
         "size of the masses": "8 a^2/(5 l^2)" = size, costs size * 2.0 / (2.0 + square), "of Omega, to first order",
             measured turned, within 1e-9, at_cost cost(&heavy);

@@ -152,38 +152,35 @@ pub fn to_upper([ball, _, upper]: [Plane; 3]) -> f64 {
 
 /// How two masses on a table that rubs are held back: the force on the middle of the stick and
 /// the moment about it, for friction on each of its half of the weight, the friction being 1.
-fn rubbing(state: &MechanismState<5>) -> [f64; 3] {
-    let ([a, b], [_, u, v]) = (arms(state.q[2]), velocities(state));
-    let [one, other] = [(a, u), (b, v)].map(|(arm, way)| {
-        let [x, y] = way.map(|part| -0.5 * part / hypot(way[0], way[1]).max(1e-12));
-        [x, y, arm[0] * y - arm[1] * x]
+fn rubbing(angle: f64, [u, v, turn]: [f64; 3]) -> [f64; 3] {
+    let [one, other] = arms(angle).map(|[x, y]| {
+        let way = [u - turn * y, v + turn * x];
+        let [along, up] = way.map(|part| -0.5 * part / hypot(way[0], way[1]).max(1e-12));
+        [along, up, x * up - y * along]
     });
     [0, 1, 2].map(|k| one[k] + other[k])
 }
 
 /// The part of its speed V that the middle of the stick loses in the way l, per mu g l/V^2, to
 /// first order: both masses rub against their own velocities, as they are without friction.
-pub fn held_back(after: &MechanismState<5>) -> f64 {
-    let speed = hypot(after.v[0], after.v[1]);
+pub fn held_back([u, v, turn]: [f64; 3]) -> f64 {
+    let speed = hypot(u, v);
     let part = |k: i32| {
-        let mut there = *after;
-        there.q[2] = after.v[2] / speed * (f64::from(k) + 0.5) / 200.0;
-        let [x, y, _] = rubbing(&there);
-        -(x * after.v[0] + y * after.v[1]) / (200.0 * speed)
+        let angle = turn / speed * (f64::from(k) + 0.5) / 200.0;
+        let [x, y, _] = rubbing(angle, [u, v, turn]);
+        -(x * u + y * v) / (200.0 * speed)
     };
     (0..200).map(part).sum()
 }
 
 /// The same part simulated, for a friction mu g l/v0^2; and the work.
-pub fn rubbed(after: &MechanismState<5>, friction: f64) -> Result<(f64, Work)> {
-    let law = ode(|_, &[x, y, angle, u, v, turn]: &[f64; 6]| {
-        let (q, v) = ([x, y, angle, 0.0, 0.0], [u, v, turn, 0.0, 0.0]);
-        let [fx, fy, moment] = rubbing(&MechanismState { q, v }).map(|force| friction * force);
-        [v[0], v[1], turn, fx, fy, 4.0 * moment]
+pub fn rubbed([u, v, turn]: [f64; 3], friction: f64) -> Result<(f64, Work)> {
+    let law = ode(|_, &[_, _, angle, u, v, turn]: &[f64; 6]| {
+        let [x, y, moment] = rubbing(angle, [u, v, turn]).map(|force| friction * force);
+        [u, v, turn, x, y, 4.0 * moment]
     })
     .scaled(size_or([1.0; 6]));
-    let ([u, v, turn, ..], speed) = (after.v, hypot(after.v[0], after.v[1]));
-    let start = [0.0, 0.0, 0.0, u, v, turn];
+    let (start, speed) = ([0.0, 0.0, 0.0, u, v, turn], hypot(u, v));
     let far = |y: &[f64; 6]| hypot(y[0], y[1]) - 1.0;
     let (there, work) = Dop853::new(1e-11)?.zero(&law, start, 1, 20.0 / speed, far)?;
     Ok((1.0 - hypot(there.state[3], there.state[4]) / speed, work))
