@@ -144,10 +144,10 @@ fn left(p: &Parameters, report: &mut Report) -> Result<()> {
         allowed! {
             "part of the energy that rolling resistance takes in a circuit": lost, between(0.0, 0.9), "it would stop within a circuit";
         }?;
-        let (ran, _) = left_to_itself(lost, [inertia, rate], |_| bears)?;
+        let ran = left_to_itself(lost, [inertia, rate], |_| bears)?;
         claims! { report,
             /// with rolling resistance: rate after a circuit
-            rolled_rate: rate * (1.0 - lost).sqrt(), "rad/s", "simulated" => rate * (1.0 - ran.unwrap_or(1.0)).sqrt(), within 1e-10 * rate;
+            rolled_rate: rate * (1.0 - lost).sqrt(), "rad/s", "simulated" => rate * (1.0 - ran.map_or(1.0, |run| run.0)).sqrt(), within 1e-10 * rate;
         }?;
     }
     blown(p, report, a, inertia)
@@ -165,14 +165,15 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let air = 0.5 * 1.204 * side * speed * speed * TAU * 0.75 * h * cos(a) / energy;
     let rolling = bears * TAU / energy;
     let (turning, strips) = ([2.0 * energy / (rate * rate), rate], p.air(a, 1.204));
-    let (rolled, its_work) = left_to_itself(rolling, turning, |_| bears)?;
-    let (blown, work) = left_to_itself(air, turning, |rate| strips * rate * rate)?;
+    let rolled = left_to_itself(rolling, turning, |_| bears)?;
+    let blown = left_to_itself(air, turning, |rate| strips * rate * rate)?;
     effect_card! { report,
         "friction, as far as it is needed": "3 w cos(alpha)/(4 mu)" = needed(a, w) / p.friction, costs 1.0, "of omega: it would slide", included;
         "rolling resistance": "b/h" = lever / h, costs rolling.min(1.0), "of the energy in a circuit",
-            measured rolled, within 1e-10, at_work its_work;
+            measured rolled.map(|run| run.0), within 1e-10, at_work rolled.map(|run| run.1);
         "drag of the air": "rho h S/M" = 1.204 * h * side / p.mass,
-            costs air.min(1.0), "of the energy in a circuit, to first order", measured blown, within 1e-10, at_work work;
+            costs air.min(1.0), "of the energy in a circuit, to first order",
+            measured blown.map(|run| run.0), within 1e-10, at_work blown.map(|run| run.1);
     }
 }
 

@@ -34,10 +34,12 @@ parameters! {
     }
 }
 
-/// For how long that is followed, s: for a circuit, unless it is so slow that the weight would
-/// have brought the cone down many times before.
-fn followed(p: &Parameters) -> f64 {
-    (TAU / p.rate.abs()).min(30.0 * (p.height / p.gravity).sqrt())
+/// For how long the cone is followed without the table, s: for a circuit, unless it is so slow that
+/// the weight would have brought it down many times before. And the error asked of that: of a thin
+/// cone, which spins 1/tan(alpha) times as fast as it goes round, doubles do not give less.
+fn followed(p: &Parameters) -> (f64, f64) {
+    let (circuit, s) = (TAU / p.rate.abs(), sin(p.half_angle));
+    (circuit.min(30.0 * (p.height / p.gravity).sqrt()), p.tolerance.max(4e-13 / (s * s)))
 }
 
 /// The rate beyond which the joint must pull the vertex down.
@@ -45,18 +47,10 @@ fn lifting(p: &Parameters) -> f64 {
     (p.gravity / (1.2 * p.height * tan(p.half_angle))).sqrt()
 }
 
-/// The error asked of that: of a thin cone, which spins 1/tan(alpha) times as fast as it goes round,
-/// doubles do not give less.
-fn asked(p: &Parameters) -> f64 {
-    let s = sin(p.half_angle);
-    p.tolerance.max(4e-13 / (s * s))
-}
-
 /// How high the axis points in the end, rad, with that force in place of the table.
 pub fn rises(p: &Parameters, n: f64) -> Result<f64> {
-    let (scene, start) = without_table(p, n)?;
-    let solved = scene.solve(&start, followed(p), asked(p))?;
-    let axis = solved.state.attitude.axis();
+    let ((scene, start), (end, asked)) = (without_table(p, n)?, followed(p));
+    let axis = scene.solve(&start, end, asked)?.state.attitude.axis();
     Ok(atan2(axis.z(), hypot(axis.x(), axis.y())))
 }
 
@@ -100,7 +94,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         pressure: n, "N", "24 particles" => pressed(p, rate)?, within near * n, in "The forces":
             weight => "the joint bears a part of the weight", 0.75 * weight => "so it is at rest";
         /// how high the axis points after a circuit, with that force in place of the table
-        level: 0.0, "rad", "solved" => rises(p, n)?, within 10.0 * asked(p);
+        level: 0.0, "rad", "solved" => rises(p, n)?, within 10.0 * followed(p).1;
         /// rate beyond which the joint must pull the vertex down
         omega_lift: lifted, "rad/s", "24 particles" => rate.abs() * (0.25 / grown).sqrt(), within near * lifted * (1.0 + 1.0 / grown),
         in "The forces":
@@ -145,14 +139,15 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (turning, strips) = ([2.0 * energy / (rate * rate), rate], p.air(0.0, 1.204));
     // Slower, it also presses less.
     let pressed = |rate: f64| bears(h * rate * rate / p.gravity);
-    let (rolled, its_work) = left_to_itself(rolling, turning, pressed)?;
-    let (blown, work) = left_to_itself(air, turning, |rate| strips * rate * rate)?;
+    let rolled = left_to_itself(rolling, turning, pressed)?;
+    let blown = left_to_itself(air, turning, |rate| strips * rate * rate)?;
     effect_card! { report,
         "radial friction at the rim": "mu tan(alpha)" = friction * tan(a), costs friction * tan(a), "of N, at most";
         "rolling resistance": "b/h" = lever / h, costs rolling.min(1.0), "of the energy in a circuit, to first order",
-            measured rolled, within 1e-10, at_work its_work;
+            measured rolled.map(|run| run.0), within 1e-10, at_work rolled.map(|run| run.1);
         "drag of the air": "rho h S/M" = 1.204 * h * side / p.mass,
-            costs air.min(1.0), "of the energy in a circuit, to first order", measured blown, within 1e-10, at_work work;
+            costs air.min(1.0), "of the energy in a circuit, to first order",
+            measured blown.map(|run| run.0), within 1e-10, at_work blown.map(|run| run.1);
     }
 }
 
@@ -160,13 +155,13 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, h, rate) = (p.half_angle, p.height, p.rate);
     let n = p.mass * p.gravity * pressure(a, h * rate * rate / p.gravity);
-    let ((scene, start), end) = (without_table(p, n)?, followed(p));
+    let ((scene, start), (end, asked)) = (without_table(p, n)?, followed(p));
     let [rho, up] = angular_momentum(a);
     let momentum = (level(rate * end) * rho + UP * up) * (p.mass * h * h * rate);
     let exact = State::new(rolled(a, rate * end)?, momentum)?;
     let attitude = move |t: f64| rolled(a, rate * t).unwrap_or(Attitude::IDENTITY);
     let problem = Problem::new(scene, start, end, exact).in_closed_form(attitude);
-    report.strip(&problem, &[asked(p), 1e-6, 1e-10])
+    report.strip(&problem, &[asked, 1e-6, 1e-10])
 }
 
 example! {

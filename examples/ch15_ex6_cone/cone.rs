@@ -3,7 +3,7 @@
 
 use super::Parameters;
 use kit::draw::{Ink, Solid, View};
-use kit::prelude::{Report, allowed, between, claims};
+use kit::prelude::{Report, allowed, between, claims, when};
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
@@ -89,14 +89,13 @@ pub fn left_to_itself(
     predicted: f64,
     [inertia, rate]: [f64; 2],
     brake: impl Fn(f64) -> f64,
-) -> Result<(Option<f64>, Option<Work>)> {
-    if predicted > 0.9 {
-        return Ok((None, None));
-    }
-    // In the time in which it would turn by a radian.
-    let law = second_order(|_, _, v| -brake(rate * v) / (inertia * rate * rate));
-    let (back, work) = Dop853::new(1e-13)?.zero(&law, [0.0, 1.0], 1, 1e3, |y| y[0] - TAU)?;
-    Ok((Some(1.0 - back.state[1] * back.state[1]), Some(work)))
+) -> Result<Option<(f64, Work)>> {
+    when(predicted <= 0.9, || {
+        // In the time in which it would turn by a radian.
+        let law = second_order(|_, _, v| -brake(rate * v) / (inertia * rate * rate));
+        let (back, work) = Dop853::new(1e-13)?.zero(&law, [0.0, 1.0], 1, 1e3, |y| y[0] - TAU)?;
+        Ok((1.0 - back.state[1] * back.state[1], work))
+    })
 }
 
 /// What `--with air` adds to the claims of a cone whose axis points `rise` above the level and which
@@ -108,10 +107,10 @@ pub fn blown(p: &Parameters, report: &mut Report, rise: f64, inertia: f64) -> ki
     allowed! {
         "part of the energy that the air takes in a circuit": lost, between(0.0, 0.9), "it would stop within a circuit";
     }?;
-    let (ran, _) = left_to_itself(lost, [inertia, rate], |rate| strips * rate * rate)?;
+    let ran = left_to_itself(lost, [inertia, rate], |rate| strips * rate * rate)?;
     claims! { report,
         /// in air: rate after a circuit
-        blown_rate: rate * exp(-TAU * strips / inertia), "rad/s", "simulated" => rate * (1.0 - ran.unwrap_or(1.0)).sqrt(), within 1e-10 * rate;
+        blown_rate: rate * exp(-TAU * strips / inertia), "rad/s", "simulated" => rate * (1.0 - ran.map_or(1.0, |run| run.0)).sqrt(), within 1e-10 * rate;
     }
 }
 

@@ -73,11 +73,11 @@ fn slower_it_presses_less() {
         let [inertia, rate] = [0.4, 2.0];
         let half = 0.5 * inertia * rate * rate / TAU;
         let brake = |now: f64| half * (weight + swing * (now / rate) * (now / rate));
-        let (lost, _) = cone::left_to_itself(weight + swing, [inertia, rate], brake).unwrap();
+        let (lost, _) = cone::left_to_itself(weight + swing, [inertia, rate], brake).unwrap().unwrap();
         // Of the energy over the first: e' = -(weight + swing e) over a circuit.
         let left = (1.0 + weight / swing) * exp(-swing) - weight / swing;
-        errors.push(lost.unwrap() - (1.0 - left));
-        damaged.push(lost.unwrap() - (weight + swing));
+        errors.push(lost - (1.0 - left));
+        damaged.push(lost - (weight + swing));
     }
     assert_largest!(errors, 3, @"1.11e-16");
     damaged.exceed(0.01, 3);
