@@ -5,7 +5,6 @@ mod figures;
 #[path = "ch15_ex3_coins/physics.rs"]
 pub mod physics;
 
-use core::f64::consts::TAU;
 use kit::prelude::*;
 use physics::*;
 use rotation_dynamics::integrators::{Dop853, Ode, Solution, ode, size_or};

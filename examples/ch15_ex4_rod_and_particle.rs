@@ -7,7 +7,6 @@ pub mod physics;
 #[path = "ch15_5_rod_and_particle/strike.rs"]
 pub mod strike;
 
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use kit::prelude::*;
 use physics::*;
 use rotation_dynamics::accuracy::largest;

@@ -5,7 +5,6 @@ mod figures;
 #[path = "ch15_ex5_centre_of_percussion/physics.rs"]
 pub mod physics;
 
-use core::f64::consts::PI;
 use kit::prelude::*;
 use physics::*;
 use rotation_dynamics::integrators::{Dop853, Event, after, ode, size_or};

@@ -8,7 +8,6 @@ mod figures;
 pub mod physics;
 
 use cone::{blown, left_to_itself, level, spin_at_rest};
-use core::f64::consts::TAU;
 use kit::interval::above_to;
 use kit::prelude::*;
 use physics::*;
@@ -50,7 +49,7 @@ pub fn tipping(p: &Parameters) -> Result<f64> {
 }
 
 /// The attitude after one circuit by steps, from the angular velocity alone: q' = omega q/2.
-fn circuit(a: f64, step: f64) -> rotation_dynamics::Result<(Attitude, Work)> {
+fn circuit(a: f64, step: f64) -> Result<(Attitude, Work)> {
     let law = ode(|turn, &[w, x, y, z]: &[f64; 4]| {
         let [a, b, c] = (level(turn) * angular_velocity(a) * 0.5).to_array();
         let (scalar, along) = (-a * x - b * y - c * z, a * w + b * z - c * y);
@@ -182,7 +181,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, exact) = (p.half_angle, rolled(p.half_angle, TAU)?);
     let asked = [p.tolerance, 1e-6, 1e-8, 1e-10, 1e-12, 1e-15];
     let error = move |run: &(Attitude, Work)| Ok(run.0.angle_to(&exact));
-    report.set_closed_form(ClosedForm::new(move |part| rolled(a, part * TAU)));
+    report.in_closed_form(move |part| rolled(a, part * TAU));
     report.stepped(asked, move |step| circuit(a, step), |run| run.1, error)
 }
 

@@ -8,7 +8,6 @@ mod figures;
 pub mod physics;
 
 use cone::{UP, blown, left_to_itself, level, spin_at_rest};
-use core::f64::consts::TAU;
 use kit::prelude::*;
 use physics::*;
 use rotation_dynamics::accuracy::Problem;

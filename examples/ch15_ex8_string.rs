@@ -5,7 +5,6 @@ mod figures;
 #[path = "ch15_ex8_string/physics.rs"]
 pub mod physics;
 
-use core::f64::consts::{FRAC_PI_2, TAU};
 use kit::prelude::*;
 use physics::*;
 use rotation_dynamics::integrators::{Ode, after, newton, ode, place_and_velocity, size_or};

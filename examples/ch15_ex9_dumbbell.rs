@@ -5,7 +5,6 @@ mod figures;
 #[path = "ch15_ex9_dumbbell/physics.rs"]
 pub mod physics;
 
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use kit::prelude::*;
 use physics::*;
 
@@ -72,7 +71,7 @@ fn touching_simulated() -> Result<f64> {
 
 /// A hit that returns half of the relative velocity, for two thirds of a turn.
 pub fn halved(reach: f64, step: f64) -> Result<Blow> {
-    Ok(Blow::new(Hit::across(0.5, reach), step, 4.2)?)
+    Blow::new(Hit::across(0.5, reach), step, 4.2)
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {

@@ -1,7 +1,6 @@
 //! The drawings of exercise 15.1.
 
 use super::*;
-use core::f64::consts::TAU;
 use rotation_dynamics::planar::contact::MechanismState;
 
 /// Two discs on an axle, the upper one so high above the lower, turned by these angles.

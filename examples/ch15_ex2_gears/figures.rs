@@ -1,7 +1,6 @@
 //! The drawings of exercise 15.2.
 
 use super::*;
-use core::f64::consts::{PI, TAU};
 use rotation_dynamics::planar::contact::MechanismState;
 
 /// A gear with this many teeth, the first at `turn`.

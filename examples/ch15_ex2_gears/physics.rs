@@ -2,7 +2,6 @@
 
 // ANCHOR: physics
 use super::Parameters;
-use core::f64::consts::FRAC_PI_2;
 use kit::prelude::*;
 use rotation_dynamics::planar::contact::{
     Contact, ContactMotion, Mechanism, MechanismState, motion_within,

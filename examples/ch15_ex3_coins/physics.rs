@@ -3,7 +3,7 @@
 
 // ANCHOR: physics
 use super::Parameters;
-use core::f64::consts::{FRAC_PI_2, SQRT_2};
+use core::f64::consts::SQRT_2;
 use kit::prelude::*;
 use rotation_dynamics::integrators::{Dop853, Event, Ode, Solution, ode, size_or};
 

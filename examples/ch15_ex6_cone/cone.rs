@@ -2,15 +2,10 @@
 //! cones. The vertex is the origin of the body's axes, and e3 points from it to the base.
 
 use super::Parameters;
-use kit::draw::{Ink, Solid, View};
-use kit::prelude::{Report, allowed, between, claims, when};
-use rotation_dynamics::Result;
+use kit::prelude::*;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::integrators::{Dop853, Work, second_order};
-use rotation_dynamics::math::{cos, exp, expm1, sincos, tan};
-
-use core::f64::consts::{FRAC_PI_2, TAU};
+use rotation_dynamics::math::expm1;
 
 /// The vertical.
 pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
@@ -49,8 +44,8 @@ impl Parameters {
     pub fn sums(&self, at: impl Fn(f64) -> Result<Attitude>, h: f64) -> Result<Sums> {
         const FIRST: [f64; 7] = [-1.0, 9.0, -45.0, 0.0, 45.0, -9.0, 1.0]; // over 60 h
         const SECOND: [f64; 7] = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0]; // over 180 h^2
-        let attitudes: Result<Vec<Attitude>> = (-3..=3).map(|k| at(f64::from(k) * h)).collect();
-        let (attitudes, zero) = (attitudes?, SpaceVector::zero());
+        let attitudes = sampled((-3..=3).map(f64::from), |k| at(k * h))?;
+        let zero = SpaceVector::zero();
         let mut sum =
             Sums { angular_momentum: zero, kinetic_energy: 0.0, force: zero, moment: zero };
         for (mass, place) in self.particles() {
@@ -100,7 +95,7 @@ pub fn left_to_itself(
 
 /// What `--with air` adds to the claims of a cone whose axis points `rise` above the level and which
 /// has this inertia about the vertical: the rate that is left after a circuit, if nothing drives it.
-pub fn blown(p: &Parameters, report: &mut Report, rise: f64, inertia: f64) -> kit::Result<()> {
+pub fn blown(p: &Parameters, report: &mut Report, rise: f64, inertia: f64) -> Result<()> {
     let Some(density) = p.air else { return Ok(()) };
     let (strips, rate) = (p.air(rise, density), p.rate);
     let lost = -expm1(-2.0 * TAU * strips / inertia);
@@ -118,7 +113,7 @@ pub fn blown(p: &Parameters, report: &mut Report, rise: f64, inertia: f64) -> ki
 /// about itself by `zeta` since.
 pub fn placed(rise: f64, azimuth: f64, zeta: f64) -> Result<Attitude> {
     let (phi, theta) = (azimuth + FRAC_PI_2, FRAC_PI_2 - rise);
-    Attitude::from_euler(EulerAngles { phi, theta, zeta })
+    Ok(Attitude::from_euler(EulerAngles { phi, theta, zeta })?)
 }
 
 /// The level direction at this azimuth.
@@ -153,5 +148,5 @@ pub fn drawn(view: View, half_angle: f64, vertex: SpaceVector, attitude: &Attitu
 
 /// The directions through which a level direction turns between two azimuths, times `radius`.
 pub fn sweep(from: f64, to: f64, radius: f64) -> impl Iterator<Item = SpaceVector> + Clone {
-    kit::times(from, to, 48).map(move |azimuth| level(azimuth) * radius)
+    times(from, to, 48).map(move |azimuth| level(azimuth) * radius)
 }

@@ -42,12 +42,12 @@ pub fn needed(a: f64, w: f64) -> f64 {
 // ANCHOR: sums
 /// The cone after the line of contact has turned by `turn`, by turns alone: about its own axis,
 /// and with it about the vertical.
-pub fn rolled(a: f64, turn: f64) -> rotation_dynamics::Result<Attitude> {
+pub fn rolled(a: f64, turn: f64) -> Result<Attitude> {
     placed(a, turn, -turn / sin(a))
 }
 
 /// The sums over the particles at this rate, when the line of contact has the azimuth 0.
-pub fn summed(p: &Parameters, rate: f64) -> rotation_dynamics::Result<Sums> {
+pub fn summed(p: &Parameters, rate: f64) -> Result<Sums> {
     let h = 0.02 * sin(p.half_angle) / rate;
     p.sums(|t| rolled(p.half_angle, rate * t), h)
 }

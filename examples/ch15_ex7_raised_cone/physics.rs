@@ -33,12 +33,12 @@ pub fn pressure(a: f64, w: f64) -> f64 {
 
 /// The cone after its axis has turned by `turn`, by turns alone: about its own axis, and with it
 /// about the vertical.
-pub fn rolled(a: f64, turn: f64) -> rotation_dynamics::Result<Attitude> {
+pub fn rolled(a: f64, turn: f64) -> Result<Attitude> {
     placed(0.0, turn, -turn / tan(a))
 }
 
 /// The sums over the particles at this rate, when the axis points along X.
-pub fn summed(p: &Parameters, rate: f64) -> rotation_dynamics::Result<Sums> {
+pub fn summed(p: &Parameters, rate: f64) -> Result<Sums> {
     let step = 0.02 * sin(p.half_angle) / rate;
     p.sums(|t| rolled(p.half_angle, rate * t), step)
 }

@@ -121,31 +121,36 @@ figures! { _: &Parameters;
     };
 }
 
-/// The motion from half a unit before the pull on, that when the string is held, and the time
-/// between them.
-type Whole = (Pulled, Pulled, f64);
-
-fn whole(p: &Parameters) -> Result<Whole> {
-    let (a, end, hole) = scene(p)?;
-    let (run, r) = (Pulled::new(a.pull, hole, p.tolerance, end)?, a.radius(end));
-    let rest = (4.0 * r * a.pull / (a.pull * a.pull + 1.0 / (r * r))).max(TAU * r * r);
-    let held = Pulled::held(run.at(end)?, p.tolerance, rest)?;
-    Ok((run, held, end))
+/// From half a unit before the pull to a while after it.
+struct Whole {
+    run: Pulled,
+    held: Pulled, // what follows when the string is held
+    end: f64,     // when it is
 }
 
-/// The state and the tension at this time.
-fn at((run, held, end): &Whole, t: f64) -> Result<(MechanismState<3>, f64)> {
-    let (run, t) = if t > *end { (held, t - end) } else { (run, t) };
-    Ok((run.at(t)?, run.tension(t)?))
+impl Whole {
+    fn new(p: &Parameters) -> Result<Self> {
+        let (a, end, hole) = scene(p)?;
+        let (run, r) = (Pulled::new(a.pull, hole, p.tolerance, end)?, a.radius(end));
+        let rest = (4.0 * r * a.pull / (a.pull * a.pull + 1.0 / (r * r))).max(TAU * r * r);
+        let held = Pulled::held(run.at(end)?, p.tolerance, rest)?;
+        Ok(Self { run, held, end })
+    }
+
+    /// The state and the tension.
+    fn at(&self, t: f64) -> Result<(MechanismState<3>, f64)> {
+        let (run, t) = if t > self.end { (&self.held, t - self.end) } else { (&self.run, t) };
+        Ok((run.at(t)?, run.tension(t)?))
+    }
 }
 
 /// That motion for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let (whole, u, sense) = (whole(p)?, p.speed.abs(), p.speed.signum());
-    let (unit, last) = (p.radius / u, whole.2 + whole.1.end());
+    let (whole, u, sense) = (Whole::new(p)?, p.speed.abs(), p.speed.signum());
+    let (unit, last) = (p.radius / u, whole.end + whole.held.end());
     let columns = "t [s], x [m], y [m], vx [m/s], vy [m/s], F [N]";
     Trajectory::sampled(columns.split(", "), times(-0.5, last, 600), |t| {
-        let (MechanismState { q, v }, force) = at(&whole, t)?;
+        let (MechanismState { q, v }, force) = whole.at(t)?;
         let ([x, y, _], [vx, vy, _]) = (q.map(|x| x * p.radius), v.map(|v| v * u));
         Ok([t * unit, x, sense * y, vx, sense * vy, force * (p.mass * u / unit)])
     })
@@ -153,20 +158,21 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 
 /// That motion, with the pull of the string.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let (whole, unit, clockwise) = (whole(p)?, p.radius / p.speed.abs(), p.speed < 0.0);
-    let (end, last, newton) = (whole.2, whole.2 + whole.1.end(), p.mass * p.speed.abs() / unit);
-    let (most, taut) = (at(&whole, end)?.1, whole.1.motion.event("knot touches")?.t);
+    let (whole, unit, clockwise) = (Whole::new(p)?, p.radius / p.speed.abs(), p.speed < 0.0);
+    let (end, last) = (whole.end, whole.end + whole.held.end());
+    let (most, taut) = (whole.at(end)?.1, whole.held.motion.event("knot touches")?.t);
+    let newton = p.mass * p.speed.abs() / unit;
     // The force falls to nothing and comes back at once.
     let instants = times(-0.5, end, 200).chain(times(end + 1e-9, end + taut, 2));
     let instants = instants.chain(times(end + taut + 1e-9, last, 20));
-    let force = sampled(instants, |t| Ok((t * unit, newton * at(&whole, t)?.1)))?;
+    let force = sampled(instants, |t| Ok((t * unit, newton * whole.at(t)?.1)))?;
     let newtons = Axis::linear("$F$ / N").range(0.0, 1.1 * newton * most);
     let graph = Panel::over_axes("$t$ / s", newtons).curve(Curve::new(force, Ink::Force));
     let stills = [0.02, 0.9 * end, end + 0.5 * taut].map(|t| t * unit);
     MovingPicture::above(graph, -0.5 * unit..=last * unit, stills, move |t| {
         let now = (t / unit).min(last);
-        let (MechanismState { q: [x, y, _], v: [vx, vy, _] }, force) = at(&whole, now)?;
-        let place = |t: f64| at(&whole, t).map(|(state, _)| (state.q[0], state.q[1]));
+        let (MechanismState { q: [x, y, _], v: [vx, vy, _] }, force) = whole.at(now)?;
+        let place = |t: f64| whole.at(t).map(|(state, _)| (state.q[0], state.q[1]));
         let path = sampled(times(-0.5, now, 400), place)?;
         let (since, what) = match now > end {
             true => ((now - end) * unit, "after the hand has stopped"),

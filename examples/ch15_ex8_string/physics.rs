@@ -2,10 +2,8 @@
 //! plane, with a string that cannot stretch.
 
 // ANCHOR: physics
-use kit::{sampled, times};
-use rotation_dynamics::Result;
+use kit::prelude::*;
 use rotation_dynamics::integrators::Dop853;
-use rotation_dynamics::math::{atan2, hypot, sincos};
 use rotation_dynamics::planar::contact::{
     Contact, ContactMotion, Mechanism, MechanismState, motion,
 };
@@ -134,7 +132,7 @@ impl Pulled {
 
     /// The state at this time.
     pub fn at(&self, t: f64) -> Result<MechanismState<3>> {
-        self.motion.at(self.clock(t))
+        Ok(self.motion.at(self.clock(t))?)
     }
 
     /// The tension at this time.
@@ -149,7 +147,7 @@ impl Pulled {
     }
 
     /// The angle from the time 0 to `t`, in small steps.
-    pub fn angle(&self, t: f64) -> kit::Result<f64> {
+    pub fn angle(&self, t: f64) -> Result<f64> {
         let last = self.at(t)?;
         let count = 1 + (2.0 * t * across(&last) / radius(&last)) as u32;
         let places = sampled(times(0.0, t, count), |t| Ok(self.at(t)?.q))?;

@@ -2,9 +2,8 @@
 //! conservation law. The mass of the ball, the length of the stick and the speed are 1.
 
 // ANCHOR: physics
-use rotation_dynamics::Result;
+use kit::prelude::*;
 use rotation_dynamics::integrators::{Dop853, Work, ode, size_or};
-use rotation_dynamics::math::{cos, hypot, sincos};
 use rotation_dynamics::planar::contact::{
     Contact, ContactMotion, Mechanism, MechanismState, motion,
 };
@@ -107,7 +106,7 @@ impl Mechanism<5, 2> for Hit {
 // ANCHOR_END: physics
 
 /// How far the ball is from where it hits, at the start.
-pub const APPROACH: f64 = 0.8;
+const APPROACH: f64 = 0.8;
 
 /// The approach, the hit at t = 0, and what follows.
 pub struct Blow {
@@ -130,13 +129,13 @@ impl Blow {
 
     /// The state at this time after the hit.
     pub fn at(&self, t: f64) -> Result<MechanismState<5>> {
-        self.motion.at((t + APPROACH).clamp(0.0, self.motion.end_time()))
+        Ok(self.motion.at((t + APPROACH).clamp(0.0, self.motion.end_time()))?)
     }
 
     /// How near the ball comes to the upper mass between these times, from middle to middle.
     pub fn nearest(&self, from: f64, to: f64) -> f64 {
-        let places = |t| self.at(t).map_or([[f64::NAN; 2]; 3], |state| places(&state.q));
-        least(|t| to_upper(places(t)), from, to)
+        let distance = |t| self.at(t).map_or(f64::NAN, |state| to_upper(places(&state.q)));
+        least(distance, from, to)
     }
 
     /// When the other mass is hit.
