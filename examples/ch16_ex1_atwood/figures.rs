@@ -5,14 +5,13 @@ use super::*;
 /// The drawing of a machine, in m, with its pulley of this radius at the origin and the masses
 /// so far below it, the heavier one on this side (-1 is left).
 fn drawn(sketch: Sketch, radius: f64, [left, right]: [f64; 2], turn: f64, side: f64) -> Sketch {
-    let arc = times(0.0, PI, 40).map(|t| (radius * cos(t), radius * sin(t)));
     let (heavy, light) = ((1.25 * 0.15, 0.24), (0.15, 0.18));
     let (first, second) = if side > 0.0 { (light, heavy) } else { (heavy, light) };
     sketch
         .wall((0.25, 0.32), (-0.25, 0.32))
         .pulley((0.0, 0.0), radius, turn, (0.0, 0.32))
         .rope([(-radius, -left), (-radius, 0.0)])
-        .rope(arc)
+        .rope(times(0.0, PI, 40).map(|t| (radius * cos(t), radius * sin(t))))
         .rope([(radius, 0.0), (radius, -right)])
         .block((-radius, -left - 0.5 * first.1), first, 0.0, Ink::Body)
         .block((radius, -right - 0.5 * second.1), second, 0.0, Ink::Body)
@@ -27,10 +26,8 @@ figures! { _: &Parameters, usual = machine(&Parameters::default())?;
     /// Two masses hang on a rope over a pulley that is held from above. The pulley has the moment of inertia I
     /// and the radius R. On the left hangs m1, on the right m2; both hang the height h below the axle.
     setup: {
-        let sketch = drawn(Sketch::within((-0.7, 0.75), (-0.95, 0.45)), 0.2, [0.6, 0.6], 0.6, -1.0);
-        sketch
-            .text((-0.31, -0.72), "$m_1$", Ink::Body, Side::Left)
-            .text((0.29, -0.69), "$m_2$", Ink::Body, Side::Right)
+        drawn(Sketch::within((-0.7, 0.75), (-0.95, 0.45)), 0.2, [0.6, 0.6], 0.6, -1.0)
+            .text((-0.31, -0.72), "$m_1$", Ink::Body, Side::Left).text((0.29, -0.69), "$m_2$", Ink::Body, Side::Right)
             .text((0.21, 0.1), "$I$, $R$", Ink::Frame, Side::Right)
             .dimension((0.55, -0.6), (0.55, 0.0), "$h$", Side::Right)
             .gravity((-0.6, 0.25), 0.25)
@@ -53,12 +50,9 @@ figures! { _: &Parameters, usual = machine(&Parameters::default())?;
         forces.into_iter().fold(sketch, |sketch, (from, length, label, side)| {
             sketch.arrow_to(from, (from.0, from.1 + length), Ink::Force, label, side)
         })
-            .turn((0.0, 0.0), 0.27, (1.0, 2.1), Ink::Velocity)
-            .text((-0.15, 0.25), r"$\alpha$", Ink::Velocity, Side::Left)
-            .arrow_along([(-0.62, -0.65), (-0.62, -0.85)], Ink::Ink)
-            .text((-0.62, -0.75), "$a$", Ink::Ink, Side::Left)
-            .arrow_along([(0.6, -0.85), (0.6, -0.65)], Ink::Ink)
-            .text((0.6, -0.75), "$a$", Ink::Ink, Side::Right)
+            .turn((0.0, 0.0), 0.27, (1.0, 2.1), Ink::Velocity).text((-0.15, 0.25), r"$\alpha$", Ink::Velocity, Side::Left)
+            .arrow_along([(-0.62, -0.65), (-0.62, -0.85)], Ink::Ink).text((-0.62, -0.75), "$a$", Ink::Ink, Side::Left)
+            .arrow_along([(0.6, -0.85), (0.6, -0.65)], Ink::Ink).text((0.6, -0.75), "$a$", Ink::Ink, Side::Right)
     };
 
     /// Both tensions over m2 g against I/R^2 over the sum of the masses. Without a pulley they are equal, 1.2.
@@ -74,8 +68,7 @@ figures! { _: &Parameters, usual = machine(&Parameters::default())?;
             .curve(exact(1).label_at("$T_2$", 2.0, 1.07, Side::Below))
             .curve(dots(0)?)
             .curve(dots(1)?)
-            .level(1.5, Ink::Frame, "$m_1g$")
-            .level(1.0, Ink::Frame, "$m_2g$")
+            .level(1.5, Ink::Frame, "$m_1g$").level(1.0, Ink::Frame, "$m_2g$")
     };
 
     /// Accelerations over g against the coefficient of friction, for I/R^2 equal to 2/5 of the sum of the
@@ -87,8 +80,7 @@ figures! { _: &Parameters, usual = machine(&Parameters::default())?;
         let at = |mu: f64| unit(usual, 2.0, exp(mu * PI));
         let run = |k: usize| move |mu: f64| {
             let run = Machine { grip: capstan(mu)?, ..at(mu) }.run(0.0, 1e-9, 10.0)?;
-            let arrives = run.transition("arrives")?;
-            Ok(arrives.before[k] / arrives.t)
+            Ok(run.transition("arrives").map(|event| event.before[k] / event.t)?)
         };
         rub.panel(Axis::linear("acceleration$/g$").range(0.0, 0.22))
             .curve(rub.exact(|mu| at(mu).closed_form().1[0]).label_at("masses", 0.012, 0.19, Side::Right))
@@ -98,7 +90,6 @@ figures! { _: &Parameters, usual = machine(&Parameters::default())?;
     };
 }
 
-/// The motion from rest, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let run = machine(p)?.run(0.0, p.tolerance, 1e3)?;
     let columns = "t [s], way [m], speed [m/s], way of the rim [m], speed of the rim [m/s]";
@@ -131,8 +122,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let room = |hang: f64, tension: f64| (0.41 + 0.5 * scale * hang) / tension;
         Ok(room(h + way, left).min(room(h - way, right)))
     })?;
-    let usual = 0.45 / (p.m1.max(p.m2) * m.gravity);
-    let force = fitting.into_iter().fold(usual, f64::min);
+    let force = fitting.into_iter().fold(0.45 / (p.m1.max(p.m2) * m.gravity), f64::min);
     let (side, goes_on) = if p.m1 > p.m2 { (-1.0, "rise as") } else { (1.0, "fall as") };
     let told = format!(": they approach each other and then {goes_on} one line");
     let told = if caught { told } else { String::new() };
@@ -145,21 +135,14 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              Below, the speeds of rope and rim against time{told}.",
             way.abs()
         );
-        let (radius, hang) = (0.16, [h + way, h - way].map(|y| 0.5 * scale * y));
+        let (radius, [left, right]) = (0.16, [h + way, h - way].map(|y| 0.5 * scale * y));
         let sketch = Sketch::within((-1.0, 1.0), (-1.35, 0.4));
-        let sketch = drawn(sketch, radius, hang, 0.6 + 0.5 * scale * rim / radius, side);
-        let forces = m.forces(grip, way);
-        let pull = |sketch: Sketch, k: usize| {
-            let (x, low) = ([-radius, radius][k] * 1.6, -hang[k]);
-            let tip = (x, low + force * forces[2 + k]);
-            sketch.arrow(
-                (x, low),
-                tip,
-                Ink::Force,
-                ["$T_1$", "$T_2$"][k],
-                [Side::Left, Side::Right][k],
-            )
-        };
-        Ok((alt, [0, 1].into_iter().fold(sketch, pull)))
+        let [.., t1, t2] = m.forces(grip, way);
+        let pull = |x: f64, hang: f64, tension: f64| ((x, -hang), (x, -hang + force * tension));
+        let (first, second) = (pull(-1.6 * radius, left, t1), pull(1.6 * radius, right, t2));
+        let scene = drawn(sketch, radius, [left, right], 0.6 + 0.5 * scale * rim / radius, side)
+            .arrow(first.0, first.1, Ink::Force, "$T_1$", Side::Left)
+            .arrow(second.0, second.1, Ink::Force, "$T_2$", Side::Right);
+        Ok((alt, scene))
     })
 }

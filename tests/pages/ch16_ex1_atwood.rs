@@ -87,8 +87,7 @@ fn a_heavy_rope_falls_faster_and_faster() {
     let (mut errors, mut damaged) = (Errors::of("speed, squared"), Errors::of("rope without mass"));
     for rope in [0.01, 0.1, 1.0, 10.0] {
         let m = Machine { rope, grip: FIRM, ..usual() };
-        let run = m.run(0.0, 1e-13, 10.0).unwrap();
-        let [way, speed, ..] = run.transition("arrives").unwrap().before;
+        let [way, speed, ..] = m.run(0.0, 1e-13, 10.0).unwrap().transition("arrives").unwrap().before;
         let fallen = m.gravity * way * (1.0 + rope * way);
         errors.push(0.5 * (7.0 + 2.0 * rope) * speed * speed / fallen - 1.0);
         damaged.push(3.5 * speed * speed / (m.gravity * way) - 1.0);
