@@ -32,23 +32,19 @@ parameters! {
 /// q = g/(l w^2), the one number that decides: infinite in a plane that does not turn.
 fn ratio(p: &Parameters) -> Result<f64> {
     let q = p.gravity / (p.length * p.rate * p.rate);
+    // What is left of a difference that is smaller has less than half of its digits.
+    let far = |off: f64| off.abs() >= 1e-8;
     let differs = "it must differ from 1 by 1e-8: at this threshold nothing drives the bob \
                    back or away, and small oscillations take for ever";
-    require((1.0 - q).abs() >= NEAREST, "g/(l w^2)", q, differs)?;
-    let far = |off: f64| off.abs() >= NEAREST;
+    require(far(1.0 - q), "g/(l w^2)", q, differs)?;
     let turns = "from there the bob creeps up to the vertical and takes for ever: \
                  2 g/(l w^2) - cos(release) must differ from 1 by 1e-8";
-    let creeps = opposite(q, p.release) - 1.0;
-    require(far(creeps), "release", p.release, turns)?;
+    require(far(opposite(q, p.release) - 1.0), "release", p.release, turns)?;
     let stays = "at rest there the bob stays, at the vertical as on the cone: \
                  it must be off by 1e-8 rad";
-    let moves = far(p.release) && far(cone(q) - p.release.abs());
-    require(moves, "release", p.release, stays)?;
+    require(far(p.release) && far(cone(q) - p.release.abs()), "release", p.release, stays)?;
     Ok(q)
 }
-
-/// What is left of a difference from 1 that is as small as this has half of its digits.
-const NEAREST: f64 = 1e-8;
 
 /// The cosine of the angle where a swing from rest at `angle` turns back, if it is one.
 fn opposite(q: f64, angle: f64) -> f64 {
@@ -57,8 +53,7 @@ fn opposite(q: f64, angle: f64) -> f64 {
 
 /// Turning point number `n` of the swing from rest at `angle`, undamped, and the work.
 fn turning(q: f64, angle: f64, n: u32, step: f64) -> Result<(LocatedEvent<2>, Work)> {
-    let long = 1e4 / driven(q);
-    Ok(Dop853::new(step)?.zero(&in_plane(q, 0.0), [angle, 0.0], n, long, |y| y[1])?)
+    Ok(Dop853::new(step)?.zero(&in_plane(q, 0.0), [angle, 0.0], n, 1e4 / driven(q), |y| y[1])?)
 }
 
 /// Where the pendulum comes to rest if it is damped, rad.
@@ -69,12 +64,8 @@ pub fn settled(q: f64, step: f64) -> Result<f64> {
 /// [`driven`], simulated.
 pub fn measured_driven(q: f64) -> Result<f64> {
     // The period is even in how far cos(theta), below the threshold theta, is off rest.
-    let start = |size| match q < 1.0 {
-        true => [cone(q + size * (1.0 - q)), 0.0],
-        false => [size * driven(q), 0.0],
-    };
-    let until = 1e2 / driven(q);
-    Ok(small_frequency(&in_plane(q, 0.0), start, until, |y| y[1])?)
+    let off = |size| if q < 1.0 { cone(q + size * (1.0 - q)) } else { size * driven(q) };
+    Ok(small_frequency(&in_plane(q, 0.0), |size| [off(size), 0.0], 1e2 / driven(q), |y| y[1])?)
 }
 
 /// [`free`], simulated.
@@ -116,15 +107,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let late = creeps(p.release, far);
     let late_touch = creeps(1e-9, cone(opposite(q, 1e-9)));
     let further = 10.0 * p.tolerance * p.release.abs().max(far.abs()) / force(q, far).abs();
-    // Else no step can confirm it.
-    let told = late < 1e-2;
+    let told = late < 1e-2; // else no step can confirm it
     let (small, time, free) = (w * driven(q), period(q, p.release)? / w, w * free(q));
     let touched = 0.5 * period(q, 1e-9)? / w;
     claims! { report,
         /// angle from the vertical
         theta: theta, "rad", "where it settles" => settled(q, p.tolerance)?, within bound, in "The angle":
-            FRAC_PI_2 - theta => "measure from the vertical",
-            cone(1.5 * q) => "that is a uniform rod without a bob",
+            FRAC_PI_2 - theta => "measure from the vertical", cone(1.5 * q) => "that is a uniform rod without a bob",
             cone(q / (4.0 * PI * PI)) => "not turns but radians a second",
             (2.0 - 2.0 * q).max(0.0).sqrt() => "the angle is not small";
         /// rate where it rises
@@ -145,8 +134,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         far: far, "rad", "located event" => wide.state[0], within bound + further, if told, in "The wide swing":
             (2.0 * theta).copysign(p.release) - p.release => "in the angle, the cone is not halfway between the two";
         /// period
-        period: time, "s", "located event" => 2.0 * wide.t / w, within 10.0 * bound * time + late / w, if told,
-        in "The wide swing":
+        period: time, "s", "located event" => 2.0 * wide.t / w, within 10.0 * bound * time + late / w, if told, in "The wide swing":
             2.0 * PI / small => "that is for small oscillations";
         /// the bob left to itself
         free: free, "rad/s", "simulated" => w * measured_free(q)?, within (1e-9 + 1e-12 / (1.0 - q)) * free, if q < 1.0,
@@ -158,7 +146,6 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-/// Just above the threshold, far above it, and in a plane at rest.
 fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     let (near, still) = (1.0 - 1e-8, legendre::k(Modulus::from_k(sin(0.25))?)?);
     limits! { report,
@@ -196,8 +183,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let [x, y, z, ..] = after(2.0 * PI, &on_string(q, drag), &start, 1e-12)?;
     let sunk = cone(q) - atan2(hypot(x, y), -z);
     effect_card! { report,
-        "air drag, bob left to itself":
-            "rho C S l/(2 M)" = drag, costs sinking(q, drag), "rad a turn", measured sunk, within 1e-9;
+        "air drag, bob left to itself": "rho C S l/(2 M)" = drag, costs sinking(q, drag), "rad a turn", measured sunk, within 1e-9;
         "stretch of the string": "T/(E A_s)" = stretch, costs slope * stretch, "rad of theta";
         "mass of the string": "m/M" = string, costs slope * string / 6.0, "rad of theta";
         "size of the bob": "2 r^2/(5 l^2)" = size, costs 0.5 * size, "of Omega";
@@ -208,10 +194,14 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 /// The accuracy strip: the wide swing, for a period.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (q, release) = (ratio(p)?, p.release);
-    let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
-    let swing = move |step| turning(q, release, 2, step);
     report.in_closed_form(move |_| period(q, release));
-    report.dial_of_return(asked, swing, period(q, release)?, release)
+    let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
+    report.dial_of_return(
+        asked,
+        move |step| turning(q, release, 2, step),
+        period(q, release)?,
+        release,
+    )
 }
 
 example! {

@@ -9,8 +9,7 @@ fn q(rate: f64) -> f64 {
 
 /// Over the rate; three of those simulated are below the threshold.
 fn rates() -> Sweep {
-    let simulated = [0.3, 0.6, 0.85, 1.1, 1.3, 1.6, 2.0, 2.4];
-    Sweep::over(r"$\omega/\omega_0$", 0.0, 2.6).at(simulated)
+    Sweep::over(r"$\omega/\omega_0$", 0.0, 2.6).at([0.3, 0.6, 0.85, 1.1, 1.3, 1.6, 2.0, 2.4])
 }
 
 figures! { _: &Parameters;
@@ -21,13 +20,10 @@ figures! { _: &Parameters;
         let arc = |from, to| times(from, to, 60).map(|a| (s * cos(a), 0.2 * s * sin(a) - c));
         Sketch::within((-0.85, 0.95), (-1.1, 0.16))
             .wall((0.5, 0.0), (-0.5, 0.0))
-            .guide(arc(0.0, 2.0 * PI))
-            .guide([o, (0.0, -1.05)])
+            .guide(arc(0.0, 2.0 * PI)).guide([o, (0.0, -1.05)])
             .angle(o, 0.34, (-FRAC_PI_2, 0.62 - FRAC_PI_2), r"$\theta$")
-            .arrow_along(arc(3.6, 5.2), Ink::Velocity)
-            .text((-0.3, -1.0), r"$\omega$", Ink::Velocity, Side::Centre)
-            .string(o, (s, -c), "$l$", Side::Right)
-            .text((0.0, 0.02), "$O$", Ink::Frame, Side::AboveLeft)
+            .arrow_along(arc(3.6, 5.2), Ink::Velocity).text((-0.3, -1.0), r"$\omega$", Ink::Velocity, Side::Centre)
+            .string(o, (s, -c), "$l$", Side::Right).text((0.0, 0.02), "$O$", Ink::Frame, Side::AboveLeft)
             .gravity((-0.65, -0.25), 0.3)
             .weight((s, -c), 0.05, "$M$")
     };
@@ -82,19 +78,13 @@ figures! { _: &Parameters;
 /// Nine turns and a bit, so that the bob ends in profile.
 const END: f64 = 58.72;
 
-/// The longest pull that is drawn as long as it is, in weights.
-const LONGEST: f64 = 3.0;
-
-/// The damped motion from the release.
 fn motion(p: &Parameters) -> Result<Solution<2>> {
     swung(ratio(p)?, 0.12, p.release, END, p.tolerance)
 }
 
-/// That motion, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let columns = ["t [s]", "theta [rad]", "omega [rad/s]"];
     let row = |t, [theta, rate]: [f64; 2]| [t / unit_rate(p), theta, rate * unit_rate(p)];
-    Trajectory::of(&motion(p)?, columns, 600, row)
+    Trajectory::of(&motion(p)?, ["t [s]", "theta [rad]", "omega [rad/s]"], 600, row)
 }
 
 /// That motion with the forces; weight and tension to scale.
@@ -105,13 +95,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let angle = sampled(times(0.0, END, 300), |t| Ok((t / w, run.at(t)?[0])))?;
     let graph = Panel::over_axes("$t$ / s", r"$\theta$ / rad").curve(Curve::new(angle, Ink::Body));
     let state = move |t: f64| -> Result<[SpaceVector; 2]> {
-        let there = in_space(run.at(t)?, turning, turning * t);
-        Ok(place_and_velocity(&there))
+        Ok(place_and_velocity(&in_space(run.at(t)?, turning, turning * t)))
     };
     let all = || times(0.0, END, 600);
     let most = sampled(all(), |t| Ok(tension(q, state(t)?) / hanging))?;
-    // So that the longest pull of the string fits.
-    let scale = 0.4 * (LONGEST / most.into_iter().fold(LONGEST, f64::max));
+    // So that the longest pull of the string fits, if it is more than three weights.
+    let scale = 0.4 * (3.0 / most.into_iter().fold(3.0, f64::max));
     let highest = sampled(all(), |t| Ok(state(t)?[0].z()))?;
     let higher = 0.5 * highest.into_iter().fold(0.22, f64::max) - 0.11;
     let (top, down) = (SpaceVector::zero(), SpaceVector::new(0.0, 0.0, -0.4));
@@ -124,7 +113,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let path = sampled(times((now - 6.0).max(0.0), now, 60), place)?;
         let sum = pull + weight;
         let slant = atan2(sum.z().abs(), hypot(sum.x(), sum.y())).to_degrees();
-        let been = ["", ", where it has just been"][usize::from(t > 0.0)];
+        let been = if t > 0.0 { ", where it has just been" } else { "" };
         let alt = format!(
             "The bob {t:.1} s after its release{been}, its weight, the pull of the string, and \
              their sum, {slant:.0} degrees off the horizontal; below, its angle against time."

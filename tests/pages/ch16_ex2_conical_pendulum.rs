@@ -41,8 +41,7 @@ fn air_lowers_the_cone_as_predicted() {
 fn exactly_zero_stays() {
     let still = swung(0.01, 0.0, 0.0, 2000.0 * PI, 1e-15).unwrap();
     assert_eq!(still.end_state(), &[0.0, 0.0]);
-    let touched = swung(0.49, 0.0, 1e-9, 32.0, 1e-15).unwrap();
-    assert!(touched.end_state()[0] > cone(0.49));
+    assert!(swung(0.49, 0.0, 1e-9, 32.0, 1e-15).unwrap().end_state()[0] > cone(0.49));
     assert!(acos(1.2).is_nan() && cone(1.2) == 0.0); // below the threshold
     // Left to itself on its cone; the damaged twin has no square.
     assert!((measured_free(0.5).unwrap() - free(0.5)).abs() < 1e-8);
