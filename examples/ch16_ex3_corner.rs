@@ -8,6 +8,7 @@ pub mod physics;
 use core::f64::consts::{SQRT_2, TAU};
 use kit::prelude::*;
 use physics::*;
+use rotation_dynamics::planar::contact::MechanismState;
 
 parameters! {
     /// The cylinder of the exercise; the notes leave all numbers open.
@@ -62,8 +63,8 @@ fn senses(p: &Parameters) -> Result<[Ride; 2]> {
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([spin, time, weight, speed], mu) = (units(p)?, p.friction);
     let (unit, [pressed, away], exact) = (p.gravity / p.radius, senses(p)?, 1e-12);
-    let [stops, rolls] = [&pressed, &away].map(|ride| move || ride.event("floor sticks"));
-    let halfway = 0.5 * stops()?.t;
+    let (stops, rolls) = (pressed.event("floor sticks")?, away.event("floor sticks")?);
+    let (halfway, MechanismState { v: [along, _, turning], .. }) = (0.5 * stops.t, rolls.after);
     let ([floor, wall], end) = (pressed.forces(halfway)?, pressed.at(pressed.end_time())?);
     let rubbed = [floor, wall].map(|force| -force.tangential * end.q[2]);
     let (n_floor, n_wall) = (weight / (1.0 + mu * mu), mu * weight / (1.0 + mu * mu));
@@ -73,24 +74,17 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let stop = turned_fast / alpha;
     let (turns, v_roll) = (0.5 * stop * turned_fast / TAU, turned_fast * p.radius / 3.0);
     let heat = 0.25 * p.mass * p.radius * p.radius * p.spin * p.spin;
-    let kept = || -> Result<f64> {
-        let v = rolls()?.after.v;
-        Ok((2.0 * v[0] * v[0] + v[2] * v[2]) / (spin * spin))
-    };
     let (slower, fade) = fading(p)?;
-    let (faded, fades) = (fade * time, || stopped(slower, spin, fade, p.tolerance));
+    let faded = fade * time;
     claims! { report,
         /// force of the floor
-        n_floor: n_floor, "N", "contact forces" => floor.normal * weight, within exact * n_floor,
-        in "Pressed to the wall":
+        n_floor: n_floor, "N", "contact forces" => floor.normal * weight, within exact * n_floor, in "Pressed to the wall":
             weight => "the wall rubs as well: which way?",
             weight / (1.0 - mu * mu).abs().max(1e-3) => "which way does the surface slip along the wall?",
             n_wall => "that is the other one";
         /// force of the wall
-        n_wall: n_wall, "N", "contact forces" => wall.normal * weight, within exact * n_wall,
-        in "Pressed to the wall":
-            mu * weight => "the floor does not carry the whole weight",
-            mu * n_wall => "that is the friction on the wall";
+        n_wall: n_wall, "N", "contact forces" => wall.normal * weight, within exact * n_wall, in "Pressed to the wall":
+            mu * weight => "the floor does not carry the whole weight", mu * n_wall => "that is the friction on the wall";
         /// angular deceleration
         alpha: alpha, "rad/s^2", "simulated" => (spin - pressed.at(halfway)?.v[2]) / halfway * unit,
         within 10.0 * exact * alpha, in "Pressed to the wall":
@@ -98,7 +92,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             4.0 * mu * unit => "neither force is the weight",
             2.0 * mu * (1.0 + mu) * unit => "the floor does not carry the whole weight";
         /// time to the stop
-        t_stop: stop, "s", "located event" => stops()?.t * time, within exact * stop, in "Pressed to the wall":
+        t_stop: stop, "s", "located event" => stops.t * time, within exact * stop, in "Pressed to the wall":
             2.0 * stop => "that is for a thin tube", 0.5 * turned_fast / (mu * unit) => "two surfaces rub";
         /// turns until then
         turns: turns, "-", "simulated" => end.q[2] / TAU, within exact * turns, in "Pressed to the wall":
@@ -112,27 +106,25 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         within exact, in "Pressed to the wall":
             mu => "that is the wall's part over the floor's", 1.0 / (1.0 + mu) => "that is the floor's part";
         /// the other sense: when it rolls
-        t_roll: roll, "s", "located event" => rolls()?.t * time, within exact * roll, in "The other sense":
+        t_roll: roll, "s", "located event" => rolls.t * time, within exact * roll, in "The other sense":
             1.5 * roll => "it has only to roll, not to stop turning",
             3.0 * roll => "while it gets faster it also turns slower", stop => "nothing presses it to the wall";
         /// at this speed
-        v_roll: v_roll, "m/s", "simulated" => rolls()?.after.v[0] * speed, within exact * v_roll,
-        in "The other sense":
+        v_roll: v_roll, "m/s", "simulated" => along * speed, within exact * v_roll, in "The other sense":
             3.0 * v_roll => "while it gets faster it also turns slower",
             1.5 * v_roll => "a uniform cylinder has half of that moment of inertia";
         /// how far from the corner
-        way: 0.5 * v_roll * roll, "m", "simulated" => rolls()?.after.q[0] * p.radius, within exact * v_roll * roll,
+        way: 0.5 * v_roll * roll, "m", "simulated" => rolls.after.q[0] * p.radius, within exact * v_roll * roll,
         in "The other sense":
             v_roll * roll => "it starts from rest";
         /// part of the energy that is left
-        kept: 1.0 / 3.0, "-", "simulated" => kept()?, within exact, in "The other sense":
+        kept: 1.0 / 3.0, "-", "simulated" => (2.0 * along * along + turning * turning) / (spin * spin), within exact, in "The other sense":
             2.0 / 3.0 => "that is the part that is lost", 1.0 / 9.0 => "it also moves along";
         /// pressed, friction that fades: time to the stop
-        t_fading: faded, "s", "located event" => fades()? * time, within (exact + 100.0 * p.tolerance) * faded;
+        t_fading: faded, "s", "located event" => stopped(slower, spin, fade, p.tolerance)? * time, within (exact + 100.0 * p.tolerance) * faded;
     }
 }
 
-/// Smooth and rough surfaces.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let braking = |mu| Cylinder::alike(mu).braking();
     let (best, h) = (1.0 + SQRT_2, 1e-4);
@@ -197,46 +189,40 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([spin, ..], mu) = (units(p)?, p.friction);
     let (cylinder, stop) = fading(p)?;
-    let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15];
     report.in_closed_form(move |part| faded(mu, cylinder.fading, part * spin));
     let run = move |step| set_down(cylinder, spin, 2.0 * stop, step);
     let error = move |ride: &Ride| Ok((ride.event("floor sticks")?.t / stop - 1.0).abs());
-    report.stepped(asked, run, Ride::work, error)
+    report.stepped([p.tolerance, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15], run, Ride::work, error)
 }
 
 /// Other surfaces: forces and time to the stop, and the same time simulated.
 fn surfaces(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([spin, time, ..], mu, lean) = (units(p)?, p.friction, 20.0 * TAU / 360.0);
-    let columns = "surfaces, N_floor/Mg, N_wall/Mg, t_stop / s, simulated / s";
-    let mut table = Table::new("surfaces", columns.split(", "))?;
-    for (name, rough, lean) in [
+    let all = [
         ("as above", [mu, mu], 0.0),
         ("a smooth wall", [mu, 0.0], 0.0),
         ("a wall twice as rough", [mu, 2.0 * mu], 0.0),
         ("a floor twice as rough", [2.0 * mu, mu], 0.0),
         ("a wall that leans back by 20 degrees", [mu, mu], lean),
         ("one that overhangs by 20 degrees", [mu, mu], -lean),
-    ] {
-        let cylinder = Cylinder::new(rough, lean);
-        let [floor, wall] = cylinder.pressed();
-        // Without a force of the floor it climbs out.
-        if floor <= 0.0 {
-            continue;
-        }
-        let stop = spin / cylinder.braking();
+    ];
+    let all = all.map(|(name, rough, lean)| (name, Cylinder::new(rough, lean)));
+    // Without a force of the floor it climbs out.
+    let held = all.into_iter().filter(|(_, cylinder)| cylinder.pressed()[0] > 0.0);
+    let columns = "surfaces, N_floor/Mg, N_wall/Mg, t_stop / s, simulated / s";
+    report.add(Table::of("surfaces", columns.split(", "), held, |(name, cylinder)| {
+        let ([floor, wall], stop) = (cylinder.pressed(), spin / cylinder.braking());
         let found = stopped(cylinder, spin, stop, p.tolerance)?;
         let cells = [floor, wall, stop * time, found * time].map(|x| format!("{x:.7}"));
-        table.push([name.into()].into_iter().chain(cells))?;
-    }
-    report.add(table)
+        Ok([name.into()].into_iter().chain(cells))
+    })?)
 }
 
-/// What the law of signs makes of the stop.
 fn signs(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([w, ..], cylinder) = (units(p)?, Cylinder::alike(p.friction));
     let stop = w / cylinder.braking();
     let columns = "steps until t_stop, spin left / Omega, steps that change its sign";
-    let table = Table::of("signs", columns.split(", "), [100, 1000, 10_000], |steps| {
+    report.add(Table::of("signs", columns.split(", "), [100, 1000, 10_000], |steps| {
         // The stop comes within a step, as it does unless one is lucky.
         let end = 2.0 * stop * f64::from(steps) / (f64::from(steps) + 0.4);
         let all = by_sign(p.friction, w, false, end, 2 * steps);
@@ -245,10 +231,8 @@ fn signs(p: &Parameters, report: &mut Report) -> Result<()> {
         let turns = |pair: &&[[f64; 2]]| pair[0][1] * pair[1][1] < 0.0;
         let changes = after.windows(2).filter(turns).count();
         let part = changes as f64 / (after.len() - 1) as f64;
-        let (left, part) = (format!("{:.1e}", left / w), format!("{part:.2}"));
-        Ok([steps.to_string(), left, part])
-    })?;
-    report.add(table)
+        Ok([steps.to_string(), format!("{:.1e}", left / w), format!("{part:.2}")])
+    })?)
 }
 
 example! {

@@ -2,7 +2,7 @@
 
 use super::*;
 use core::f64::consts::PI;
-use rotation_dynamics::planar::contact::{MechanismState, Mode};
+use rotation_dynamics::planar::contact::Mode;
 
 /// Floor and wall, with room to the right for the axis to go this far.
 fn corner(right: f64) -> Sketch {
@@ -49,12 +49,11 @@ fn rough() -> impl Iterator<Item = f64> {
 
 /// Simulated for some of them: the floor's force and the time to the stop from the spin 1.
 fn simulated(of: impl Fn(&Ride, f64) -> Result<f64>) -> Result<Curve> {
-    let some = [0.02, 0.1, 0.25, 0.6, 1.0, 2.4, 6.0, 30.0];
     let dot = |mu| {
         let (cylinder, stop) = (Cylinder::alike(mu), 1.0 / Cylinder::alike(mu).braking());
         of(&set_down(cylinder, 1.0, 2.0 * stop, 1e-12)?, 0.5 * stop)
     };
-    Ok(Curve::sampled(some, dot, Ink::Body)?.dots())
+    Ok(Curve::sampled([0.02, 0.1, 0.25, 0.6, 1.0, 2.4, 6.0, 30.0], dot, Ink::Body)?.dots())
 }
 
 figures! { p: &Parameters, [w, time, ..] = units(p)?, rides = senses(p)?, rate = p.spin.abs();
@@ -143,8 +142,7 @@ figures! { p: &Parameters, [w, time, ..] = units(p)?, rides = senses(p)?, rate =
     /// Spin near the stop, in steps. The contact solver's line falls to zero and stays; that of the law of
     /// signs goes on as a zigzag above and below zero.
     chatter: {
-        let cylinder = Cylinder::alike(p.friction);
-        let stop = w / cylinder.braking();
+        let stop = w / Cylinder::alike(p.friction).braking();
         let h = stop / 97.4;
         let steps = by_sign(p.friction, w, false, 194.0 * h, 194);
         let steps = steps.iter().zip(1..).map(|([_, spin], i)| (f64::from(i) * h * time, spin / time));
@@ -171,7 +169,6 @@ fn shown(p: &Parameters) -> Result<(Ride, f64, f64)> {
     Ok((ride, time, (1.25 * change).min(end) * time))
 }
 
-/// That motion, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let side = p.spin.signum();
     let columns = "t [s], x [m], v [m/s], turned [rad], spin [rad/s], N_floor/Mg, F_floor/Mg, N_wall/Mg, F_wall/Mg";

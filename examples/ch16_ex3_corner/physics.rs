@@ -43,7 +43,6 @@ impl Mechanism<3, 2> for Cylinder {
 }
 // ANCHOR_END: scene
 
-/// A motion of the cylinder.
 pub type Ride = ContactMotion<Cylinder, 3, 2>;
 
 impl Cylinder {
@@ -91,8 +90,7 @@ pub fn set_down(cylinder: Cylinder, spin: f64, end: f64, step: f64) -> Result<Ri
 
 /// When a cylinder with this spin stops that should stop `about` then.
 pub fn stopped(cylinder: Cylinder, spin: f64, about: f64, step: f64) -> Result<f64> {
-    let ride = set_down(cylinder, spin, 2.0 * about, step)?;
-    Ok(ride.event("floor sticks")?.t)
+    Ok(set_down(cylinder, spin, 2.0 * about, step)?.event("floor sticks")?.t)
 }
 // ANCHOR_END: physics
 

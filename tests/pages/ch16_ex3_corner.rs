@@ -49,8 +49,7 @@ fn other_surfaces_brake_as_predicted() {
 /// On a floor without friction nothing presses it to the wall, and it spins on.
 #[test]
 fn a_smooth_floor_lets_it_spin() {
-    let cylinder = Cylinder::new([0.0, 0.7], 0.0);
-    let ride = set_down(cylinder, SPIN, 1e4, 1e-13).unwrap();
+    let ride = set_down(Cylinder::new([0.0, 0.7], 0.0), SPIN, 1e4, 1e-13).unwrap();
     assert!(ride.events().is_empty());
     assert_eq!(ride.at(1e4).unwrap().v[2], SPIN);
 }
