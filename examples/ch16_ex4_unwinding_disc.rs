@@ -4,8 +4,6 @@
 mod figures;
 #[path = "ch16_ex4_unwinding_disc/physics.rs"]
 pub mod physics;
-#[path = "ch16_ex4_unwinding_disc/routes.rs"]
-mod routes;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use kit::interval::above_to;
@@ -14,7 +12,6 @@ use kit::{driven_in_air, taken_by_air};
 use physics::*;
 use rotation_dynamics::exact::{Modulus, legendre};
 use rotation_dynamics::planar::Run;
-use routes::long_string;
 
 parameters! {
     /// The disc of the exercise; the notes leave all numbers open.
@@ -40,14 +37,11 @@ parameters! {
     }
 }
 
-/// The shortest string that is wound up, over the radius.
-const LEAST: f64 = 0.5;
-
 /// The disc in units of its radius, and of its mass and g.
 pub fn disc(p: &Parameters) -> Result<Disc> {
     let (wound, free, shape) = (p.wound / p.radius, p.free / p.radius, p.shape);
     allowed! {
-        "wound/radius": wound, from_to(LEAST, 1e6), "with less string it is not wound up again on the other side";
+        "wound/radius": wound, from_to(0.5, 1e6), "with less string it is not wound up again on the other side";
         "free/radius": free, above_to(1.0, 1e6), "at 1 the disc touches the roof";
         "time": p.time, from_to(0.0, unwound(p, p.wound)), "then no string is left to unwind";
         "shape": shape, from_to(1e-3, 1e3), "all mass near the axis falls, far from it hangs";
@@ -58,11 +52,6 @@ pub fn disc(p: &Parameters) -> Result<Disc> {
 /// The largest tension over the weight if the string is so long that it stays vertical.
 pub fn long_peak(d: &Disc) -> f64 {
     1.0 + 2.0 * (d.wound + 1.0) / d.shape
-}
-
-/// What a string of this stiffness would give in a turn with this tension, in radii.
-fn gives(d: &Disc, peak: f64, stiffness: f64) -> f64 {
-    peak * d.length() / stiffness
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -81,27 +70,20 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (peak, [turn, largest, wound_up, rises]) = (d.peak(&run)?, d.by_angles(1e-14)?);
     let firm = p.stiffness / weight;
     // A string that gives by a radius or more, or hardly at all, is not followed.
-    let gives = gives(&d, peak, firm) < 1.0 && firm < 1e7;
+    let gives = peak * d.length() / firm < 1.0 && firm < 1e7;
     let [soft, stored] = if gives { d.softly(&ends.before, firm, 1e-14)? } else { [1.0; 2] };
-    let climbs = run.transition("top").is_ok();
-    let top = || {
-        let top = run.transition("top")?;
-        let length = p.radius * d.taut(Leaves::Winding, &top.before).margin;
-        Ok::<_, rotation_dynamics::Error>([length, (top.t - over.t) * second])
-    };
-    let [climb, rise] = if climbs { top()? } else { [0.0; 2] };
-    let [upright, _] = long_string(k, d.wound, 1e-14)?;
-    let long = long_peak(&d);
+    let climbed = run.transition("top").map(|top| {
+        [p.radius * d.taut(Leaves::Winding, &top.before).margin, (top.t - over.t) * second]
+    });
+    let (climbs, [climb, rise]) = (climbed.is_ok(), climbed.unwrap_or([0.0; 2]));
+    let (long, upright) = (long_peak(&d), long_string(k, d.wound, 1e-14)?[0]);
     claims! { report,
         /// acceleration of the centre, downward
-        a: a, "m/s^2", "simulated" => -g * taut.acceleration[1], within bound * g,
-        in "While the string unwinds":
-            g => "the string pulls as well",
-            g / k => "the weight has no moment about the centre; which force turns the disc?",
+        a: a, "m/s^2", "simulated" => -g * taut.acceleration[1], within bound * g, in "While the string unwinds":
+            g => "the string pulls as well", g / k => "the weight has no moment about the centre; which force turns the disc?",
             weight * k / (1.0 + k) / p.mass => "that is the tension over the mass";
         /// tension
-        tension: pull, "N", "simulated" => weight * taut.tension, within bound * weight,
-        in "While the string unwinds":
+        tension: pull, "N", "simulated" => weight * taut.tension, within bound * weight, in "While the string unwinds":
             weight => "then the disc would not fall",
             weight / (1.0 + k) => "that is the mass times the acceleration, and the string pulls upward";
         /// velocity of the centre at that time
@@ -119,8 +101,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         t_end: end, "s", "located event" => ends.t * second, within bound * end, in "At the end of the string":
             (2.0 * p.wound / g).sqrt() => "it does not fall freely";
         /// velocity then
-        v_end: last, "m/s", "located event" => -speed * ends.before[4], within bound * last,
-        in "At the end of the string":
+        v_end: last, "m/s", "located event" => -speed * ends.before[4], within bound * last, in "At the end of the string":
             (2.0 * g * p.wound).sqrt() => "part of the energy is in the rotation";
         /// angular velocity then
         omega_end: last / p.radius, "rad/s", "located event" => ends.before[5] / second, within bound * last / p.radius,
@@ -144,16 +125,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-/// A hoop, a weight with a thread, and turns over the knot with nothing sideways or no gravity.
 fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     let rest = Parameters::default();
     let over_g = |shape| fall(&rest.but(|p| (p.shape, p.gravity) = (shape, 1.0)))[0];
-    let shape = 0.5;
-    let disc = |wound, free| Disc { shape, wound, free };
-    let (long, fast) = (disc(5.0, 1e6), disc(1e6, 2e6));
+    let long = Disc { shape: 0.5, wound: 5.0, free: 1e6 };
     let (run, [_, _, climb, _]) = (long.run(1e-14)?, long.by_angles(1e-14)?);
     let quarter = legendre::e(FRAC_PI_2, Modulus::from_k((1.0_f64 / 1.5).sqrt())?)?;
-    let swift = long_string(0.5, fast.wound, 1e-14)?[1] * (2.0 * fast.wound / 1.5).sqrt();
+    let swift = long_string(0.5, 1e6, 1e-14)?[1] * (2.0 * 1e6_f64 / 1.5).sqrt();
     limits! { report,
         /// all mass at the rim: M g s = M v^2
         "hoop: a/g": over_g(1.0) => 0.5, within 1e-15;
@@ -185,19 +163,16 @@ fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
 /// A nylon line of 2 mm (3 GPa: E A = 9400 N; 1150 kg/m^3), a disc of steel, the air.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (d, [a, pull], weight) = (disc(p)?, fall(p), p.mass * p.gravity);
-    let (k, area) = (p.shape, 1e-6 * PI);
-    let thick = 1e-3 / p.radius;
+    let (k, area, thick, hangs) = (p.shape, 1e-6 * PI, 1e-3 / p.radius, pull / p.stiffness);
     let string = 1150.0 * area * p.wound / p.mass;
-    let hangs = pull / p.stiffness;
     let run = d.run(p.tolerance)?;
     let (start, peak) = (run.transition("all unwound")?.before, d.peak(&run)?);
     let firm = p.stiffness / weight;
-    let jerked = gives(&d, peak, firm);
-    // If it gives by a radius or more, the turn is another.
-    let spared = match jerked < 1.0 {
-        true if firm < 1e7 => (1.0 - d.softly(&start, firm, 1e-12)?[0] / peak).abs(),
-        true => 0.0,
-        false => 1.0,
+    let jerked = peak * d.length() / firm;
+    // If it gives by a radius or more, the turn is another; if hardly at all, it is the same.
+    let spared = match (jerked < 1.0, firm < 1e7) {
+        (true, true) => (1.0 - d.softly(&start, firm, 1e-12)?[0] / peak).abs(),
+        (gives, _) => f64::from(!gives),
     };
     let last = a * unwound(p, p.wound);
     let air = 0.5 * 1.204 * 2.0 * p.radius * width(p) * last * last / weight;
@@ -215,9 +190,8 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (d, [a, _], end, radius) = (disc(p)?, fall(p), unwound(p, p.wound), p.radius);
     let [_, _, climb, _] = d.by_angles(1e-15)?;
     let error = move |run: &Run<Leaves, 6>| {
-        let last = run.transitions().last();
         let start = run.pieces()[0].solution.end_state();
-        let last = last.map_or(start, |event| &event.before);
+        let last = run.transitions().last().map_or(start, |event| &event.before);
         Ok(d.taut(Leaves::Winding, last).margin / climb - 1.0)
     };
     report.in_closed_form(move |part| [a * (part * end), a * (part * end) / radius]);

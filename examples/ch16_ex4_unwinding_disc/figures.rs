@@ -2,42 +2,36 @@
 
 use super::*;
 
-/// Where the string leaves the disc, the state, and the forces.
-type Held = (Leaves, [f64; 6], Taut);
-
 /// The disc with its string: the straight part from the height `top` on, what lies on the rim,
 /// and the knot.
-fn drawn(sketch: Sketch, top: f64, (leaves, [x, y, knot, ..], taut): &Held) -> Sketch {
+fn drawn(sketch: Sketch, d: &Disc, top: f64, (leaves, y): (Leaves, [f64; 6])) -> Sketch {
+    let ([x, y, knot, ..], Taut { arm, margin, .. }) = (y, d.taut(leaves, &y));
     let at = |angle: f64| (x + cos(angle), y + sin(angle));
     let wound = match leaves {
-        Leaves::Unwinding => taut.margin.min(6.2),
+        Leaves::Unwinding => margin.min(6.2),
         Leaves::Knot => 0.0,
-        Leaves::Winding => -taut.margin.min(6.2),
+        Leaves::Winding => -margin.min(6.2),
     };
-    let [across, up] = taut.arm;
-    let (left, end) = (atan2(up, across), (x + across, y + up));
+    let (left, end) = (atan2(arm[1], arm[0]), (x + arm[0], y + arm[1]));
     let rim = || Curve::new(times(left - wound, left, 90).map(at), Ink::Ink);
     sketch
-        .roller((*x, *y), 1.0, *knot, Ink::Body)
+        .roller((x, y), 1.0, knot, Ink::Body)
         .only_if(wound != 0.0, |sketch| sketch.curve(rim()))
         .string((top * end.0 / end.1, top), end, "", Side::Left)
-        .dot(at(*knot), Ink::Ink, "", Side::Left)
+        .dot(at(knot), Ink::Ink, "", Side::Left)
 }
 
 /// The path of the centre from time to time.
 fn path(run: &Run<Leaves, 6>, from: f64, to: f64, count: u32) -> Result<Vec<(f64, f64)>> {
-    sampled(times(from, to, count), |t| {
-        let [x, y, ..] = run.at(t)?.1;
-        Ok((x, y))
-    })
+    sampled(times(from, to, count), |t| Ok(run.at(t).map(|(_, y)| (y[0], y[1]))?))
 }
 
-/// Where the roof is.
 fn roofed(x: (f64, f64), y: (f64, f64)) -> Sketch {
     Sketch::within(x, y).wall((1.2, 0.0), (-1.2, 0.0))
 }
 
-figures! { _: &Parameters, usual = Parameters::default(), d = disc(&usual)?, run = d.run(1e-12)?, end = run.transition("all unwound")?.t;
+figures! { _: &Parameters, usual = Parameters::default(), d = disc(&usual)?, run = d.run(1e-12)?,
+    [end, over] = [run.transition("all unwound")?.t, run.transition("winds up")?.t];
     /// A vertical string hangs from a roof. It touches the rim of a disc of the radius R and the mass M on its
     /// right side and is wound on it. Between the roof and the disc it has the length l0. The disc goes down
     /// with v and turns counterclockwise with omega.
@@ -46,8 +40,7 @@ figures! { _: &Parameters, usual = Parameters::default(), d = disc(&usual)?, run
         .disc((-1.0, -2.4), 1.0, Ink::Body, 0.15)
         .curve(Curve::new(times(-5.6, 0.0, 120).map(|t| (cos(t) - 1.0, sin(t) - 2.4)), Ink::Ink))
         .arrow((-1.0, -2.4), (-1.0, -4.1), Ink::Velocity, "$v$", Side::Left)
-        .turn((-1.0, -2.4), 1.4, (2.4, 3.7), Ink::Velocity)
-        .text((-2.4, -2.3), r"$\omega$", Ink::Velocity, Side::Left)
+        .turn((-1.0, -2.4), 1.4, (2.4, 3.7), Ink::Velocity).text((-2.4, -2.3), r"$\omega$", Ink::Velocity, Side::Left)
         .dimension((0.6, -2.4), (0.6, 0.0), "$l_0$", Side::Right)
         .dimension((-1.0, -2.4), (-1.0 + cos(2.2), -2.4 + sin(2.2)), "$R$", Side::Above)
         .text((-1.0, -2.6), "$M$", Ink::Body, Side::Right)
@@ -64,29 +57,22 @@ figures! { _: &Parameters, usual = Parameters::default(), d = disc(&usual)?, run
         .arrow((-0.5, 0.0), (-0.5, -0.45), Ink::Velocity, "", Side::Left)
         .arrow((-1.0, 0.0), (-1.0, -0.9), Ink::Velocity, r"$2\omega R$", Side::Left)
         .arrow((0.5, 0.0), (0.5, -0.22), Ink::Velocity, "", Side::Left)
-        .dot((1.0, 0.0), Ink::Ink, "at rest", Side::BelowRight)
-        .dot((0.0, 0.0), Ink::Ink, "", Side::Left)
-        .turn((0.0, 0.0), 1.35, (1.9, 3.0), Ink::Velocity)
-        .text((-1.2, 0.75), r"$\omega$", Ink::Velocity, Side::AboveLeft);
+        .dot((1.0, 0.0), Ink::Ink, "at rest", Side::BelowRight).dot((0.0, 0.0), Ink::Ink, "", Side::Left)
+        .turn((0.0, 0.0), 1.35, (1.9, 3.0), Ink::Velocity).text((-1.2, 0.75), r"$\omega$", Ink::Velocity, Side::AboveLeft);
 
     /// The disc at the end of its string, when the knot is directly above its centre, and when string winds up
     /// again. At first it is on the left of the string, at last on the right; its centre goes along a narrow
     /// bow.
     turn: {
-        let over = run.transition("winds up")?.t;
-        let path = path(&run, end - 0.3, over + 0.3, 80)?;
-        let held = |leaves, t| run.at(t).map(|(_, y)| (leaves, y, d.taut(leaves, &y)));
-        let before = held(Leaves::Unwinding, end)?;
-        let after = held(Leaves::Winding, over)?;
-        let lowest = held(Leaves::Knot, 0.5 * (end + over))?;
-        let [x, y] = [lowest.1[0], lowest.1[1]];
+        let (before, lowest) = (run.at(end)?.1, run.at(0.5 * (end + over))?.1);
+        let after = run.at(over)?.1;
         let base = Sketch::within((-2.9, 2.6), (-9.0, -4.0))
-            .curve(Curve::new(path, Ink::Body).dashed())
-            .ghost(|sketch| drawn(drawn(sketch, -4.0, &before), -4.0, &after));
-        drawn(base, -4.0, &lowest)
+            .curve(Curve::new(path(&run, end - 0.3, over + 0.3, 80)?, Ink::Body).dashed())
+            .ghost(|sketch| drawn(drawn(sketch, &d, -4.0, (Leaves::Unwinding, before)), &d, -4.0, (Leaves::Winding, after)));
+        drawn(base, &d, -4.0, (Leaves::Knot, lowest))
             .text((0.15, -6.5), "1", Ink::Frame, Side::Right)
-            .text((x + 0.35, y + 1.25), "2", Ink::Frame, Side::Right)
-            .text((after.1[0] - 1.1, after.1[1] + 0.35), "3", Ink::Frame, Side::Left)
+            .text((lowest[0] + 0.35, lowest[1] + 1.25), "2", Ink::Frame, Side::Right)
+            .text((after[0] - 1.1, after[1] + 0.35), "3", Ink::Frame, Side::Left)
     };
 
     /// Velocities against time. That of the centre, downward, rises evenly, falls within a tenth of a second
@@ -112,14 +98,12 @@ figures! { _: &Parameters, usual = Parameters::default(), d = disc(&usual)?, run
     peak: {
         let wound = Sweep::over("$s_0/R$", 1.0, 12.0).at([1.0, 2.0, 3.5, 5.0, 7.0, 9.0, 11.0]);
         let at = |wound| d.but(|d| d.wound = wound);
-        let tension = Axis::linear("$T_{max}/Mg$").range(0.0, 60.0);
-        wound.panel(tension)
+        wound.panel(Axis::linear("$T_{max}/Mg$").range(0.0, 60.0))
             .curve(wound.exact(|s| long_peak(&at(s))).label_at("very long string", 8.0, 37.0, Side::BelowRight))
             .curve(wound.simulated(|s| Ok(at(s).peak(&at(s).run(1e-9)?)?))?.label("simulated"))
     };
 }
 
-/// The motion for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (d, r, second) = (disc(p)?, p.radius, (p.radius / p.gravity).sqrt());
     let run = d.run(p.tolerance)?;
@@ -137,8 +121,8 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (d, second) = (disc(p)?, (p.radius / p.gravity).sqrt());
     let run = d.run(p.tolerance)?;
-    let [end, over] = ["all unwound", "winds up"].map(|name| run.transition(name));
-    let (end, over, last) = (end?.t, over?.t, run.end_time());
+    let (end, over) = (run.transition("all unwound")?.t, run.transition("winds up")?.t);
+    let last = run.end_time();
     let spans = [(0.0, end, 40), (end, over, 120), (over, last, 60)];
     let instants = spans.into_iter().flat_map(|(from, to, count)| times(from, to, count));
     let tension = sampled(instants, |t| {
@@ -162,13 +146,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              against time: level, a high narrow peak, and low again.",
             taut.tension
         );
-        let sketch = roofed((-0.5 * deep, 0.5 * deep), (-deep, 0.4)).high(355);
-        let sketch = sketch.guide(path(&run, 0.0, now, 300)?);
         let [tx, ty] = [y[0] + taut.arm[0], y[1] + taut.arm[1]];
         let far = hypot(tx, ty);
         let long = 0.9 * taut.tension.min(0.9 * far);
         let tip = (tx * (1.0 - long / far), ty * (1.0 - long / far));
-        let sketch = drawn(sketch, 0.0, &(leaves, y, taut));
-        Ok((alt, sketch.arrow((tx, ty), tip, Ink::Force, "$T$", Side::Right)))
+        let roof = roofed((-0.5 * deep, 0.5 * deep), (-deep, 0.4)).high(355);
+        let scene = drawn(roof.guide(path(&run, 0.0, now, 300)?), &d, 0.0, (leaves, y));
+        Ok((alt, scene.arrow((tx, ty), tip, Ink::Force, "$T$", Side::Right)))
     })
 }
