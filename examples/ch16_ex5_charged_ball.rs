@@ -54,22 +54,15 @@ impl Ball {
                 above(1e-11), "contacts do not tell a smaller part of the weight from none";
             "length/radius": p.length / p.radius, between(0.0, 1e6), "after so many turns the angle has lost its digits";
         }?;
-        let (press, mu) = (p.gravity, p.friction);
-        let Parameters { radius, shape, length, .. } = *p;
+        let Parameters { radius, shape, length, gravity: press, friction: mu, .. } = *p;
         Ok(Self { pull, press, radius, shape, mu, spot: 0.0, resisting: [0.0; 2], length })
-    }
-
-    /// The same with its charge off the middle.
-    pub fn spotted(p: &Parameters) -> Result<Self> {
-        Ok(Self { spot: p.spot * p.radius, ..Self::new(p)? })
     }
 }
 
 /// The least coefficient of friction with which the solver lets the ball stick: by bisection.
 fn holds_from(ball: Ball) -> Result<f64> {
     let slips = |mu| -> Result<bool> {
-        let there = Ball { mu, ..ball };
-        Ok(entry(&there, there.start(0.0, 0.0))?.0 != [Mode::Stick])
+        Ok(entry(&Ball { mu, ..ball }, ball.start(0.0, 0.0))?.0 != [Mode::Stick])
     };
     Ok(try_bisect([0.0, 2.0 * ball.pull.abs() / ball.press], 0.0, slips)?[1])
 }
@@ -78,7 +71,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (ball, m, g) = (Ball::new(p)?, p.mass, p.gravity);
     let (r, k, d) = (p.radius, p.shape, p.length);
     let ([a, rim], side, bound) = (ball.accelerations(), ball.side(), 16.0 * p.tolerance);
-    let (pull, driven) = (ball.pull, ball.pull.abs());
+    let (pull, driven, field) = (ball.pull, ball.pull.abs(), p.field.abs());
     let (time, fast) = ((2.0 * d / a.abs()).sqrt(), (2.0 * d * a.abs()).sqrt());
     let speed = side * fast;
     let run = ball.run(ball.start(0.0, 0.0), 2.0 * time, p.tolerance)?;
@@ -86,15 +79,14 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let [ran, _, turning] = arrives.before.v;
     let (spin, moving) = (rim * time / r, ran * ran + k * r * r * turning * turning);
     let (needed, least) = (ball.holding().abs() / g, holds_from(ball)?);
-    let field = p.field.abs();
     // A ball that is put down sliding.
     let ([catch, then], shot) = (ball.caught(p.shot), p.shot.abs());
     let far = Ball { length: d + 10.0 * shot * catch.abs(), ..ball };
     let slid = || far.run(far.start(0.0, p.shot), 2.0 * catch, p.tolerance);
-    let catches =
-        shot > 0.0 && catch > 0.0 && catch.is_finite() && p.friction > needed * (1.0 + 1e-9);
+    let slides = shot > 0.0 && catch > 0.0 && catch.is_finite();
+    let catches = slides && p.friction > needed * (1.0 + 1e-9);
     // A charged spot: below the middle it needs most friction.
-    let spotted = Ball::spotted(p)?;
+    let spotted = Ball { spot: p.spot * r, ..ball };
     let rough = Ball { mu: 1e3 + 2.0 * driven / g, ..spotted };
     let lowest = rough.run(rough.start(-FRAC_PI_2, 0.0), 1e-3 * time, p.tolerance)?.forces(0.0)?[0];
     let most = (k + p.spot) / (1.0 + k) * pull;
@@ -102,10 +94,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let rolls = side * (2.0 * driven * further / (1.0 + k)).sqrt();
     // Its last digits are those of the angle through which it turns.
     let rolled = p.tolerance.max(1e-13 * d / r);
-    let turned = || -> Result<f64> {
-        let run = spotted.run(spotted.ahead(), 1e2 * time, rolled)?;
-        Ok(run.event("arrives")?.before.v[0])
-    };
+    let turned = || spotted.run(spotted.ahead(), 1e2 * time, rolled);
     let naive = pull - side * p.friction * g;
     let dragged = after(1.0, &second_order(move |_, _, _| naive), &[0.0, 0.0], 1e-12)?[1];
     claims! { report,
@@ -118,8 +107,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         in "The friction":
             -m * ball.friction() => "which way must it turn the ball?",
             side * m * g * p.friction => "that is the most there can be",
-            m * k * pull => "friction itself makes the acceleration smaller",
-            m * pull => "then the ball would not start";
+            m * k * pull => "friction itself makes the acceleration smaller", m * pull => "then the ball would not start";
         /// least coefficient of friction for rolling
         mu_min: needed, "-", "bisection of the modes" => least, within 1e-9 * needed + 1e-11, in "The friction":
             driven / g => "that is for a body that does not turn",
@@ -151,13 +139,12 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// charged spot: least coefficient
         spot_mu: most.abs() / g, "-", "contact solver" => lowest.tangential.abs() / lowest.normal, within bound * driven / g;
         /// charged spot, ahead at the start: velocity at the end of the slab
-        spot_speed: rolls, "m/s", "located event" => turned()?, within 320.0 * rolled * fast, if most.abs() < p.friction * g && p.spot < 0.999 && d < TURNING * r;
+        spot_speed: rolls, "m/s", "located event" => turned()?.event("arrives")?.before.v[0], within 320.0 * rolled * fast, if most.abs() < p.friction * g && p.spot < 0.999 && d < TURNING * r;
         /// wrong: acceleration with the friction at its limit
         naive_a: naive, "m/s^2", "simulated" => dragged, within 1e-11 * (driven + p.friction * g);
     }
 }
 
-/// Bodies of known shape, and fields far from the threshold and near it.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let (k, gravity) = (p.shape, p.gravity);
     let plain = Ball { mu: 1e3, pull: gravity, ..Ball::new(p)? };
@@ -165,20 +152,20 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         let (_, [v, ..]) = ball.rolled(10.0 * (ball.length / ball.pull).sqrt(), 1e-12)?;
         Ok(0.5 * v.powi(2) / (ball.length * ball.pull))
     };
-    let shaped = |shape| Ball { shape, ..plain };
-    let rubbed = |mu| Ball { mu, ..plain };
+    let shaped = |shape| goes(Ball { shape, ..plain });
+    let rubbed = |mu| goes(Ball { mu, ..plain });
     let held = plain.holding() / p.gravity;
     let top = Ball { spot: p.radius, ..plain }.run(plain.start(FRAC_PI_2, 0.0), 1e-6, 1e-12)?;
     let top = top.forces(0.0)?[0].tangential;
     limits! { report,
         /// all mass in the middle: it goes like a particle
-        "k = 1e-9: m x''/(q E)": goes(shaped(1e-9))? => 1.0, within 2e-9;
+        "k = 1e-9: m x''/(q E)": shaped(1e-9)? => 1.0, within 2e-9;
         /// a thin shell, I = 2/3 m R^2
-        "k = 2/3: m x''/(q E)": goes(shaped(2.0 / 3.0))? => 0.6, within 1e-11;
+        "k = 2/3: m x''/(q E)": shaped(2.0 / 3.0)? => 0.6, within 1e-11;
         /// no friction: nothing turns it
-        "mu = 0: m x''/(q E)": goes(rubbed(0.0))? => 1.0, within 1e-11;
+        "mu = 0: m x''/(q E)": rubbed(0.0)? => 1.0, within 1e-11;
         /// just below the threshold it still goes as if it rolled
-        "mu = 0.9999999 mu_min: (1 + k) m x''/(q E)": (1.0 + k) * goes(rubbed(0.999_999_9 * held))? => 1.0, within 1e-6;
+        "mu = 0.9999999 mu_min: (1 + k) m x''/(q E)": (1.0 + k) * rubbed(0.999_999_9 * held)? => 1.0, within 1e-6;
         /// a pull at the top of the ball: friction helps, by 1 - k
         "charge at the top: -(1 + k) F/(q E)": (1.0 + k) * top / plain.pull => 1.0 - k, within 1e-9;
     }
@@ -218,31 +205,23 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let spark = (own + 3.0 * p.field.abs()) / 3e6;
     let grip = p.friction * p.gravity / ball.holding().abs();
     // A ball that slips is faster than one that rolls.
-    let faster = 1.0 - pull / ((1.0 + p.shape) * a);
-    let slipping = if grip < 1.0 { faster } else { 0.0 };
+    let slipping = if grip < 1.0 { 1.0 - pull / ((1.0 + p.shape) * a) } else { 0.0 };
     // The part of the work that a ball which rolls has lost at the end, by the contact solver.
-    let arrives = |resisting: [f64; 2]| -> Result<f64> {
-        Ok(Ball { resisting, ..ball }.rolled(4.0 * time, 1e-10)?.1[0])
+    let arrives = |resisting| Ball { resisting, ..ball }.rolled(4.0 * time, 1e-10);
+    let lost = |resisting: [f64; 2]| -> Result<f64> {
+        let part = arrives(resisting)?.1[0] / arrives([0.0; 2])?.1[0];
+        Ok(1.0 - part * part)
     };
-    let lost = |resisting: [f64; 2], predicted: f64| -> Result<Option<f64>> {
-        if grip < 1.01 || predicted > 0.5 {
-            return Ok(None);
-        }
-        let part = arrives(resisting)? / arrives([0.0; 2])?;
-        Ok(Some(1.0 - part * part))
-    };
-    let rolling = arm * p.gravity / (p.radius * pull);
-    let blown = drag * speed * speed / pull;
-    let [rolled, dragged] = [lost([arm, 0.0], rolling)?, lost([0.0, drag], blown)?];
+    let (rolling, blown) = (arm * p.gravity / (p.radius * pull), drag * speed * speed / pull);
+    let rolled = when(grip >= 1.01 && rolling <= 0.5, || lost([arm, 0.0]))?;
+    let dragged = when(grip >= 1.01 && blown <= 0.5, || lost([0.0, drag]))?;
     let (magnetic, leaking) = (speed * 5e-5 / p.field.abs(), 1e-14 * time / EPSILON_0);
     effect_card! { report,
         "slipping": "mu/mu_min" = grip, costs slipping, "of x''", included;
         "breakdown of the air at the ball": "(E_q + 3 E)/E_air" = spark, costs f64::from(spark >= 1.0), "of x'', nothing below 1";
         "image charge, if the slab conducts": "q^2/(16 pi epsilon_0 R^2 m g)" = image, costs image / (1.0 + image), "of mu_min";
-        "rolling resistance, arm 0.02 mm": "b m g/(R q E)" = rolling, costs rolling, "of x''",
-            measured rolled, within 1e-7;
-        "air drag, at the end": "rho C S v^2/(2 q E)" = blown, costs 0.5 * blown, "of the work",
-            measured dragged, within 1e-7;
+        "rolling resistance, arm 0.02 mm": "b m g/(R q E)" = rolling, costs rolling, "of x''", measured rolled, within 1e-7;
+        "air drag, at the end": "rho C S v^2/(2 q E)" = blown, costs 0.5 * blown, "of the work", measured dragged, within 1e-7;
         "charge lost to the air": "sigma t/epsilon_0" = leaking, costs leaking / 3.0, "of the way";
         "magnetic field of the Earth": "v B/E" = magnetic, costs magnetic, "of x''";
     }
@@ -251,7 +230,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 /// The accuracy strip: the ball with a charged spot, which does not accelerate evenly.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let far = p.length.min(TURNING * p.radius);
-    let ball = Ball { mu: 1e3, length: far, ..Ball::spotted(p)? };
+    let ball = Ball { mu: 1e3, length: far, spot: p.spot * p.radius, ..Ball::new(p)? };
     let further = ball.length - ball.spot * (1.0 - cos(ball.length / p.radius));
     let pull = ball.pull.abs();
     let speed = ball.side() * (2.0 * pull * further / (1.0 + p.shape)).sqrt();

@@ -10,9 +10,8 @@ fn pulls() -> Sweep {
 
 /// A solid ball with mu = 0.1, R = g = 1.
 fn unit(pull: f64) -> Ball {
-    let (press, radius, shape, mu, spot, resisting, length) =
-        (1.0, 1.0, 0.4, 0.1, 0.0, [0.0; 2], 10.0);
-    Ball { pull, press, radius, shape, mu, spot, resisting, length }
+    let (press, radius, resisting) = (1.0, 1.0, [0.0; 2]);
+    Ball { pull, press, radius, shape: 0.4, mu: 0.1, spot: 0.0, resisting, length: 10.0 }
 }
 
 /// x'', R phi'' and the part that is lost, simulated.
@@ -35,8 +34,7 @@ figures! { p: &Parameters;
             .curve(plate(-0.5))
             .curve(plate(1.7));
         [0.66, 0.84].into_iter().fold(sketch, field)
-            .text((-0.56, 0.55), "$+$", Ink::Ink, Side::Left)
-            .text((1.76, 0.55), "$-$", Ink::Ink, Side::Right)
+            .text((-0.56, 0.55), "$+$", Ink::Ink, Side::Left).text((1.76, 0.55), "$-$", Ink::Ink, Side::Right)
             .text((0.6, 0.86), "$E$", Ink::Frame, Side::Above)
             .disc((0.0, 0.24), 0.24, Ink::Body, 0.15)
             .string((0.0, 0.24), (0.0, 0.48), "$R$", Side::Left)
@@ -52,15 +50,11 @@ figures! { p: &Parameters;
         .wall((-0.6, 0.0), (0.95, 0.0))
         .disc((0.0, 0.4), 0.4, Ink::Body, 0.15)
         .dot((0.0, 0.4), Ink::Body, "", Side::Above)
-        .turn((0.0, 0.4), 0.3, (2.6, 1.0), Ink::Velocity)
-        .text((-0.13, 0.55), r"$\alpha$", Ink::Velocity, Side::Centre)
+        .turn((0.0, 0.4), 0.3, (2.6, 1.0), Ink::Velocity).text((-0.13, 0.55), r"$\alpha$", Ink::Velocity, Side::Centre)
         .vector((0.0, 0.4), (1.0, 0.0), 150.0, Ink::Force, "$qE$")
-        .vector((0.0, 0.4), (0.0, -0.92), 70.0, Ink::Force, "")
-        .text((0.02, 0.24), "$mg$", Ink::Force, Side::Right)
-        .vector((-0.05, 0.0), (0.0, 1.0), 65.0, Ink::Force, "")
-        .text((-0.07, 0.24), "$N$", Ink::Force, Side::Left)
-        .vector((0.0, 0.025), (-1.0, 0.0), 43.0, Ink::Force, "")
-        .text((-0.2, 0.03), "$F$", Ink::Force, Side::AboveLeft);
+        .vector((0.0, 0.4), (0.0, -0.92), 70.0, Ink::Force, "").text((0.02, 0.24), "$mg$", Ink::Force, Side::Right)
+        .vector((-0.05, 0.0), (0.0, 1.0), 65.0, Ink::Force, "").text((-0.07, 0.24), "$N$", Ink::Force, Side::Left)
+        .vector((0.0, 0.025), (-1.0, 0.0), 43.0, Ink::Force, "").text((-0.2, 0.03), "$F$", Ink::Force, Side::AboveLeft);
 
     /// Accelerations over g against q E over m g. Up to 0.35 the middle and the rim have the same acceleration,
     /// which rises as a straight line. Beyond, that of the middle rises more steeply and that of the rim stays.
@@ -108,7 +102,6 @@ fn slide(p: &Parameters) -> Result<(Roll, f64)> {
     Ok((far.run(far.start(0.0, shot), end, p.tolerance)?, end))
 }
 
-/// That motion, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (run, end) = slide(p)?;
     let columns = "t [s], x [m], turned [rad], vx [m/s], R omega [m/s], friction [N]";
@@ -131,20 +124,17 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(speed(0, 1.0, Ink::Body)?.label_end("$v$"))
         .curve(rim.label_at(r"$R\omega$", 0.0, -0.02, Side::AboveRight));
     let ways = sampled(times(0.0, end, 100), |t| Ok(run.at(t)?.q[0]))?;
-    let right = ways.iter().copied().fold(0.0, f64::max);
-    let left = ways.iter().copied().fold(0.0, f64::min);
+    let (left, right) =
+        ways.iter().fold((0.0_f64, 0.0_f64), |ends, x| (ends.0.min(*x), ends.1.max(*x)));
     // So that the longer of the two forces fits.
-    let pull = ball.pull.abs();
+    let (pull, field) = (ball.pull.abs(), p.field.signum());
     let most = ball.holding().abs().max(ball.mu * ball.press) / pull;
-    let field = p.field.signum();
     let pixels = 60.0 * (1.2 / most).min(1.0);
     let catch = ball.caught(p.shot)[0].clamp(0.0, end);
-    let catch = if catch > 0.0 { catch } else { 0.1 * end };
-    let stills = [0.4 * catch, 0.2 * end, 0.85 * end];
+    let stills = [0.4 * if catch > 0.0 { catch } else { 0.1 * end }, 0.2 * end, 0.85 * end];
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
-        let (MechanismState { q, v }, [force]) = (run.at(t)?, run.forces(t)?);
-        let ([x, _, turn], [vx, _, rate]) = (q, v);
-        let rub = force.tangential / pull;
+        let MechanismState { q: [x, _, turn], v: [vx, _, rate] } = run.at(t)?;
+        let rub = run.forces(t)?[0].tangential / pull;
         let slips = (vx + r * rate).abs() > 1e-6 * (vx.abs() + r * rate.abs());
         let does = ["rolls", "slides"][usize::from(slips)];
         let way = ["against the field", "with the field"][usize::from(vx * field > 0.0)];
@@ -153,7 +143,6 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             "After {t:.3} s the ball {does} {way}, and the friction at its contact points {along} the field. \
              Below, the velocities of its middle and of its rim against time."
         );
-        let beside = (x + 0.3 * r * rub.signum(), -0.16 * r);
         let scene = Sketch::within((left - 3.0 * r, right + 4.5 * r), (-0.9 * r, 2.6 * r))
             .high(102)
             .clear((left, right), (0.0, 2.0 * r), [80.0, 90.0, 24.0, 12.0])
@@ -161,7 +150,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .roller((x, r), r, FRAC_PI_2 + turn, Ink::Body)
             .vector((x, r), (ball.side(), 0.0), pixels, Ink::Force, "$qE$")
             .vector((x, 0.09 * r), (rub, 0.0), pixels, Ink::Force, "")
-            .text(beside, "$F$", Ink::Force, Side::Below);
+            .text((x + 0.3 * r * rub.signum(), -0.16 * r), "$F$", Ink::Force, Side::Below);
         Ok((alt, scene))
     })
 }

@@ -52,7 +52,6 @@ impl Mechanism<3, 1> for Ball {
     }
 }
 
-/// A motion of the ball.
 pub type Roll = ContactMotion<Ball, 3, 1>;
 
 impl Ball {
