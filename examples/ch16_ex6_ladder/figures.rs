@@ -13,19 +13,12 @@ fn ends(l: f64, theta: f64, (x, y): (f64, f64)) -> [(f64, f64); 2] {
 /// The exact path of the middle, in units of `unit`.
 fn path(exact: &Exact, unit: f64) -> Result<Curve> {
     let middle = |t| Ok(exact.at(t).map(|s| (s.x_cm / unit, s.y_cm / unit))?);
-    let path = sampled(times(0.0, exact.landing_time(), 120), middle)?;
-    Ok(Curve::new(path, Ink::Ink))
-}
-
-/// A curve through `y` at `n` + 1 times.
-fn over(span: [f64; 2], n: u32, y: impl Fn(f64) -> Result<f64>, ink: Ink) -> Result<Curve> {
-    Curve::sampled(times(span[0], span[1], n), y, ink)
+    Ok(Curve::new(sampled(times(0.0, exact.landing_time(), 120), middle)?, Ink::Ink))
 }
 
 /// The corner in this window, with walls as wide and high as this.
 fn corner(x: (f64, f64), y: (f64, f64), (right, top): (f64, f64)) -> Sketch {
-    let wall = Sketch::within(x, y).wall((0.0, top), (0.0, 0.0));
-    wall.wall((0.0, 0.0), (right, 0.0))
+    Sketch::within(x, y).wall((0.0, top), (0.0, 0.0)).wall((0.0, 0.0), (right, 0.0))
 }
 
 /// The forces over the weight, against time.
@@ -34,28 +27,29 @@ fn forces(Solved { exact, naive, .. }: &Solved) -> Result<Panel> {
     let floor = |t| Ok(exact.at(t)?.floor_force);
     let wall = |t| Ok(exact.at(t)?.wall_force);
     let pull = |t| Ok(naive.forces(t)?[0].normal / exact.gravity());
-    let (middle, side) = (0.5 * (t_r + end), Side::BelowLeft);
-    let kept = over([t_r, end], 80, pull, Ink::Wrong)?.dashed();
+    let middle = 0.5 * (t_r + end);
+    let kept = Curve::sampled(times(t_r, end, 80), pull, Ink::Wrong)?.dashed();
+    let kept = kept.label_at("wrong: the wall pulls", middle, pull(middle)?, Side::BelowLeft);
     Ok(Panel::over_axes("$t$ / s", "force / $mg$")
         .level(0.0, Ink::Frame, "")
         .ring(t_r, 0.0, Ink::Ink, "", Side::Above)
-        .curve(over([0.0, landing], 160, floor, Ink::Force)?.label("floor"))
-        .curve(over([0.0, t_r], 120, wall, Ink::Force)?.label("wall"))
-        .curve(kept.label_at("wrong: the wall pulls", middle, pull(middle)?, side)))
+        .curve(Curve::sampled(times(0.0, landing, 160), floor, Ink::Force)?.label("floor"))
+        .curve(Curve::sampled(times(0.0, t_r, 120), wall, Ink::Force)?.label("wall"))
+        .curve(kept))
 }
 
-/// Evaluations and errors for each error requested, and the error that a kept wall leaves.
-fn priced(p: &Parameters, solved: &Solved) -> Result<(Vec<(f64, f64)>, f64)> {
-    let (exact, start) = (&solved.exact, solved.ladder.at_rest(p.angle));
-    let points = sampled(REQUESTED, |requested| {
-        let done = motion_within(solved.ladder, requested, start, 2.0 * exact.landing_time())?;
-        let evaluations = done.work().derivatives as f64;
-        Ok((evaluations, error(exact, &done)?.max(EPS)))
-    })?;
-    Ok((points, landing_error(exact, &solved.naive)?))
+/// Evaluations and errors for each error requested.
+fn priced(p: &Parameters, Solved { exact, ladder, .. }: &Solved) -> Result<Vec<(f64, f64)>> {
+    let (start, end) = (ladder.at_rest(p.angle), 2.0 * exact.landing_time());
+    sampled(REQUESTED, |requested| {
+        let done = motion_within(*ladder, requested, start, end)?;
+        Ok((done.work().derivatives as f64, error(exact, &done)?.max(EPS)))
+    })
 }
 
-figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, price = priced(p, &solved)?;
+figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, [run, naive] = [&solved.run, &solved.naive],
+    ladder = solved.ladder, [t_r, landing] = [exact.release_time(), exact.landing_time()],
+    points = priced(p, &solved)?, wrong = landing_error(exact, naive)?;
     /// A ladder leans against a vertical wall on the left, at the angle theta from the wall. The wall pushes
     /// its top to the right, the floor pushes its foot up, the weight acts at the middle.
     setup: {
@@ -70,8 +64,7 @@ figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, price = pr
             .dot(middle, Ink::Ink, "$(x, y)$", Side::Left)
             .arrow(middle, (middle.0, middle.1 - 0.24), Ink::Force, "$mg$", Side::Left)
             .arrow(top, (0.22, c), Ink::Force, "$N_{wall}$", Side::Above)
-            .arrow(foot, (s, 0.24), Ink::Force, "", Side::Right)
-            .text((s, 0.19), "$N_{floor}$", Ink::Force, Side::Right)
+            .arrow(foot, (s, 0.24), Ink::Force, "", Side::Right).text((s, 0.19), "$N_{floor}$", Ink::Force, Side::Right)
             .dimension(beside(middle), beside(foot), "$l/2$", Side::AboveRight)
             .text((0.0, 0.0), "$O$", Ink::Frame, Side::BelowLeft)
     };
@@ -80,19 +73,18 @@ figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, price = pr
     /// height, there it leaves the wall, and lands a little way from it.
     strobe: {
         let l = exact.length();
-        let ladder = |s: &LadderState| Curve::new(ends(l, s.theta, (s.x_cm, s.y_cm)), Ink::Body);
+        let drawn = |s: &LadderState| Curve::new(ends(l, s.theta, (s.x_cm, s.y_cm)), Ink::Body);
         // While both ends are held the ladder stays tangent to the astroid.
         let astroid = times(0.0, FRAC_PI_2, 60).map(|a| (l * pow(sin(a), 3.0), l * pow(cos(a), 3.0)));
-        let run = &solved.run;
         let simulated = sampled(times(0.0, run.end_time(), 12), |t| Ok(run.at(t).map(|s| (s.q[0], s.q[1]))?))?;
         let mut sketch = corner((-0.3 * l, 1.12 * l), (-0.06 * l, 1.03 * l), (1.1 * l, l));
-        for t in times(0.0, exact.landing_time(), 12) {
+        for t in times(0.0, landing, 12) {
             let strength = if t == 0.0 { 1.0 } else { 0.45 };
-            sketch = sketch.curve(ladder(&exact.at(t)?).width(1.4).faint(strength));
+            sketch = sketch.curve(drawn(&exact.at(t)?).width(1.4).faint(strength));
         }
         sketch
             .curve(Curve::new(astroid, Ink::Frame).dotted())
-            .curve(ladder(&exact.release()).width(3.6))
+            .curve(drawn(&exact.release()).width(3.6))
             .curve(path(exact, 1.0)?)
             .curve(Curve::new(simulated, Ink::Body).dots())
             .ring((0.0, 2.0 * exact.release().y_cm), Ink::Ink, "top leaves", Side::Left)
@@ -110,8 +102,7 @@ figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, price = pr
             .curve(Curve::new([(0.0, 0.0), leave], Ink::Frame).thin())
             .angle((0.0, 0.0), 0.32, (FRAC_PI_2 - to, FRAC_PI_2), r"$\theta_r$")
             .curve(path(exact, 0.5 * exact.length())?)
-            .disc(start, 0.035, Ink::Body, 1.0)
-            .disc(leave, 0.035, Ink::Body, 1.0)
+            .disc(start, 0.035, Ink::Body, 1.0).disc(leave, 0.035, Ink::Body, 1.0)
             .arrow(push, (1.22 * push.0, 1.22 * push.1), Ink::Force, "$F$", Side::Right)
             .text((leave.0 + 0.04, leave.1 + 0.01), "leaves the dome", Ink::Ink, Side::Right)
             .text((start.0, start.1 + 0.03), "starts", Ink::Ink, Side::Above)
@@ -121,16 +112,15 @@ figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, price = pr
     /// Angular velocity against time: it grows slowly, then steeply; after the release it grows less than the
     /// dashed curve of a ladder that is kept on the wall.
     rate: {
-        let Solved { run, naive, .. } = &solved;
-        let (t_r, early, end) = (exact.release_time(), 0.6 * exact.release_time(), naive.end_time());
+        let end = naive.end_time();
         let omega = |t| Ok(exact.at(t)?.omega);
         let kept = |t| Ok(naive.at(t)?.v[2]);
-        let simulated = over([0.0, run.end_time()], 24, |t| Ok(run.at(t)?.v[2]), Ink::Velocity)?;
+        let simulated = Curve::sampled(times(0.0, run.end_time(), 24), |t| Ok(run.at(t)?.v[2]), Ink::Velocity)?.dots();
+        let wrong = Curve::sampled(times(t_r, end, 80), kept, Ink::Wrong)?.dashed();
         Panel::over_axes("$t$ / s", Axis::linear("angular velocity / (rad/s)").range(0.0, 1.35 * kept(end)?))
-            .curve(over([0.0, exact.landing_time()], 160, omega, Ink::Ink)?.label("exact"))
-            .curve(simulated.dots().label_at("simulated", early, omega(early)?, Side::AboveLeft))
-            .curve(over([t_r, end], 80, kept, Ink::Wrong)?.dashed()
-                .label_at("wrong: wall kept", end, kept(end)?, Side::AboveLeft))
+            .curve(Curve::sampled(times(0.0, landing, 160), omega, Ink::Ink)?.label("exact"))
+            .curve(simulated.label_at("simulated", 0.6 * t_r, omega(0.6 * t_r)?, Side::AboveLeft))
+            .curve(wrong.label_at("wrong: wall kept", end, kept(end)?, Side::AboveLeft))
             .ring(t_r, omega(t_r)?, Ink::Ink, "wall lets go", Side::AboveLeft)
     };
 
@@ -139,16 +129,15 @@ figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, price = pr
     /// end. The floor's force is a quarter of the weight at the release and again at the landing.
     forces: forces(&solved)?;
 
-    gap({
-        let (half, end) = (0.5 * (exact.release_time() + exact.landing_time()), exact.landing_time());
-        let power = log2(exact.at(end)?.x_top / exact.at(half)?.x_top);
-        format!("Distance of the top from the wall against time, in millimetres: zero until the release, then \
-            growing slowly at first and ever faster, over the last half of the time with the power {power:.1} of the time since.")
-    }): {
-        let (Solved { run, ladder, .. }, t_r, end) = (&solved, exact.release_time(), exact.landing_time());
-        let gap = over([t_r, end], 100, |t| Ok(1e3 * exact.at(t)?.x_top), Ink::Ink)?;
-        let simulated = over([t_r, run.end_time()], 10, |t| Ok(1e3 * ladder.top_gap(&run.at(t)?)), Ink::Body)?;
-        Panel::over_axes(Axis::linear("$t$ / s").range(0.8 * t_r, end), "top from wall / mm")
+    gap(format!(
+        "Distance of the top from the wall against time, in millimetres: zero until the release, then \
+         growing slowly at first and ever faster, over the last half of the time with the power {:.1} of the time since.",
+        log2(exact.at(landing)?.x_top / exact.at(0.5 * (t_r + landing))?.x_top)
+    )): {
+        let gap = Curve::sampled(times(t_r, landing, 100), |t| Ok(1e3 * exact.at(t)?.x_top), Ink::Ink)?;
+        let simulated = |t| Ok(1e3 * ladder.top_gap(&run.at(t)?));
+        let simulated = Curve::sampled(times(t_r, run.end_time(), 10), simulated, Ink::Body)?;
+        Panel::over_axes(Axis::linear("$t$ / s").range(0.8 * t_r, landing), "top from wall / mm")
             .upright(t_r, Ink::Frame, "wall lets go")
             .curve(Curve::new([(0.8 * t_r, 0.0), (t_r, 0.0)], Ink::Ink))
             .curve(gap.label("exact"))
@@ -160,26 +149,36 @@ figures! { p: &Parameters, solved = solve(p)?, exact = &solved.exact, price = pr
         let height = |t| Ok(cos(exact.at(t)?.theta) / cos(exact.theta0()));
         Panel::over_axes("$t$ / s", Axis::linear("height of the top / at the start").range(0.0, 1.0))
             .level(2.0 / 3.0, Ink::Frame, "2/3")
-            .upright(exact.release_time(), Ink::Frame, "")
-            .curve(over([0.0, exact.landing_time()], 160, height, Ink::Ink)?)
-            .ring(exact.release_time(), 2.0 / 3.0, Ink::Ink, "wall lets go", Side::BelowLeft)
+            .upright(t_r, Ink::Frame, "")
+            .curve(Curve::sampled(times(0.0, landing, 160), height, Ink::Ink)?)
+            .ring(t_r, 2.0 / 3.0, Ink::Ink, "wall lets go", Side::BelowLeft)
     };
 
     price({
-        let ((points, wrong), end) = (&price, price.0.len() - 1);
-        let ((few, rough), (many, fine)) = (points[0], points[end]);
+        let ((few, rough), (many, fine)) = (points[0], points[points.len() - 1]);
         format!("Relative error against the number of force evaluations, both logarithmic: the error falls from \
             {rough:.0e} to {fine:.0e} while the work grows {:.1}-fold. Keeping the wall leaves {:.1} per cent at any price.",
             many / few, 100.0 * wrong)
     }): {
-        let (points, wrong) = price;
-        let (first, middle, last) = (points[0], points[2], points[points.len() - 1]);
+        let ((few, _), (x, y), (many, _)) = (points[0], points[2], points[points.len() - 1]);
         let evaluations = [400, 600, 1000, 1400].map(|n| (f64::from(n), n.to_string()));
         Panel::over_axes(Axis::log("evaluations of the forces").ticks(evaluations), Axis::log("relative error"))
             .level(EPS, Ink::Frame, "round-off")
-            .curve(Curve::new(points, Ink::Body).with_dots().label_at("contact released", middle.0, middle.1, Side::AboveRight))
-            .curve(Curve::new([(first.0, wrong), (last.0, wrong)], Ink::Wrong).dashed().label("wrong: wall kept"))
+            .curve(Curve::new(points, Ink::Body).with_dots().label_at("contact released", x, y, Side::AboveRight))
+            .curve(Curve::new([(few, wrong), (many, wrong)], Ink::Wrong).dashed().label("wrong: wall kept"))
     };
+}
+
+pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
+    let exact = Exact::new(p.length, p.gravity, p.angle)?;
+    let columns = "t [s], theta [rad], omega [rad/s], x_cm [m], y_cm [m], x_top [m], \
+                   vx_cm [m/s], N_floor/mg, N_wall/mg";
+    Trajectory::sampled(columns.split(", "), times(0.0, exact.landing_time(), 200), |t| {
+        let s = exact.at(t)?;
+        let forces = [s.floor_force, s.wall_force];
+        let motion = [t, s.theta, s.omega, s.x_cm, s.y_cm, s.x_top, s.vx_cm];
+        Ok([&motion[..], &forces].concat())
+    })
 }
 
 /// The ladder with what pushes it, and faintly the one that is kept; below, the forces.
@@ -193,13 +192,6 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let [top, foot] = ends(l, s.theta, (s.x_cm, s.y_cm));
         let [x, y, angle] = naive.at(t.min(naive.end_time()))?.q;
         let kept = Curve::new(ends(l, angle, (x, y)), Ink::Wrong).width(4.0);
-        // Below the floor there is room for the weight of a ladder that lies on it.
-        let scene = corner((-0.3 * l, 1.3 * l), (-0.27 * l, 1.03 * l), (1.1 * l, l))
-            .ghost(|sketch| sketch.only_if(t > t_r, |sketch| sketch.curve(kept)))
-            .curve(Curve::new([top, foot], Ink::Body).width(4.0))
-            .vector(top, (s.wall_force, 0.0), 45.0, Ink::Force, "$N_{wall}$")
-            .vector(foot, (0.0, s.floor_force), 45.0, Ink::Force, "$N_{floor}$")
-            .vector((s.x_cm, s.y_cm), (0.0, -1.0), 45.0, Ink::Force, "$mg$");
         // Round-off may leave a pull of nothing.
         let (push, carried, angle) = (s.wall_force.max(0.0), s.floor_force, s.theta.to_degrees());
         let ahead = " Faintly, ahead of it, the ladder that a wall would keep by pulling.";
@@ -208,6 +200,13 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             "The ladder {t:.2} s after its release, {angle:.0} degrees from the wall. The wall pushes with \
              {push:.2} and the floor with {carried:.2} of the weight.{beside} Below, the forces against time."
         );
+        // Below the floor there is room for the weight of a ladder that lies on it.
+        let scene = corner((-0.3 * l, 1.3 * l), (-0.27 * l, 1.03 * l), (1.1 * l, l))
+            .ghost(|sketch| sketch.only_if(t > t_r, |sketch| sketch.curve(kept)))
+            .curve(Curve::new([top, foot], Ink::Body).width(4.0))
+            .vector(top, (s.wall_force, 0.0), 45.0, Ink::Force, "$N_{wall}$")
+            .vector(foot, (0.0, s.floor_force), 45.0, Ink::Force, "$N_{floor}$")
+            .vector((s.x_cm, s.y_cm), (0.0, -1.0), 45.0, Ink::Force, "$mg$");
         Ok((alt, scene))
     })
 }

@@ -55,7 +55,6 @@ impl Mechanism<3, 2> for Ladder {
     }
 }
 
-/// A motion of the ladder.
 pub type Slide = ContactMotion<Ladder, 3, 2>;
 
 impl Ladder {
@@ -73,13 +72,6 @@ impl Ladder {
     /// How far the top is from the wall.
     pub fn top_gap(&self, ladder: &MechanismState<3>) -> f64 {
         ladder.q[0] - 0.5 * self.length * sin(ladder.q[2])
-    }
-
-    /// The energy over `m g l/2`, counted from the floor.
-    pub fn energy(&self, ladder: &MechanismState<3>) -> f64 {
-        let ([_, y, _], [vx, vy, omega]) = (ladder.q, ladder.v);
-        let turning = self.inertia * self.length * self.length / 12.0 * omega * omega;
-        2.0 * y / self.length + (vx * vx + vy * vy + turning) / (self.gravity * self.length)
     }
 }
 
