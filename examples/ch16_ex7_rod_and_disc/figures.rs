@@ -13,10 +13,9 @@ fn drawn(sketch: Sketch, x: f64, radius: f64, [rod, disc]: [f64; 2]) -> Sketch {
 
 /// Where it was at the release, faintly, on the way, and now.
 fn strobe(disc: impl Fn(f64) -> f64) -> Sketch {
-    let places = [1.0, 0.5, 0.0, -0.5, -1.0];
     let path = times(-1.15, 1.15, 60).map(|a| (sin(a), -cos(a)));
     let empty = Sketch::within((-1.3, 1.3), (-1.32, 0.24)).guide(path);
-    let all = places.into_iter().fold(empty, |sketch, a: f64| {
+    let all = [1.0, 0.5, 0.0, -0.5, -1.0].into_iter().fold(empty, |sketch, a: f64| {
         let draw = |sketch| drawn(sketch, 0.0, 0.2, [a, disc(a)]);
         if a.abs() == 1.0 { draw(sketch) } else { sketch.ghost(draw) }
     });
@@ -44,14 +43,11 @@ fn frictions(
 /// Amplitudes of a swing from one radian, turning point by turning point, over the number of
 /// small swings since.
 fn amplitudes(share: f64, drag: f64) -> Result<Vec<(f64, f64)>> {
-    let scene = two_angles(share, drag);
     let turns = Event::falling("turns", |_, y: &[f64; 4]| y[1]);
-    let start = [1.0, 0.0, 1.0, 0.0];
+    let (scene, start) = (two_angles(share, drag), at_rest(1.0));
     let run = Dop853::new(1e-12)?.solve(&scene, 0.0, &start, 120.0 * PI, &[turns])?;
-    let turn = |turn: &LocatedEvent<4>| (turn.t / (2.0 * PI), turn.state[0]);
-    let each = run.events().iter().map(turn);
-    let all = core::iter::once((0.0, 1.0)).chain(each);
-    Ok(all.step_by(4).collect())
+    let each = run.events().iter().map(|turn| (turn.t / (2.0 * PI), turn.state[0]));
+    Ok(core::iter::once((0.0, 1.0)).chain(each).step_by(4).collect())
 }
 
 figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0);
@@ -68,8 +64,7 @@ figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0)
             .angle((0.0, 0.0), 0.36, (-FRAC_PI_2, 0.5 - FRAC_PI_2), r"$\theta$")
             .text((0.5 * s, -0.5 * c), "$l$, $m$", Ink::Ink, Side::Right)
             .curve(Curve::new([(s, -c), rim], Ink::Ink).thin())
-            .text(rim, "$R$", Ink::Ink, Side::Right)
-            .text((s, -c - 0.2), "$M$", Ink::Body, Side::Below)
+            .text(rim, "$R$", Ink::Ink, Side::Right).text((s, -c - 0.2), "$M$", Ink::Body, Side::Below)
             .gravity((-0.35, -0.3), 0.3)
     };
 
@@ -87,21 +82,19 @@ figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0)
         let of = |x: f64| Moments::new(&p.but(|p| p.radius = x * p.length));
         let unit = |m: &Moments| m.rate() * (p.length / p.gravity).sqrt();
         let fixed = |x| of(x).map_or(f64::NAN, |m| (1.0 + m.share).sqrt() / unit(&m));
-        let seen = |x: f64| {
+        let stiff = |x: f64| {
             let m = of(x)?;
-            let stiff = small_frequency(&one_angle(m.share), |size| [size, 0.0], 20.0, |y| y[1])?;
-            Ok((stiff * unit(&m)).recip())
+            Ok((small_frequency(&one_angle(m.share), at_rest, 20.0, |y| y[1])? * unit(&m)).recip())
         };
         let loose = |x: f64| {
             let m = of(x)?;
-            let free = |size| [size, 0.0, size, 0.0];
-            Ok((small_frequency(&two_angles(m.share, 0.0), free, 20.0, |y| y[1])? * unit(&m)).recip())
+            Ok((small_frequency(&two_angles(m.share, 0.0), at_rest, 20.0, |y| y[1])? * unit(&m)).recip())
         };
         let radius = Sweep::over("$R/l$", 0.01, 1.0).at([0.1, 0.25, 0.4, 0.55, 0.7, 0.85, 1.0]);
         radius.panel(Axis::linear("$T/T_0$").range(0.9, 1.25))
             .curve(radius.exact(fixed).label_at("disc fixed", 0.68, 1.11, Side::AboveLeft))
             .curve(radius.exact(|_| 1.0 / unit(&m)).label_at("disc free", 0.6, 0.98, Side::Below))
-            .curve(radius.simulated(seen)?)
+            .curve(radius.simulated(stiff)?)
             .curve(radius.simulated(loose)?)
     };
 
@@ -111,7 +104,7 @@ figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0)
         let rate = m.rate();
         let angles = Sweep::over(r"$\theta_0$ / rad", 0.01, 3.1).at([0.3, 0.8, 1.3, 1.8, 2.3, 2.7, 3.0]);
         let period = |moment: f64| move |angle| pendulum(p, moment, angle).map_or(f64::NAN, |q| q.period() * rate / (2.0 * PI));
-        let dots = |angle| Ok(returns(m.share, 0.0, angle, 1e-10)?.0.t / (2.0 * PI));
+        let dots = |angle| Ok(returns(&two_angles(m.share, 0.0), angle, 1e-10)?.0.t / (2.0 * PI));
         angles.panel(Axis::linear("$T/T_{free}$").range(0.9, 3.0))
             .curve(angles.exact(period(m.carried + m.own)).dashed())
             .curve(angles.exact(period(m.carried)).label_at("free, and dashed: fixed", 2.2, 1.5, Side::AboveLeft))
@@ -129,9 +122,8 @@ figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0)
     /// Period of small swings over that of the free one against the same friction: a step from one up to the
     /// period of the fixed disc, in the middle of the hill.
     periods: {
-        let top = (1.0 + felt).sqrt();
         frictions(Axis::linear("$T/T_{free}$"), ["", ""], |b| 1.0 / b.frequency, |[t, _]| t / (2.0 * PI), felt)?
-            .level(top, Ink::Frame, "fixed")
+            .level((1.0 + felt).sqrt(), Ink::Frame, "fixed")
     };
 
     /// Amplitude of a swing from one radian against the number of swings, for three frictions in the axle. For
@@ -150,25 +142,21 @@ figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0)
     };
 }
 
-/// How many small swings are followed.
 const SWINGS: f64 = 12.0;
 
-/// The pendulum of the fixed disc and that of the free one.
 fn both(p: &Parameters, m: &Moments) -> Result<[Pendulum; 2]> {
-    let fixed = pendulum(p, m.carried + m.own, p.release)?;
-    Ok([fixed, pendulum(p, m.carried, p.release)?])
+    Ok([pendulum(p, m.carried + m.own, p.release)?, pendulum(p, m.carried, p.release)?])
 }
 
 /// Both pendulums from the release, for `--csv`; the free disc keeps its angle.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let m = Moments::new(p)?;
-    let [fixed, free] = both(p, &m)?;
-    let drag = p.friction / (m.own * m.rate());
+    let ([fixed, free], drag) = (both(p, &m)?, p.friction / (m.own * m.rate()));
     let run = swung(m.share, drag, p.release, 2.0 * PI * SWINGS, p.tolerance)?;
-    let [rod, disc] = ["theta greased [rad]", "phi greased [rad]"];
-    let columns = ["t [s]", "theta fixed [rad]", "theta free [rad]", rod, disc];
+    let columns =
+        "t [s], theta fixed [rad], theta free [rad], theta greased [rad], phi greased [rad]";
     let all = times(0.0, 2.0 * PI * SWINGS / m.rate(), 600);
-    Trajectory::sampled(columns, all, |t| {
+    Trajectory::sampled(columns.split(", "), all, |t| {
         let [rod, _, disc, _] = run.at((t * m.rate()).min(run.end_time()))?;
         Ok([t, fixed.at(t)?.theta, free.at(t)?.theta, rod, disc])
     })
@@ -179,14 +167,15 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (m, release, radius) = (Moments::new(p)?, p.release, p.radius / p.length);
     let [fixed, free] = both(p, &m)?;
     let end = 2.0 * PI * SWINGS / m.rate();
-    let all = || times(0.0, end, 480);
-    let angle = |which: &Pendulum, ink| Curve::sampled(all(), |t| Ok(which.at(t)?.theta), ink);
+    let angle = |which: &Pendulum, ink| {
+        Curve::sampled(times(0.0, end, 480), |t| Ok(which.at(t)?.theta), ink)
+    };
     let graph = Panel::over_axes("$t$ / s", Axis::angle(r"$\theta$ / rad"))
         .curve(angle(&free, Ink::Body)?)
         .curve(angle(&fixed, Ink::Ink)?.dashed());
     // As wide as the widest swing, and as high.
     let wide = sin(release.abs().min(FRAC_PI_2)) + radius + 0.08;
-    let top = (radius - cos(release)).max(0.0) + 0.34;
+    let (below, top) = (-1.18 - radius, (radius - cos(release)).max(0.0) + 0.34);
     let stills = [0.0, 0.25 * fixed.period(), end];
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
         let (loose, stiff) = (free.at(t)?.theta, fixed.at(t)?.theta);
@@ -195,13 +184,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              rad. The spoke of the free disc points as at the release, that of the fixed one along its rod. Below, both \
              angles against time: the free one runs ahead."
         );
-        let below = -1.18 - radius;
         let empty = Sketch::within((-wide, 3.0 * wide), (below - 0.14, top)).high(141);
         let left = drawn(empty, 0.0, radius, [loose, release]).pivot((0.0, 0.0), FRAC_PI_2);
-        let named = drawn(left, 2.0 * wide, radius, [stiff, stiff])
+        let both = drawn(left, 2.0 * wide, radius, [stiff, stiff])
             .pivot((2.0 * wide, 0.0), FRAC_PI_2)
             .text((0.0, below), "free", Ink::Body, Side::Centre)
             .text((2.0 * wide, below), "fixed", Ink::Body, Side::Centre);
-        Ok((alt, named))
+        Ok((alt, both))
     })
 }
