@@ -45,30 +45,21 @@ impl Parameters {
         self.speed.abs()
     }
 
-    /// On which side the middle of the plank starts: 1 is right.
-    pub fn side(&self) -> f64 {
-        1.0_f64.copysign(self.offset)
-    }
-
     /// The event of that name at the roller to which the plank starts nearer, or at the other.
     fn event_there(&self, [left, right]: [&'static str; 2]) -> &'static str {
         if self.offset < 0.0 { left } else { right }
     }
 }
 
-/// The nearest to jamming.
-const JAMS: f64 = 0.9999;
-/// The slowest rollers: slower ones carry the plank for so long that they might as well rest.
-const SLOWEST: f64 = 1e-4;
-
 /// The plank; refused if friction would jam it, or if it does not lie on both rollers.
 pub fn plank(p: &Parameters, sense: f64) -> Result<Plank> {
     let lifts = lift(p, 1.0);
     allowed! {
         "holding": p.holding, at_least(p.kinetic), "what rests holds no less than what slips";
-        "kinetic*thickness/distance": p.kinetic * p.thickness / p.distance, from_to(0.0, JAMS), "at 1 friction on its lower face jams the plank";
+        "kinetic*thickness/distance": p.kinetic * p.thickness / p.distance, from_to(0.0, 0.9999), "at 1 friction on its lower face jams the plank";
+        // Slower rollers carry the plank for so long that they might as well rest.
         "speed/sqrt(2 kinetic gravity distance)": p.runs() / (rate(p, 0.0) * p.distance),
-            from_to(SLOWEST, 1e9), "at 0 the rollers rest, and so does the plank";
+            from_to(1e-4, 1e9), "at 0 the rollers rest, and so does the plank";
         "offset": p.offset, between(-lifts, lifts), "at an end it lifts off a roller";
     }?;
     Ok(Plank { p: p.clone(), sense })
@@ -82,8 +73,7 @@ fn from(p: &Parameters, offset: f64) -> Parameters {
 /// Its motion from rest at the offset, until then or until it has tipped.
 pub fn released(p: &Parameters, sense: f64, end: f64) -> Result<Ride> {
     let start = MechanismState::rest([p.offset, 0.0, 0.0]);
-    let method = Dop853::new(p.tolerance)?;
-    Ok(motion(plank(p, sense)?, &method, start, end)?)
+    Ok(motion(plank(p, sense)?, &Dop853::new(p.tolerance)?, start, end)?)
 }
 
 /// Whether it ends in the cycle.
@@ -101,15 +91,19 @@ fn span(p: &Parameters) -> f64 {
     if stick.is_finite() { rounds.max(twice) } else { rounds }
 }
 
-/// The cycle as simulated: where the roller lets the plank slip that held it first, and the time from one
-/// such moment to the next.
-fn stick_slip(p: &Parameters, ride: &Ride) -> Result<(f64, f64)> {
+/// The cycle as simulated: how far beyond the middle the roller carries the plank that held it
+/// first; how far it goes, half a period of the oscillation after a slip ends the way out; and the
+/// time from one slip there to the next.
+fn stick_slip(p: &Parameters, ride: &Ride) -> Result<[f64; 3]> {
     let name = p.event_there(["left slips", "right slips"]);
-    let mut slips = ride.events().iter().filter(|event| event.name == name);
-    let until = ride.end_time();
-    let mut next = || slips.next().ok_or(Error::NotReached { name, until });
-    let (first, again) = (next()?, next()?);
-    Ok((-p.side() * first.before.q[0], again.t - first.t))
+    let slips = || ride.events().iter().filter(|event| event.name == name);
+    let [Some(first), Some(again)] = [0, 1].map(|n| slips().nth(n)) else {
+        return Err(Error::NotReached { name, until: ride.end_time() }.into());
+    };
+    let swing = rate(p, 1.0);
+    let turn = first.t + atan(p.runs() / (swing * held(p))) / swing;
+    let side = 1.0_f64.copysign(p.offset);
+    Ok([-side * first.before.q[0], -side * ride.at(turn)?.q[0], again.t - first.t])
 }
 
 // ANCHOR: wrong
@@ -129,14 +123,6 @@ pub fn smoothed(p: &Parameters, width: f64) -> impl Ode<2> {
 }
 // ANCHOR_END: wrong
 
-/// Period of the cycle by the smooth law, and the evaluations spent on it.
-fn smoothed_period(p: &Parameters, width: f64) -> Result<(f64, u64)> {
-    let (ode, method) = (smoothed(p, width), Dop853::new(1e-9)?);
-    let zero = |n| method.zero(&ode, [p.offset, 0.0], n, 100.0 * span(p), |y| y[0]);
-    let ((from, before), (to, after)) = (zero(3)?, zero(5)?);
-    Ok((to.t - from.t, after.derivatives - before.derivatives))
-}
-
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (a, g, v, mu) = (p.distance, p.gravity, p.runs(), p.kinetic);
     let (swing, growth) = (rate(p, 1.0), rate(p, -1.0));
@@ -153,6 +139,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (amplitude, round) = cycle(p);
     let ([stick, at, _], [stick_out, _, tip]) = (caught(p, 1.0), caught(p, -1.0));
     let goes_round = goes_round(p);
+    let simulated = if goes_round { stick_slip(p, &ride)? } else { [0.0; 3] };
     let event = |ride: &Ride, names| Ok::<_, kit::Error>(ride.event(p.event_there(names))?.t);
     let sticks = ["left sticks", "right sticks"];
     let lets_go = ["right lets go", "left lets go"];
@@ -182,17 +169,15 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         stick: stick, "s", "located event" => event(&ride, sticks)?,
         within exact * (1.0 + v / (swing * at)) / swing, if stick.is_finite();
         /// how far beyond the middle the roller carries it
-        carried: carried, "m", "located event" => stick_slip(p, &ride)?.0, within wide * a, if goes_round,
-        in "Stick and slip":
+        carried: carried, "m", "located event" => simulated[0], within wide * a, if goes_round, in "Stick and slip":
             2.0 * carried => "from the middle between the rollers, half a distance is the most",
             0.5 * a * (p.holding - mu) / p.holding => "one roller holds, the other slips: the two forces are equal";
         /// amplitude of the cycle
-        amplitude: amplitude, "m", "largest |x|" => farthest(p, &ride)?, within wide * a, if goes_round;
+        amplitude: amplitude, "m", "largest |x|" => simulated[1], within wide * a, if goes_round;
         /// period of the cycle
-        cycle: round, "s", "located events" => stick_slip(p, &ride)?.1, within wide * (round + a / v) * (1.0 + widest / carried), if goes_round,
+        cycle: round, "s", "located events" => simulated[2], within wide * (round + a / v) * (1.0 + widest / carried), if goes_round,
         in "Stick and slip":
-            period => "it is also carried",
-            round - 2.0 * carried / v => "carried from one side to the other, and back";
+            period => "it is also carried", round - 2.0 * carried / v => "carried from one side to the other, and back";
     }
 }
 
@@ -205,15 +190,6 @@ fn quarter(p: &Parameters) -> Result<(f64, f64)> {
     Ok((quarter - q[0] / v[0], offset * p.runs() / -v[0]))
 }
 
-/// How far the cycle goes: half a period of the oscillation after a slip ends the way out.
-fn farthest(p: &Parameters, ride: &Ride) -> Result<f64> {
-    let slips = p.event_there(["left slips", "right slips"]);
-    let (from, rate) = (ride.event(slips)?.t, rate(p, 1.0));
-    let turn = from + atan(p.runs() / (rate * held(p))) / rate;
-    Ok(-p.side() * ride.at(turn)?.q[0])
-}
-
-/// Equal coefficients, slow rollers, thick planks, the edge.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let (swing, growth) = (rate(p, 1.0), rate(p, -1.0));
     let equal = cycle(&p.but(|p| p.holding = p.kinetic)).1;
@@ -271,23 +247,19 @@ fn driven(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-/// The card of effects.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (mu, a, swing) = (p.kinetic, p.distance, rate(p, 1.0));
     let (thick, falling) = (0.5 * mu * 0.02 / a, 0.5 * p.gravity * 0.1 * mu);
     let is_thin = (swing * swing * a / (2.0 * mu * p.gravity) - 1.0).abs() < 0.1;
-    let told = falling < 0.1 * swing && is_thin;
-    let grown = when(told, || grown(p, 0.1))?;
+    let grown = when(falling < 0.1 * swing && is_thin, || grown(p, 0.1))?;
     let board = |h: f64| Ok::<_, kit::Error>(quarter(&p.but(|p| p.thickness = h))?.0);
-    let slower = || Ok::<_, kit::Error>(board(0.02)? / board(0.0)? - 1.0);
-    let slower = when(thick < 0.1, slower)?;
+    let slower = when(thick < 0.1, || Ok::<_, kit::Error>(board(0.02)? / board(0.0)? - 1.0))?;
     effect_card! { report,
         "friction that falls by 1 % for each 0.1 m/s of slip":
             "g |mu'|/(2 lambda)" = falling / swing, costs exp(falling * TAU / swing) - 1.0, "of the amplitude, gained in a swing",
             measured grown.map(|[_, factor]| factor - 1.0), within 1e-8;
         "a thickness of 2 cm": "mu h/(2 a)" = thick, costs -thick, "of the period", measured slower, within 1e-8;
-        "coefficients of the rollers that differ by 1 %":
-            "dmu/mu" = 0.01, costs 0.25 * 0.01 * a, "m, place of rest";
+        "coefficients of the rollers that differ by 1 %": "dmu/mu" = 0.01, costs 0.25 * 0.01 * a, "m, place of rest";
         "one roller higher by 1 mm": "dh/a" = 1e-3 / a, costs 1e-3 / (2.0 * mu), "m, place of rest";
     }
 }
@@ -299,29 +271,30 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
         return Ok(()); // at rest in the middle
     }
     let lets_go = p.event_there(["right lets go", "left lets go"]);
-    let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
     let (apart, start) = (plank(&p, -1.0)?, MechanismState::rest([p.offset, 0.0, 0.0]));
     let run = move |step| motion(apart.clone(), &Dop853::new(step)?, start, 2.0 * end);
     let error = move |ride: &Ride| Ok(largest([ride.event(lets_go)?.t / end - 1.0]));
-    report.stepped(asked, run, Ride::work, error)?;
+    report.stepped([p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15], run, Ride::work, error)?;
     report.in_closed_form(move |_| caught(&p, -1.0));
     Ok(())
 }
 
 /// What the smooth law makes of the cycle, unless that takes too long.
 fn smooth(p: &Parameters, report: &mut Report) -> Result<()> {
-    let late = "too long, as a part of the period";
-    let columns = ["w / V", late, "evaluations in a period"];
-    let (mut table, round) = (Table::new("smooth", columns)?, cycle(p).1);
-    for part in [1e-1, 1e-2, 1e-3] {
-        let width = part * p.runs();
-        if goes_round(p) && p.holding * p.gravity * round / width < 1e5 {
-            let (period, evaluations) = smoothed_period(p, width)?;
-            let late = format!("{:.5}", period / round - 1.0);
-            table.push([format!("{part:e}"), late, evaluations.to_string()])?;
-        }
+    let round = cycle(p).1;
+    let short = |part: &f64| p.holding * p.gravity * round / (part * p.runs()) < 1e5;
+    let parts: Vec<_> = [1e-1, 1e-2, 1e-3].into_iter().filter(short).collect();
+    if !goes_round(p) || parts.is_empty() {
+        return Ok(());
     }
-    if table.is_empty() { Ok(()) } else { report.add(table) }
+    let columns = "w / V; too long, as a part of the period; evaluations in a period";
+    report.add(Table::of("smooth", columns.split("; "), parts, |part| {
+        let (ode, method) = (smoothed(p, part * p.runs()), Dop853::new(1e-9)?);
+        let zero = |n| method.zero(&ode, [p.offset, 0.0], n, 100.0 * span(p), |y| y[0]);
+        let ((from, before), (to, after)) = (zero(3)?, zero(5)?);
+        let late = format!("{:.5}", (to.t - from.t) / round - 1.0);
+        Ok([format!("{part:e}"), late, (after.derivatives - before.derivatives).to_string()])
+    })?)
 }
 
 example! {

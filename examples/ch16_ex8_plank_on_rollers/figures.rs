@@ -11,8 +11,12 @@ fn drawn(sketch: Sketch, p: &Parameters, turn: f64, [x, y, tilt]: [f64; 3]) -> S
     let up = 0.5 * (thick - p.thickness);
     let centre = (x - s * up, 0.5 * p.thickness + y + c * up);
     let roller = |sketch: Sketch, side: f64| {
-        let axle = (0.5 * side * a, -RADIUS * a);
-        sketch.roller(axle, RADIUS * a, FRAC_PI_2 + side * turn, Ink::Frame)
+        sketch.roller(
+            (0.5 * side * a, -RADIUS * a),
+            RADIUS * a,
+            FRAC_PI_2 + side * turn,
+            Ink::Frame,
+        )
     };
     let sketch = [-1.0, 1.0].into_iter().fold(sketch, roller);
     sketch.block(centre, (2.4 * a, thick), tilt, Ink::Body).dot(centre, Ink::Body, "", Side::Above)
@@ -21,15 +25,13 @@ fn drawn(sketch: Sketch, p: &Parameters, turn: f64, [x, y, tilt]: [f64; 3]) -> S
 /// The set-up of the problem in one of the senses; the distance is 1.
 fn problem(sense: f64) -> Sketch {
     let turning = |sketch: Sketch, side: f64| {
-        let ends = [0.25, 2.1].map(|turned| -FRAC_PI_2 + turned * side);
-        let [from, to] = if sense > 0.0 { ends } else { [ends[1], ends[0]] };
+        let ends = if sense > 0.0 { [0.25, 2.1] } else { [2.1, 0.25] };
+        let [from, to] = ends.map(|turned| -FRAC_PI_2 + turned * side);
         sketch.turn((0.5 * side, -RADIUS), 0.21, (from, to), Ink::Velocity)
     };
     let sketch = Sketch::within((-1.15, 1.5), (-0.68, 0.42));
     let sketch = drawn(sketch, &Parameters::default(), 0.0, [0.17, 0.0, 0.0]);
-    [-1.0, 1.0]
-        .into_iter()
-        .fold(sketch, turning)
+    turning(turning(sketch, -1.0), 1.0)
         .guide([(0.0, -0.3), (0.0, 0.3)])
         .guide([(0.17, 0.0), (0.17, 0.3)])
         .guide([(-0.5, -RADIUS), (-0.5, -0.58)])
@@ -40,11 +42,18 @@ fn problem(sense: f64) -> Sketch {
         .gravity((1.3, -0.1), 0.25)
 }
 
+/// The phase plane, so far to both sides, with the speed `v` of the rollers.
+fn plane(reach: f64, v: f64) -> Panel {
+    let speeds = Axis::linear(r"$v/\lambda a$").range(-1.5 * v, 1.5 * v);
+    Panel::over_axes(Axis::linear("$x/a$").range(-reach, reach), speeds)
+        .level(v, Ink::Velocity, "$V$")
+        .level(-v, Ink::Velocity, "$-V$")
+}
+
 /// The motion from rest at this offset, as points of the phase plane in units of the distance.
 fn portrait(p: &Parameters, sense: f64, offset: f64, end: f64) -> Result<Vec<(f64, f64)>> {
     let ride = released(&from(p, offset), sense, end)?;
-    let lost = ride.event("left lets go");
-    let until = lost.map_or(ride.end_time(), |event| event.t);
+    let until = ride.event("left lets go").map_or(ride.end_time(), |event| event.t);
     let scale = p.distance * rate(p, sense);
     sampled(times(0.0, until, 300), |t| {
         let MechanismState { q, v } = ride.at(t)?;
@@ -67,20 +76,14 @@ figures! { p: &Parameters;
     together: {
         let (a, swing) = (p.distance, rate(p, 1.0));
         let (v, (amplitude, round)) = (p.runs() / (a * swing), cycle(p));
-        let reach = 1.2 * amplitude.max(p.offset.abs()) / a;
-        let speeds = Axis::linear(r"$v/\lambda a$").range(-1.5 * v, 1.5 * v);
-        let panel = Panel::over_axes(Axis::linear("$x/a$").range(-reach, reach), speeds)
-            .equal_aspect()
-            .level(v, Ink::Velocity, "$V$")
-            .level(-v, Ink::Velocity, "$-V$");
+        let panel = plane(1.2 * amplitude.max(p.offset.abs()) / a, v).equal_aspect();
         let path = |offset, end| Ok::<_, kit::Error>(Curve::new(portrait(p, 1.0, offset, end)?, Ink::Body));
         let circle = |panel: Panel, part: f64| Ok::<_, kit::Error>(panel.curve(path(part * v * a, TAU / swing)?.thin()));
         // A circle that is wider than the rollers are apart is no motion.
         let fits = |part: &f64| part * v * a < lift(p, 1.0);
         [0.35, 0.7, 0.999_999].into_iter().filter(fits).try_fold(panel, circle)?
             .curve(path(p.offset, 2.0 * round)?.arrow(0.06))
-            .dot(p.offset / a, 0.0, Ink::Body, "start", Side::Above)
-            .dot(0.0, 0.0, Ink::Ink, "", Side::Above)
+            .dot(p.offset / a, 0.0, Ink::Body, "start", Side::Above).dot(0.0, 0.0, Ink::Ink, "", Side::Above)
     };
 
     /// Phase plane, tops apart: lines that run away from the middle to the line of the speed of the rollers and
@@ -88,11 +91,7 @@ figures! { p: &Parameters;
     apart: {
         let (a, growth) = (p.distance, rate(p, -1.0));
         let v = p.runs() / (a * growth);
-        let speeds = Axis::linear(r"$v/\lambda a$").range(-1.5 * v, 1.5 * v);
-        let panel = Panel::over_axes(Axis::linear("$x/a$").range(-0.6, 0.6), speeds)
-            .level(v, Ink::Velocity, "$V$")
-            .level(-v, Ink::Velocity, "$-V$")
-            .dot(0.0, 0.0, Ink::Ink, "", Side::Above);
+        let panel = plane(0.6, v).dot(0.0, 0.0, Ink::Ink, "", Side::Above);
         [0.01, 0.1, 0.25].into_iter().try_fold(panel, |panel: Panel, part| {
             let right = portrait(p, -1.0, part * lift(p, 1.0), 1e3 / growth)?;
             let (x, y) = *right.last().unwrap_or(&(0.0, 0.0));
@@ -108,10 +107,12 @@ figures! { p: &Parameters;
     /// right one, and tipped by a quarter of a radian, its right end down.
     tipping: {
         let ride = released(p, -1.0, 1e3 * span(p))?;
-        let sketch = Sketch::within((-1.3 * p.distance, 1.9 * p.distance), (-0.45 * p.distance, 0.45 * p.distance));
-        let [start, edge, end] = [0.0, caught(p, -1.0)[2].min(ride.end_time()), ride.end_time()].map(|t| ride.at(t));
-        let (start, edge, end) = (start?.q, edge?.q, end?.q);
-        drawn(sketch.ghost(|sketch| drawn(drawn(sketch, p, 0.0, start), p, 0.0, edge)), p, 0.0, end)
+        let (a, end) = (p.distance, ride.end_time());
+        let place = |t| Ok::<_, kit::Error>(ride.at(t)?.q);
+        let (start, edge) = (place(0.0)?, place(caught(p, -1.0)[2].min(end))?);
+        let sketch = Sketch::within((-1.3 * a, 1.9 * a), (-0.45 * a, 0.45 * a));
+        let before = sketch.ghost(|sketch| drawn(drawn(sketch, p, 0.0, start), p, 0.0, edge));
+        drawn(before, p, 0.0, place(end)?)
     };
 
     /// Velocity against time. As the rollers hold the plank, it has flat pieces with sharp ends; by the smooth
@@ -137,7 +138,6 @@ fn ride(p: &Parameters) -> Result<(f64, f64, Ride)> {
     Ok((sense, ride.end_time(), ride))
 }
 
-/// That motion, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let columns = "t [s], x [m], v [m/s], tilt [rad], N_left/mg, N_right/mg, F_left/mg, F_right/mg";
     let (_, end, ride) = ride(p)?;
@@ -164,7 +164,6 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let mut sketch = drawn(sketch, &p, sense * p.runs() * t / (RADIUS * a), q);
         let mut said = String::new();
         for (i, (side, name)) in [(-1.0, "left"), (1.0, "right")].into_iter().enumerate() {
-            let words = [Side::Left, Side::Right][i];
             let [push, rub] = [forces[i].normal, forces[i].tangential].map(|f| f / p.gravity);
             let at = (0.5 * side * a - RADIUS * a * s, RADIUS * a * (c - 1.0));
             let does = match modes[i] {
@@ -176,7 +175,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             sketch = sketch
                 .vector(at, (-s * push, c * push), 50.0, Ink::Force, "")
                 .vector(at, (c * rub, s * rub), 200.0, Ink::Force, "")
-                .text((0.7 * side * a, -RADIUS * a), does, Ink::Frame, words);
+                .text(
+                    (0.7 * side * a, -RADIUS * a),
+                    does,
+                    Ink::Frame,
+                    [Side::Left, Side::Right][i],
+                );
         }
         let alt = format!(
             "The plank after {t:.1} s with the forces of the rollers and its weight: its middle \

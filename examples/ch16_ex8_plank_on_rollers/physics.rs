@@ -65,7 +65,6 @@ impl Mechanism<3, 2> for Plank {
     }
 }
 
-/// A motion of the plank.
 pub type Ride = ContactMotion<Plank, 3, 2>;
 
 /// Angular frequency of the oscillation (sense 1), or rate of growth (-1).

@@ -2,6 +2,7 @@
 //! report: a claim or a limit that differs from its oracle is an error.
 
 use core::f64::consts::TAU;
+use kit::But;
 use pages::ch16_ex8_plank_on_rollers::physics::*;
 use pages::ch16_ex8_plank_on_rollers::*;
 use rotation_dynamics::planar::contact::{MechanismState, misdeclared};
@@ -16,26 +17,20 @@ fn the_contacts_are_declared_truly() {
     assert!(found < 1e-9, "{found}");
 }
 
-fn from(offset: f64) -> Parameters {
-    Parameters { offset, ..Parameters::default() }
-}
-
 /// Swings within the largest circle never stick; all wider ones have the same cycle.
 #[test]
 fn only_wide_swings_end_in_the_cycle() {
     let p = Parameters::default();
     let (widest, (amplitude, period)) = (p.speed / rate(&p, 1.0), cycle(&p));
+    let ride = |offset, rounds| released(&p.but(|p| p.offset = offset), 1.0, rounds * period).unwrap();
     for part in [0.01, 0.5, 0.999] {
-        let ride = released(&from(part * widest), 1.0, 10.0 * period).unwrap();
-        assert!(ride.events().is_empty());
+        assert!(ride(part * widest, 10.0).events().is_empty());
     }
     let (mut errors, mut damaged) = (Errors::of("period and amplitude"), Errors::of("oscillation"));
     for offset in [1.001 * widest, 0.15, amplitude, 0.3, 0.45] {
-        let ride = released(&from(offset), 1.0, 6.0 * period).unwrap();
-        let slips = ride.events().iter().filter(|event| event.name == "right slips");
-        let slips: Vec<f64> = slips.map(|event| event.t).collect();
-        let last = slips.len() - 1;
-        let round = slips[last] - slips[last - 1];
+        let ride = ride(offset, 6.0);
+        let mut slips = ride.events().iter().rev().filter(|event| event.name == "right slips");
+        let round = slips.next().unwrap().t - slips.next().unwrap().t;
         errors.push_at(round - period, offset);
         damaged.push(round - TAU / rate(&p, 1.0));
     }
