@@ -40,12 +40,11 @@ pub fn draw<'e>(exercise: &'e Exercise, seed: u64, student: &str) -> Result<Draw
     let grids = exercise.page.drawn();
     let mut last = String::new();
     for _ in 0..TRIES {
-        let one = |(flag, grid): &(String, _)| (flag.clone(), typed(grid, &mut random));
+        let mut typed = |grid: &kit::Grid| grid.typed(random.rand_range(0..grid.count()));
+        let one = |(flag, grid): &(String, _)| (flag.clone(), typed(grid));
         let flags: Vec<(String, String)> = grids.iter().map(one).collect();
         match computed(exercise, &flags) {
-            Ok(report) => {
-                return Ok(Drawn { exercise, flags, report });
-            }
+            Ok(report) => return Ok(Drawn { exercise, flags, report }),
             Err(why) => last = format!("{flags:?}: {why}"),
         }
     }
@@ -53,18 +52,15 @@ pub fn draw<'e>(exercise: &'e Exercise, seed: u64, student: &str) -> Result<Draw
     Err(format!("{number}: of {TRIES} sets of numbers none can be used; the last, {last}"))
 }
 
-/// One of the values of the grid.
-fn typed(grid: &kit::Grid, random: &mut Rand32) -> String {
-    grid.typed(random.rand_range(0..grid.count()))
+/// The flags as numbers.
+pub fn numbers(flags: &[(String, String)]) -> Result<Vec<(&str, f64)>, String> {
+    let read = flags.iter().map(|(flag, value)| Some((&**flag, value.parse().ok()?)));
+    read.collect::<Option<_>>().ok_or_else(|| "a value is no number".into())
 }
 
 /// The report for these flags, if it is one that a reader can work with.
 pub fn computed(exercise: &Exercise, flags: &[(String, String)]) -> Result<Report, String> {
-    let number = |(flag, value): &(String, String)| Some((flag.clone(), value.parse().ok()?));
-    let flags: Option<Vec<(String, f64)>> = flags.iter().map(number).collect();
-    let flags = flags.ok_or("a value is no number")?;
-    let flags: Vec<(&str, f64)> = flags.iter().map(|(flag, value)| (&**flag, *value)).collect();
-    let report = exercise.page.report_with(&flags).map_err(|e| e.to_string())?;
+    let report = exercise.page.report_with(&numbers(flags)?).map_err(|e| e.to_string())?;
     report.output().map_err(|e| e.to_string())?;
     alike(&report, exercise.usual())?;
     Ok(report)
@@ -80,9 +76,9 @@ fn alike(report: &Report, usual: &Report) -> Result<(), String> {
         return Err("the page asks for something else".into());
     }
     let slipping = |claim: &Claim| {
-        let near =
-            |value: f64| (value - claim.value).abs() <= claim.judged_within * claim.value.abs();
-        claim.slips.iter().map(|slip| near(slip.value)).collect::<Vec<_>>()
+        let within = claim.judged_within * claim.value.abs();
+        let near = |slip: &kit::Slip| (slip.value - claim.value).abs() <= within;
+        claim.slips.iter().map(near).collect::<Vec<_>>()
     };
     for (here, there) in here.into_iter().zip(there) {
         let hints = |claim: &Claim| claim.slips.iter().map(|s| s.hint.clone()).collect::<Vec<_>>();

@@ -49,12 +49,8 @@ fn read(page: &'static dyn Page) -> Result<Exercise, String> {
         return Err(format!("{file} has no title, or no section 'The problem' with an end"));
     };
     let numbered = title.strip_prefix("Exercise ").and_then(|rest| rest.split_once(':'));
-    let number = match numbered {
-        Some((number, _)) => number.to_owned(),
-        None => {
-            "F".to_owned() + stem.trim_start_matches("further_").split('_').next().unwrap_or(stem)
-        }
-    };
+    let further = stem.trim_start_matches("further_").split('_').next().unwrap_or(stem);
+    let number = numbered.map_or(format!("F{further}"), |(number, _)| number.to_owned());
     let (title, problem) = (title.to_owned(), problem.to_owned());
     Ok(Exercise { page, number, title, problem, usual: OnceLock::new() })
 }

@@ -1,7 +1,7 @@
 //! The two files: the sheets, a page or more for each student, and the answers.
 
 use super::address::{self, base64};
-use super::draw::Drawn;
+use super::draw::{Drawn, numbers};
 use super::exercise::asked;
 use super::statement::{Setting, stated};
 use super::{Asked, Sheet};
@@ -12,18 +12,12 @@ use typeset::text::{escape, number_html, shortened, unit_html};
 /// The book's fonts, so that formulas look the same everywhere, without a network.
 const FONTS: [(&str, &str, &[u8]); 4] = [
     ("Book Serif", "", include_bytes!("../../book/theme/fonts/serif.woff2")),
-    (
-        "Book Serif",
-        "font-style: italic;",
-        include_bytes!("../../book/theme/fonts/serif-italic.woff2"),
-    ),
-    (
-        "Book Serif",
-        "font-weight: 600 700;",
-        include_bytes!("../../book/theme/fonts/serif-semibold.woff2"),
-    ),
+    ("Book Serif", "font-style: italic;", ITALIC),
+    ("Book Serif", "font-weight: 600 700;", BOLD),
     ("Book Maths", "", include_bytes!("../../book/theme/fonts/maths.woff2")),
 ];
+const ITALIC: &[u8] = include_bytes!("../../book/theme/fonts/serif-italic.woff2");
+const BOLD: &[u8] = include_bytes!("../../book/theme/fonts/serif-semibold.woff2");
 
 fn document(title: &str, more: &str, body: &str) -> String {
     let font = |(family, style, file): &(&str, &str, &[u8])| {
@@ -71,9 +65,7 @@ pub fn sheets(asked: &Asked, sheets: &[Sheet]) -> Result<String, String> {
 
 fn problem(asked: &Asked, drawn: &Drawn, n: usize, place: &str) -> Result<String, String> {
     let (exercise, stem) = (drawn.exercise, drawn.exercise.page.stem());
-    let flags: Option<Vec<(&str, f64)>> =
-        drawn.flags.iter().map(|(flag, value)| Some((&**flag, value.parse().ok()?))).collect();
-    let figures = exercise.page.figures_with(&flags.ok_or("a value is no number")?);
+    let figures = exercise.page.figures_with(&numbers(&drawn.flags)?);
     let figures = figures.map_err(|e| e.to_string())?;
     let setting = Setting {
         stem,
@@ -103,25 +95,22 @@ fn problem(asked: &Asked, drawn: &Drawn, n: usize, place: &str) -> Result<String
 /// What the answers assume and the problem does not state.
 fn besides(drawn: &Drawn, parameters: &[[String; 4]]) -> String {
     let stated = stated(&drawn.exercise.problem, drawn.exercise.page.stem());
-    let items: Vec<String> = (parameters.iter())
-        .filter(|[name, ..]| !stated.contains(name))
-        .filter_map(|[_, value, unit, meaning]| {
-            let unit =
-                if unit == "-" { String::new() } else { format!("\u{202f}{}", unit_html(unit)) };
-            Some(format!(
-                "{}: <span class=\"glued\">{}{unit}</span>",
-                words(meaning),
-                number_html(value)?
-            ))
-        })
-        .collect();
-    match items.is_empty() {
-        true => String::new(),
-        false => format!(
-            "<p class=\"besides\">Taken besides, where it matters: {}.</p>",
-            items.join("; ")
-        ),
+    let unstated = parameters.iter().filter(|[name, ..]| !stated.contains(name));
+    let item = |[_, value, unit, meaning]: &[String; 4]| {
+        let (value, meaning, unit) =
+            (number_html(value)?, words(meaning), with(["\u{202f}", ""], unit));
+        Some(format!("{meaning}: <span class=\"glued\">{value}{unit}</span>"))
+    };
+    let items = unstated.filter_map(item).collect::<Vec<_>>().join("; ");
+    match items.as_str() {
+        "" => items,
+        _ => format!("<p class=\"besides\">Taken besides, where it matters: {items}.</p>"),
     }
+}
+
+/// A unit, if it is one, between these.
+fn with([open, close]: [&str; 2], unit: &str) -> String {
+    if unit == "-" { String::new() } else { format!("{open}{}{close}", unit_html(unit)) }
 }
 
 /// The quantities asked for, under their groups, and the key of the first.
@@ -138,11 +127,8 @@ fn questions(drawn: &Drawn) -> (String, String) {
     for group in groups {
         let of = claims.iter().filter(|claim| claim.group.as_deref() == group);
         let item = |claim: &&Claim| {
-            let unit = match claim.unit.as_str() {
-                "-" => String::new(),
-                unit => format!(" in {}", unit_html(unit)),
-            };
-            let (what, key) = (words(&claim.meaning), &claim.key);
+            let (what, key, unit) =
+                (words(&claim.meaning), &claim.key, with([" in ", ""], &claim.unit));
             let digits = digits_asked(claim.judged_within);
             format!("<li>{what}{unit} ({digits}) <code>{key}</code></li>")
         };
@@ -165,10 +151,6 @@ pub fn answer(claim: &Claim) -> String {
 pub fn answers(asked_for: &Asked, sheets: &[Sheet]) -> String {
     let title = format!("{}: answers", asked_for.title);
     let number = |text: &str| number_html(text).unwrap_or_else(|| escape(text));
-    let unit = |unit: &str| match unit {
-        "-" => String::new(),
-        unit => format!("<br><small>{}</small>", unit_html(unit)),
-    };
     let mut body = format!(
         "<main>\n<header><h1>{}</h1></header>\n<p>Numbers drawn with the seed {}. Each answer was \
          confirmed by a second route, as on the page of its exercise.</p>\n",
@@ -181,32 +163,28 @@ pub fn answers(asked_for: &Asked, sheets: &[Sheet]) -> String {
         let claims = asked(exercise.usual());
         let flags = sheets[0].problems[n].flags.iter();
         let given: String = flags.map(|(flag, _)| format!("<th>{flag}</th>")).collect();
-        let heads = claims.iter().map(|c| {
-            format!(
-                "<th class=\"a\"><code>{}</code>{}</th>",
-                c.key.replace('_', "_<wbr>"),
-                unit(&c.unit)
-            )
-        });
-        let heads: String = heads.collect();
+        let head = |claim: &&Claim| {
+            let unit = with(["<br><small>", "</small>"], &claim.unit);
+            let key = claim.key.replace('_', "_<wbr>");
+            format!("<th class=\"a\"><code>{key}</code>{unit}</th>")
+        };
+        let heads: String = claims.iter().map(head).collect();
         let mut rows = String::new();
         for sheet in sheets {
             let drawn = &sheet.problems[n];
-            let values = drawn.flags.iter().map(|(_, value)| format!("<td>{}</td>", number(value)));
-            let found = asked(&drawn.report).into_iter();
-            let found =
-                found.map(|claim| format!("<td class=\"a\">{}</td>", number(&answer(claim))));
-            let (values, found): (String, String) = (values.collect(), found.collect());
+            let value = |(_, value): &(_, String)| format!("<td>{}</td>", number(value));
+            let found = |claim| format!("<td class=\"a\">{}</td>", number(&answer(claim)));
+            let values: String = drawn.flags.iter().map(value).collect();
+            let found: String = asked(&drawn.report).into_iter().map(found).collect();
             rows += &format!("<tr><th>{}</th>{values}{found}</tr>\n", escape(&sheet.student));
         }
-        let meanings = claims.iter();
-        let meanings = meanings.map(|c| format!("<code>{}</code> {}", c.key, words(&c.meaning)));
+        let meaning = |c: &&Claim| format!("<code>{}</code> {}", c.key, words(&c.meaning));
         body += &format!(
             "<section>\n<h2><span class=\"n\">{}</span> {}</h2>\n<div class=\"wide\"><table>\n\
              <tr><th></th>{given}{heads}</tr>\n{rows}</table></div>\n<p class=\"legend\">{}</p>\n</section>\n",
             n + 1,
             escape(&exercise.title),
-            meanings.collect::<Vec<_>>().join("; ")
+            claims.iter().map(meaning).collect::<Vec<_>>().join("; ")
         );
     }
     // Wide tables want a wide paper.

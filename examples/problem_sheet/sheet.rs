@@ -99,62 +99,47 @@ const BUILT: &str = "book/book/";
 
 fn address(text: &str) -> Result<String, String> {
     let known = ["http://", "https://", "file:///", BUILT];
-    match known.iter().any(|scheme| text.starts_with(scheme))
-        && !text.contains(['?', '#', '"', ' '])
-    {
-        true => Ok(text.trim_end_matches('/').to_owned() + "/"),
-        false => Err("write http://…, https://… or file:///…, without ? and #".into()),
+    let begins = known.iter().any(|scheme| text.starts_with(scheme));
+    if !begins || text.contains(['?', '#', '"', ' ']) {
+        return Err("write http://…, https://… or file:///…, without ? and #".into());
     }
+    Ok(text.trim_end_matches('/').to_owned() + "/")
 }
 
 pub fn command() -> Command {
     let arg = |name: &'static str, value: &'static str, help: &'static str| {
         Arg::new(name).long(name).value_name(value).help(help)
     };
+    let seeds = arg("seed", "NUMBER", "The same seed gives the same sheet");
+    let problems = arg("problems", "LIST", "Numbers of exercises, parted by commas, or all");
+    let names = arg("students", "LIST", "Names, parted by commas, or how many: a sheet for each");
+    let title = arg("title", "TEXT", "Stands at the head of each sheet");
+    let book = arg("book", "ADDRESS", "Where the book is; as it stands, what `cargo book` builds");
+    let out = arg("out", "FILE", "The sheet; the answers go beside it, to FILE with .answers");
     Command::new("problem_sheet")
         .bin_name("cargo run --example problem_sheet --")
         .about("Problem sheets on which every student has other numbers, and their answers")
         .disable_version_flag(true)
-        .arg(
-            arg("seed", "NUMBER", "The same seed gives the same sheet")
-                .default_value("1")
-                .value_parser(seed),
-        )
-        .arg(
-            arg("problems", "LIST", "Numbers of exercises, parted by commas, or all")
-                .default_value("all"),
-        )
-        .arg(
-            arg("students", "LIST", "Names, parted by commas, or how many: a sheet for each")
-                .value_parser(students),
-        )
-        .arg(
-            arg("title", "TEXT", "Stands at the head of each sheet").default_value("Problem sheet"),
-        )
-        .arg(
-            arg("book", "ADDRESS", "Where the book is; as it stands, what `cargo book` builds")
-                .default_value(BUILT)
-                .value_parser(address),
-        )
-        .arg(
-            arg("out", "FILE", "The sheet; the answers go beside it, to FILE with .answers")
-                .default_value("sheet.html")
-                .value_parser(value_parser!(PathBuf)),
-        )
+        .arg(seeds.default_value("1").value_parser(seed))
+        .arg(problems.default_value("all"))
+        .arg(names.value_parser(students))
+        .arg(title.default_value("Problem sheet"))
+        .arg(book.default_value(BUILT).value_parser(address))
+        .arg(out.default_value("sheet.html").value_parser(value_parser!(PathBuf)))
 }
 
 /// Writes the two files; what there is to say.
 pub fn run(matches: &ArgMatches) -> Result<String, String> {
     let text = |name: &str| matches.get_one::<String>(name).cloned().unwrap_or_default();
-    let problems = text("problems");
+    let problems = match text("problems").trim() {
+        "all" => Vec::new(),
+        list => list.split(',').map(|number| number.trim().to_owned()).collect(),
+    };
+    let students = matches.get_one::<Vec<String>>("students").cloned();
     let asked = Asked {
         seed: matches.get_one("seed").copied().unwrap_or(1),
-        problems: match problems.trim() {
-            "all" => Vec::new(),
-            list => list.split(',').map(|number| number.trim().to_owned()).collect(),
-        },
-        students: (matches.get_one::<Vec<String>>("students").cloned())
-            .unwrap_or_else(|| vec![String::new()]),
+        problems,
+        students: students.unwrap_or_else(|| vec![String::new()]),
         title: text("title"),
         book: text("book"),
     };
@@ -163,11 +148,11 @@ pub fn run(matches: &ArgMatches) -> Result<String, String> {
     let files = [(out.clone(), &*sheet), (answers_path(&out), &*answers)];
     let replaced = write_whole(&files).map_err(|e| e.to_string())?;
     let [sheet, answers] = files.map(|(path, _)| path.display().to_string());
-    let mut told = format!("wrote {sheet}, and the answers to {answers}\n");
-    if replaced > 0 {
-        told += &format!("{replaced} of these files were there before and are replaced\n");
-    }
-    Ok(told)
+    let before = match replaced {
+        0 => String::new(),
+        _ => format!("{replaced} of these files were there before and are replaced\n"),
+    };
+    Ok(format!("wrote {sheet}, and the answers to {answers}\n{before}"))
 }
 
 fn main() -> ExitCode {

@@ -41,7 +41,8 @@ impl Setting<'_> {
             } else if let Some(items) = list(block, |line| line.strip_prefix("- ")) {
                 html += &self.items("ul", &items)?;
             } else if block.starts_with(['#', '|', '<']) {
-                return Err(format!("a problem sheet cannot set this: {}", first_line(block)));
+                let line = block.lines().next().unwrap_or("");
+                return Err(format!("a problem sheet cannot set this: {line}"));
             } else {
                 html += &format!("<p>{}</p>\n", self.line(block)?);
             }
@@ -59,8 +60,8 @@ impl Setting<'_> {
     fn figures(&self, names: &str, caption: &str) -> Result<String, String> {
         let mut panels = String::new();
         for name in names.split_whitespace() {
-            let name =
-                name.strip_prefix(self.stem).map_or(name, |name| name.trim_start_matches(':'));
+            let own = name.strip_prefix(self.stem);
+            let name = own.map_or(name, |name| name.trim_start_matches(':'));
             let svg = (self.figure)(name).ok_or(format!("{} draws no figure {name}", self.stem))?;
             panels += &figure::inline(&svg, &format!("{}-{name}-", self.prefix))?;
         }
@@ -72,15 +73,12 @@ impl Setting<'_> {
 
     fn display(&self, tex: &str) -> Result<String, String> {
         let tex = maths::prepare(&self.tex(tex)?)?.tex;
-        let set = maths::mathml(&tex, true).map_err(|e| format!("TeX: {} in {tex}", e.reason))?;
-        Ok(format!("<p class=\"display\">{set}</p>\n"))
+        Ok(format!("<p class=\"display\">{}</p>\n", mathml(&tex, true)?))
     }
 
     /// Text within a paragraph.
     fn line(&self, text: &str) -> Result<String, String> {
-        let mut html = String::new();
-        let mut rest = text;
-        let mut before = ' ';
+        let (mut html, mut rest, mut before) = (String::new(), text, ' ');
         while let Some(first) = rest.chars().next() {
             let mut taken = |open: &str, close: &str| {
                 let inner = rest.strip_prefix(open)?;
@@ -89,15 +87,12 @@ impl Setting<'_> {
                 Some(&inner[..end])
             };
             if let Some(tex) = taken("$", "$") {
-                let tex = self.tex(tex)?;
-                let set = maths::mathml(&tex, false)
-                    .map_err(|e| format!("TeX: {} in {tex}", e.reason))?;
+                let set = mathml(&self.tex(tex)?, false)?;
                 // What follows a formula closely stays with it.
-                let end =
-                    rest.len() - rest.trim_start_matches([',', '.', ';', ':', '?', ')']).len();
-                html += &format!("<span class=\"glued\">{set}{}</span>", &rest[..end]);
-                rest = &rest[end..];
-                before = ')';
+                let after = rest.trim_start_matches([',', '.', ';', ':', '?', ')']);
+                let close = &rest[..rest.len() - after.len()];
+                html += &format!("<span class=\"glued\">{set}{close}</span>");
+                (rest, before) = (after, ')');
             } else if let Some(inner) = taken("{{", "}}") {
                 html += &self.number(inner, number_html)?;
                 before = ')';
@@ -139,8 +134,7 @@ impl Setting<'_> {
 
     /// TeX with its numbers put in.
     fn tex(&self, tex: &str) -> Result<String, String> {
-        let mut done = String::new();
-        let mut rest = tex;
+        let (mut done, mut rest) = (String::new(), tex);
         while let Some((before, after)) = rest.split_once("{{") {
             let (inner, after) = after.split_once("}}").ok_or("{{ is not closed")?;
             done += before;
@@ -169,12 +163,10 @@ impl Setting<'_> {
                 let own = self.parameters.iter().find(|[own, ..]| own == name);
                 let [_, value, unit, _] = own.ok_or_else(wrong)?;
                 let value = set(value).unwrap_or_else(|| escape(value));
-                Ok(match with_unit {
-                    true => {
-                        format!("<span class=\"glued\">{value}\u{202f}{}</span>", unit_html(unit))
-                    }
-                    false => value,
-                })
+                if !with_unit {
+                    return Ok(value);
+                }
+                Ok(format!("<span class=\"glued\">{value}\u{202f}{}</span>", unit_html(unit)))
             }
             // A result has no place in a problem.
             _ => Err(wrong()),
@@ -182,8 +174,8 @@ impl Setting<'_> {
     }
 }
 
-fn first_line(block: &str) -> &str {
-    block.lines().next().unwrap_or("")
+fn mathml(tex: &str, display: bool) -> Result<String, String> {
+    maths::mathml(tex, display).map_err(|e| format!("TeX: {} in {tex}", e.reason))
 }
 
 /// What stands in a block `{{kind …}}`.
