@@ -82,14 +82,8 @@ figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0)
         let of = |x: f64| Moments::new(&p.but(|p| p.radius = x * p.length));
         let unit = |m: &Moments| m.rate() * (p.length / p.gravity).sqrt();
         let fixed = |x| of(x).map_or(f64::NAN, |m| (1.0 + m.share).sqrt() / unit(&m));
-        let stiff = |x: f64| {
-            let m = of(x)?;
-            Ok((small_frequency(&one_angle(m.share), at_rest, 20.0, |y| y[1])? * unit(&m)).recip())
-        };
-        let loose = |x: f64| {
-            let m = of(x)?;
-            Ok((small_frequency(&two_angles(m.share, 0.0), at_rest, 20.0, |y| y[1])? * unit(&m)).recip())
-        };
+        let stiff = |x| of(x).and_then(|m| Ok((small_rate(&one_angle(m.share))? * unit(&m)).recip()));
+        let loose = |x| of(x).and_then(|m| Ok((small_rate(&two_angles(m.share, 0.0))? * unit(&m)).recip()));
         let radius = Sweep::over("$R/l$", 0.01, 1.0).at([0.1, 0.25, 0.4, 0.55, 0.7, 0.85, 1.0]);
         radius.panel(Axis::linear("$T/T_0$").range(0.9, 1.25))
             .curve(radius.exact(fixed).label_at("disc fixed", 0.68, 1.11, Side::AboveLeft))
