@@ -69,13 +69,11 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let rubbed = [floor, wall].map(|force| -force.tangential * end.q[2]);
     let (n_floor, n_wall) = (weight / (1.0 + mu * mu), mu * weight / (1.0 + mu * mu));
     let alpha = 2.0 * mu * (1.0 + mu) / (1.0 + mu * mu) * unit;
-    let turned_fast = p.spin.abs();
-    let roll = turned_fast * p.radius / (3.0 * mu * p.gravity);
-    let stop = turned_fast / alpha;
-    let (turns, v_roll) = (0.5 * stop * turned_fast / TAU, turned_fast * p.radius / 3.0);
+    let fast = p.spin.abs();
+    let (stop, roll) = (fast / alpha, fast * p.radius / (3.0 * mu * p.gravity));
+    let (turns, v_roll) = (0.5 * stop * fast / TAU, fast * p.radius / 3.0);
     let heat = 0.25 * p.mass * p.radius * p.radius * p.spin * p.spin;
     let (slower, fade) = fading(p)?;
-    let faded = fade * time;
     claims! { report,
         /// force of the floor
         n_floor: n_floor, "N", "contact forces" => floor.normal * weight, within exact * n_floor, in "Pressed to the wall":
@@ -93,7 +91,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             2.0 * mu * (1.0 + mu) * unit => "the floor does not carry the whole weight";
         /// time to the stop
         t_stop: stop, "s", "located event" => stops.t * time, within exact * stop, in "Pressed to the wall":
-            2.0 * stop => "that is for a thin tube", 0.5 * turned_fast / (mu * unit) => "two surfaces rub";
+            2.0 * stop => "that is for a thin tube", 0.5 * fast / (mu * unit) => "two surfaces rub";
         /// turns until then
         turns: turns, "-", "simulated" => end.q[2] / TAU, within exact * turns, in "Pressed to the wall":
             2.0 * turns => "it slows down on the way", turns * TAU => "that is in radians";
@@ -121,7 +119,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         kept: 1.0 / 3.0, "-", "simulated" => (2.0 * along * along + turning * turning) / (spin * spin), within exact, in "The other sense":
             2.0 / 3.0 => "that is the part that is lost", 1.0 / 9.0 => "it also moves along";
         /// pressed, friction that fades: time to the stop
-        t_fading: faded, "s", "located event" => stopped(slower, spin, fade, p.tolerance)? * time, within (exact + 100.0 * p.tolerance) * faded;
+        t_fading: fade * time, "s", "located event" => stopped(slower, spin, fade, p.tolerance)? * time, within (exact + 100.0 * p.tolerance) * (fade * time);
     }
 }
 
@@ -172,12 +170,10 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let later = |cylinder: Cylinder, about: f64| -> Result<f64> {
         Ok(stopped(cylinder, spin, about, p.tolerance.min(1e-9))? * alpha / spin - 1.0)
     };
-    let leaning = Cylinder::new([mu, mu], TAU / 360.0);
-    let leans = later(leaning, spin / leaning.braking())?;
-    let (slower, fading) = fading(p)?;
-    let (fades, faded) = (fading * alpha / spin - 1.0, later(slower, fading)?);
+    let (leaning, (slower, fading)) = (Cylinder::new([mu, mu], TAU / 360.0), fading(p)?);
+    let (leans, faded) = (later(leaning, spin / leaning.braking())?, later(slower, fading)?);
     effect_card! { report,
-        "friction that falls with the slip": "fading Omega R" = p.fading * rim, costs fades, "of t_stop", measured faded, within 1e-7;
+        "friction that falls with the slip": "fading Omega R" = p.fading * rim, costs fading * alpha / spin - 1.0, "of t_stop", measured faded, within 1e-7;
         "a wall that leans back by one degree": "beta" = leaning.lean, costs alpha / leaning.braking() - 1.0, "of t_stop", measured leans, within 1e-7;
         "set down from 1 mm above": "sqrt(2 h/g)/t_stop" = drop, costs -drop, "of t_stop";
         "surfaces that yield, normal forces 0.1 mm ahead": "d/(mu R)" = yields, costs -yields, "of t_stop";

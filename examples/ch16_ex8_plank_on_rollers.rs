@@ -53,14 +53,13 @@ impl Parameters {
 
 /// The plank; refused if friction would jam it, or if it does not lie on both rollers.
 pub fn plank(p: &Parameters, sense: f64) -> Result<Plank> {
-    let lifts = lift(p, 1.0);
     allowed! {
         "holding": p.holding, at_least(p.kinetic), "what rests holds no less than what slips";
         "kinetic*thickness/distance": p.kinetic * p.thickness / p.distance, from_to(0.0, 0.9999), "at 1 friction on its lower face jams the plank";
         // Slower rollers carry the plank for so long that they might as well rest.
         "speed/sqrt(2 kinetic gravity distance)": p.runs() / (rate(p, 0.0) * p.distance),
             from_to(1e-4, 1e9), "at 0 the rollers rest, and so does the plank";
-        "offset": p.offset, between(-lifts, lifts), "at an end it lifts off a roller";
+        "offset": p.offset, between(-lift(p, 1.0), lift(p, 1.0)), "at an end it lifts off a roller";
     }?;
     Ok(Plank { p: p.clone(), sense })
 }
@@ -130,8 +129,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (period, widest, carried) = (TAU / swing, v / swing, held(p));
     // Simulations have errors in units of the distance: of small motions they are larger.
     let [wide, far] = [widest, p.offset.abs()].map(|size| exact * (1.0 + 0.01 * a / size));
-    let ride = released(p, 1.0, span(p))?;
-    let apart = released(p, -1.0, 1e3 * span(p))?;
+    let (ride, apart) = (released(p, 1.0, span(p))?, released(p, -1.0, 1e3 * span(p))?);
     let (zero, top) = quarter(p)?;
     let small = from(p, 0.05 * lift(p, 1.0).min(v / growth));
     let grown = released(&small, -1.0, 3.0 / growth)?.at(3.0 / growth)?.q[0] / small.offset;
@@ -141,8 +139,6 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let goes_round = goes_round(p);
     let simulated = if goes_round { stick_slip(p, &ride)? } else { [0.0; 3] };
     let event = |ride: &Ride, names| Ok::<_, kit::Error>(ride.event(p.event_there(names))?.t);
-    let sticks = ["left sticks", "right sticks"];
-    let lets_go = ["right lets go", "left lets go"];
     claims! { report,
         /// force of the right roller over the weight, at the start, tops moving together
         right: right, "-", "contact forces" => ride.forces(0.0)?[1].normal / g, within exact, in "The forces":
@@ -159,14 +155,14 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         growth: growth, "1/s", "growth by ten" => growth * acosh(grown) / 3.0, within exact * growth * (1.0 + 0.01 * a / small.offset), in "Tops apart":
             growth * growth => "that is its square", growth / 2.0_f64.sqrt() => "both rollers rub";
         /// tops apart: the nearer roller holds it
-        stick_out: stick_out, "s", "located event" => event(&apart, sticks)?,
+        stick_out: stick_out, "s", "located event" => event(&apart, ["left sticks", "right sticks"])?,
         within far * (stick_out + 1.0 / growth), if stick_out.is_finite() && tip > stick_out;
         /// tops apart: the other roller loses it
-        tip: tip, "s", "located event" => event(&apart, lets_go)?,
+        tip: tip, "s", "located event" => event(&apart, ["right lets go", "left lets go"])?,
         within far * (tip + 1.0 / growth) * (1.0 + a / (v * tip)), if tip.is_finite(), in "Tops apart":
             acosh(lift(p, -1.0) / p.offset.abs()) / growth => "once as fast as the roller it goes no faster";
         /// tops together: the nearer roller holds it
-        stick: stick, "s", "located event" => event(&ride, sticks)?,
+        stick: stick, "s", "located event" => event(&ride, ["left sticks", "right sticks"])?,
         within exact * (1.0 + v / (swing * at)) / swing, if stick.is_finite();
         /// how far beyond the middle the roller carries it
         carried: carried, "m", "located event" => simulated[0], within wide * a, if goes_round, in "Stick and slip":
