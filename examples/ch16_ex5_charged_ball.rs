@@ -177,15 +177,6 @@ const TURNING: f64 = 300.0;
 /// Permittivity of the vacuum, F/m.
 const EPSILON_0: f64 = 8.854_187_8e-12;
 
-/// Image force of a slab that conducts, over the weight; arm of the normal force, 0.02 mm, and
-/// drag over m v^2 for C = 0.47.
-pub fn left_out(p: &Parameters) -> (f64, [f64; 2]) {
-    let square = p.radius * p.radius;
-    let image = p.charge * p.charge / (16.0 * PI * EPSILON_0 * square);
-    let drag = 0.5 * 1.204 * 0.47 * PI * square / p.mass;
-    (image / (p.mass * p.gravity), [2e-5, drag])
-}
-
 /// What `--with air` adds: it takes longer, and ends slower.
 fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
     let Some(drag) = p.air else { return Ok(()) };
@@ -198,7 +189,10 @@ fn blown(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (ball, (image, [arm, drag])) = (Ball::new(p)?, left_out(p));
+    let (ball, square) = (Ball::new(p)?, p.radius * p.radius);
+    // Force of the image over the weight, arm of the normal force, drag over m v^2 for C = 0.47.
+    let image = p.charge * p.charge / (16.0 * PI * EPSILON_0 * square) / (p.mass * p.gravity);
+    let (arm, drag) = (2e-5, 0.5 * 1.204 * 0.47 * PI * square / p.mass);
     let (a, pull) = (ball.accelerations()[0].abs(), ball.pull.abs());
     let (time, speed) = ((2.0 * p.length / a).sqrt(), (2.0 * p.length * a).sqrt());
     let own = p.charge.abs() / (4.0 * PI * EPSILON_0 * p.radius * p.radius);
