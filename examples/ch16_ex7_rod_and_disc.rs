@@ -64,7 +64,7 @@ pub fn measured_worst(share: f64) -> Result<f64> {
 
 /// Rod and, where it has an angle of its own, disc: at rest, turned by this angle.
 fn at_rest<const N: usize>(angle: f64) -> [f64; N] {
-    core::array::from_fn(|i| if i % 2 == 0 { angle } else { 0.0 })
+    core::array::from_fn(|i| if i.is_multiple_of(2) { angle } else { 0.0 })
 }
 
 /// The motion with two angles, from rest at `angle`, in units of 1/W.
