@@ -357,6 +357,7 @@ fn links_and_pipes_are_written_through_and_devices_refused() {
 /// Once for real, as a reader types it: the ladder, with its output going to a pipe
 /// that nobody reads, and to one that is read.
 #[test]
+#[ignore = "compiles an example as a program, with the kit as readers have it: a part of the gate"]
 fn a_real_example_survives_a_closed_pipe_and_refuses_bad_input() {
     use std::process::{Command, Stdio};
     let run = |arguments: &[&str]| {

@@ -123,6 +123,7 @@
             [this.file, this.refusal, this.status, this.result] = ["[type=file]", ".refusal", ".status", ".result"].map(part);
             this.file.addEventListener("change", () => this.chosen(this.file.files[0]));
             part(".made").addEventListener("click", () => this.madeUp());
+            part(".made").disabled = false; // a press before would be lost
             for (const entry of root.querySelectorAll("[data-flag]")) entry.addEventListener("change", () => this.changed(entry));
             // The arrow keys turn pages, but not from here.
             root.addEventListener("keydown", (event) => event.stopPropagation());

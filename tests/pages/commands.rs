@@ -61,7 +61,7 @@ fn given() -> (BTreeSet<Command>, BTreeSet<Command>) {
 }
 
 /// Groups whose few commands take as long as those of all other pages.
-const LONG: [&str; 4] = ["accuracy_races", "accuracy", "effects_", "hard_cases"];
+const LONG: [&str; 5] = ["accuracy_races", "accuracy", "effects_", "effects", "hard_cases"];
 
 /// Locks how the commands of this group end and what they print.
 fn run(group: &str) {

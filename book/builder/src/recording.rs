@@ -21,7 +21,7 @@ impl Modules {
             "<div class=\"recording\" role=\"group\" aria-label=\"Your own recording\" data-stem=\"{stem}\">\
              <p class=\"choose\"><label for=\"{prefix}file\">A recording from your phone</label>\
              <input type=\"file\" id=\"{prefix}file\" aria-describedby=\"{prefix}told {prefix}stays\">\
-             <button type=\"button\" class=\"made\">Try a made-up recording</button></p>\
+             <button type=\"button\" class=\"made\" disabled>Try a made-up recording</button></p>\
              <p class=\"stays\" id=\"{prefix}stays\">You can also drop the file here. This page reads it by itself: \
              nothing leaves your device.</p>\
              <p class=\"refusal\" id=\"{prefix}told\" role=\"alert\"></p>\
