@@ -14,6 +14,7 @@ use rotation_dynamics::attitude::{Attitude, EulerAngles, Sequence, YawPitchRoll}
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Work, ode, size_or};
 use rotation_dynamics::math::EPS;
 
+pub use pole::{passing, passing_angles};
 pub use rigid::{pushed, stretched};
 
 parameters! {

@@ -106,19 +106,22 @@ impl Gyroscope {
 
     /// Equation (6): its components on x, y, z, which are at right angles.
     pub fn nodal(&self) -> [f64; 3] {
-        let ((s, c), [phi, theta, zeta]) = (sincos(self.angles[1]), self.rates);
+        let ([_, tilt, _], [phi, theta, zeta]) = (self.angles, self.rates);
+        let (s, c) = sincos(tilt);
         [theta, phi * s, zeta + phi * c]
     }
 
     /// Its components on the axes 1, 2, 3 fixed in the rotor.
     pub fn on_body(&self) -> [f64; 3] {
-        let ([x, y, z], (s, c)) = (self.nodal(), sincos(self.angles[2]));
+        let ([x, y, z], [.., zeta]) = (self.nodal(), self.angles);
+        let (s, c) = sincos(zeta);
         [x * c + y * s, y * c - x * s, z]
     }
 
     /// What turns x, y, z themselves: all but the spin.
     pub fn of_triad(&self) -> SpaceVector {
-        self.but(|g| g.rates[2] = 0.0).angular_velocity()
+        let [phi, theta, _] = self.rates;
+        Self { rates: [phi, theta, 0.0], ..*self }.angular_velocity()
     }
 }
 

@@ -233,9 +233,6 @@ fn slowed(p: &Parameters, resistance: f64) -> Result<([f64; 2], Work)> {
 }
 
 fn road(p: &Parameters, report: &mut Report) -> Result<()> {
-    allowed! {
-        "shaft/radius": p.shaft / p.radius, from_to(1e-3, 1e3), "the spin or the turn about Z is lost beside the other";
-    }?;
     let (r, rate, bound) = (p.wheel_radius, p.wheel_rate.abs(), 100.0 * p.tolerance);
     let speed = rate * r;
     let ([distance, path], method) = (polygons(), Dop853::new(p.tolerance)?);
@@ -271,9 +268,9 @@ fn coins(p: &Parameters, report: &mut Report) -> Result<()> {
     let part = coin_rolled(1.0, theta.abs(), p.tolerance)?.end_time();
     let circuit = coin_rolled(1.0, TAU, p.tolerance)?;
     let (whole, path) = (circuit.end_time(), circuit.end_state()[5]);
-    // How fast a coin slides on its like at their contact, over Omega_orbit R, that is carried round
-    // at the rate 1 and spins at this rate against the line of centres: from where the point that
-    // touches is shortly before and after. It is linear in the spin.
+    // How fast a coin slides at its contact with its like, over Omega_orbit R, while it is carried
+    // round at the rate 1 and spins at this rate against the line of centres: from where the point
+    // that touches is shortly before and after. It is linear in the spin.
     let sliding = |spin| derivative(1e-3, |t| Ok(2.0 * sin(t) + sin(PI + (1.0 + spin) * t)));
     let (still, spun) = (sliding(0.0)?, sliding(1.0)?);
     claims! { report,
@@ -297,6 +294,9 @@ fn coins(p: &Parameters, report: &mut Report) -> Result<()> {
 
 fn cycle(p: &Parameters, report: &mut Report) -> Result<()> {
     let (rate, ratio, circuit) = (p.rate, p.shaft / p.radius, TAU / p.rate.abs());
+    allowed! {
+        "shaft/radius": ratio, from_to(1e-3, 1e3), "the spin or the turn about Z is lost beside the other";
+    }?;
     let (spin, net, sense) = (spin(p), rate.abs() * hypot(1.0, ratio), rate.signum());
     let rolling = |t| cycle_turned(p, spin, t);
     let (turning, h) = (measured(rolling, 1.0 / net)?, 1e-3 / net);

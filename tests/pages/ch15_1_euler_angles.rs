@@ -156,6 +156,17 @@ fn the_rates_of_the_angles() {
     assert_largest!(beside_twins(cases, 1e-10, 144), 144, @"4.81e-16");
 }
 
+/// The closed form of the passage, which the figure draws, is a steady turning about X all the way.
+#[test]
+fn the_passage_is_a_steady_turning() {
+    let mut errors = Errors::of("attitude");
+    for (e, t) in [(1e-6, -1.0), (1e-3, 1e-3), (0.5, 0.3), (0.01, 1.0)] {
+        let [phi, theta, zeta] = passing_angles(e, t);
+        errors.push(attitude(phi, theta, zeta).angle_to(&passing(e, t).unwrap()));
+    }
+    assert!(errors.largest() < 1e-15);
+}
+
 /// Two turns of a book: the formula for any angle; by half turns the order does not matter.
 #[test]
 fn the_order_of_two_turns() {
