@@ -1,8 +1,4 @@
 //! Section 15.3: the kinetic energy of a rigid body, its tensor of inertia, and its principal axes.
-//!
-//! ```text
-//! cargo run --example ch15_3_moment_of_inertia -- --height 0.3 --turn 0.5
-//! ```
 
 #[path = "ch15_3_moment_of_inertia/bodies.rs"]
 mod bodies;
@@ -13,15 +9,16 @@ mod solids;
 
 pub use bodies::*;
 use core::f64::consts::PI;
-use kit::{Report, Result, Table, Trajectory, short, times};
+use kit::prelude::*;
+use kit::short;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties, solids as uniform};
 use rotation_dynamics::integrators::{Dop853, Integrator, Work, ode, size_or};
-use rotation_dynamics::math::{EPS, acos, atan2, cos, hypot, sincos};
-pub use solids::points_of;
+use rotation_dynamics::math::EPS;
+pub use solids::compared;
 
-kit::parameters! {
+parameters! {
     /// The plate of the examples, a square unless told otherwise, and how four masses turn.
     pub struct Parameters {
         /// mass of the plate
@@ -43,24 +40,13 @@ kit::parameters! {
     }
 }
 
-impl Parameters {
-    /// How the four masses move: the velocity of the origin is the inventory's.
-    pub fn motion(&self) -> Rigid {
-        Rigid {
-            point: DesignVector::zero(),
-            velocity: REFERENCE,
-            angular_velocity: [self.omega_x, self.omega_y, self.omega_z].into(),
-        }
-    }
-}
-
 // ANCHOR: masses
 /// The four masses of the page.
-pub const FOUR: [(f64, [f64; 3]); 4] = [
-    (1.0, [0.1, 0.2, 0.3]),
-    (2.0, [-0.4, 0.5, 0.0]),
-    (1.5, [0.3, -0.2, 0.6]),
-    (0.5, [0.0, 0.7, -0.4]),
+pub const FOUR: [Mass; 4] = [
+    (1.0, DesignVector::new(0.1, 0.2, 0.3)),
+    (2.0, DesignVector::new(-0.4, 0.5, 0.0)),
+    (1.5, DesignVector::new(0.3, -0.2, 0.6)),
+    (0.5, DesignVector::new(0.0, 0.7, -0.4)),
 ];
 
 /// The velocity of their origin, m/s.
@@ -159,40 +145,21 @@ pub fn characteristic_roots(t: [[f64; 3]; 3]) -> [f64; 3] {
     [2.0, -2.0, 0.0].map(|turn| mean + 2.0 * size * cos(angle + turn * PI / 3.0))
 }
 
-/// Every number of the page.
-fn report(p: &Parameters) -> Result<Report> {
-    let about = "Four masses and a plate: energy, tensor of inertia, principal axes.";
-    let mut report = Report::new("Moment of inertia and kinetic energy", about)?;
-    energies(p, &mut report)?;
-    elements(p, &mut report)?;
-    principal(&mut report)?;
-    plate(p, &mut report)?;
-    limits(p, &mut report)?;
-    effects(p, &mut report)?;
-    solids::strip(p, &mut report)?;
-    for table in [references, fly, tries, solids::table] {
-        report.add(table(p)?)?;
-    }
-    Ok(report)
-}
-
 /// The energy of the four masses, term by term.
 fn energies(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (masses, motion) = (four(), p.motion());
-    let [x, y, z] = velocity(&motion, FOUR[0].1.into()).to_array();
-    let [dx, dy, dz] = displaced(&motion, FOUR[0].1.into())?.to_array();
-    let [first, rotation, third] = split(&masses, &motion);
-    let centre = centre_of_mass(&masses);
-    let [carried, about_centre, none] = split(&masses, &motion.seen_from(centre));
-    let total = kinetic_energy(&masses, &motion);
-    let omega = motion.angular_velocity;
-    let t = tensor(&masses);
-    let from_tensor = 0.5 * omega.dot(&on_vector(&t, omega));
-    let about = MassProperties::of_points(&masses)?.about_centre_of_mass();
+    let (place, omega) = (FOUR[0].1, turning(p));
+    let motion = Rigid { velocity: REFERENCE, ..about_origin(omega) };
+    let [x, y, z] = velocity(&motion, place).to_array();
+    let [dx, dy, dz] = displaced(&motion, place)?.to_array();
+    let [first, rotation, third] = split(&FOUR, &motion);
+    let centre = centre_of_mass(&FOUR);
+    let [carried, about_centre, none] = split(&FOUR, &motion.seen_from(centre));
+    let of_centre = MassProperties::of_points(&FOUR)?.about_centre_of_mass();
+    let of_origin = InertiaTensor::new(tensor(&FOUR))?;
     let (rest, moved) = (5.0 * REFERENCE.dot(&REFERENCE), velocity(&motion, centre));
     let size = 64.0 * EPS * (rest + 3.0 * omega.dot(&omega));
     let speed = 5e-13 * (1.0 + omega.norm());
-    kit::claims! { report,
+    claims! { report,
         /// velocity of the first mass along x
         v_x: x, "m/s", "two places of it" => dx, within speed, in "The first mass":
             x - 2.0 * (omega[1] * 0.3 - omega[2] * 0.2) => "Omega x r, not r x Omega";
@@ -201,7 +168,7 @@ fn energies(p: &Parameters, report: &mut Report) -> Result<()> {
         /// velocity of the first mass along z
         v_z: z, "m/s", "two places of it" => dz, within speed, in "The first mass";
         /// kinetic energy of the four masses
-        energy: first + rotation + third, "J", "their speeds" => total, within size, in "Energy of the four masses":
+        energy: first + rotation + third, "J", "their speeds" => kinetic_energy(&FOUR, &motion), within size, in "Energy of the four masses":
             first + rotation => "the third term is missing: the origin is neither the centre of mass nor at rest",
             rotation => "the origin moves as well";
         /// first term, with the origin for P
@@ -211,66 +178,57 @@ fn energies(p: &Parameters, report: &mut Report) -> Result<()> {
         /// energy of the four masses as one, at their centre of mass
         energy_cm: carried, "J", "M V_CM^2/2" => 2.5 * moved.dot(&moved), within size, in "Energy of the four masses";
         /// energy of their rotation about the centre of mass
-        rotation_cm: about_centre, "J", "tensor" => about.kinetic_energy(omega), within size, in "Energy of the four masses":
+        rotation_cm: about_centre, "J", "tensor" => of_centre.kinetic_energy(omega), within size, in "Energy of the four masses":
             rotation => "that is about the origin";
         /// third term, with the centre of mass for P
         term_3_cm: none, "J", "it vanishes" => 0.0, within size;
         /// energy of the same rotation with the origin at rest
-        energy_rotation: rotation, "J", "tensor" => from_tensor, within size, in "Energy of the four masses";
+        energy_rotation: rotation, "J", "tensor" => of_origin.kinetic_energy(omega), within size, in "Energy of the four masses";
     }
 }
 
-/// The tensor of the four masses about the origin, here and on turned axes.
+/// How fast the four masses turn.
+fn turning(p: &Parameters) -> DesignVector {
+    [p.omega_x, p.omega_y, p.omega_z].into()
+}
+
+/// The tensor of the four masses about the origin, here, on turned axes, and on its principal axes.
 fn elements(_: &Parameters, report: &mut Report) -> Result<()> {
-    let masses = four();
-    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = tensor(&masses);
-    let energy = |axis: [f64; 3]| turning_energy(&masses, axis.into());
+    let t = tensor(&FOUR);
+    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = t;
+    let energy = |axis: [f64; 3]| kinetic_energy(&FOUR, &about_origin(axis.into()));
     let [ex, ey, ez] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(energy);
     let [exy, exz, eyz] = [[1.0, 1.0, 0.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]].map(energy);
-    let turned = on_axes(&tensor(&masses), &askew()?);
-    let again = tensor(&turned_masses(&masses, &askew()?))[0][0];
-    let (size, two) = (16.0 * EPS, "energies at 1 rad/s");
-    kit::claims! { report,
-        /// I_xx of the four masses about the origin
-        i_xx: xx, "kg m^2", two => 2.0 * ex, within size, in "Tensor of the four masses";
-        /// I_yy
-        i_yy: yy, "kg m^2", two => 2.0 * ey, within size, in "Tensor of the four masses";
-        /// I_zz
-        i_zz: zz, "kg m^2", two => 2.0 * ez, within size, in "Tensor of the four masses";
-        /// I_xy
-        i_xy: xy, "kg m^2", two => exy - ex - ey, within size, in "Tensor of the four masses":
-            -xy => "products of inertia carry a minus sign";
-        /// I_xz
-        i_xz: xz, "kg m^2", two => exz - ex - ez, within size, in "Tensor of the four masses":
-            -xz => "products of inertia carry a minus sign";
-        /// I_yz
-        i_yz: yz, "kg m^2", two => eyz - ey - ez, within size, in "Tensor of the four masses":
-            -yz => "products of inertia carry a minus sign";
-        /// I_xx on axes turned by the Euler angles 0.3, 0.7, -0.4
-        i_xx_turned: turned[0][0], "kg m^2", "places on those axes" => again, within size;
-    }
-}
-
-/// The axes on which the tensor law is shown.
-pub fn askew() -> rotation_dynamics::Result<Attitude> {
-    let (phi, theta, zeta) = (0.3, 0.7, -0.4);
-    Attitude::from_euler(EulerAngles { phi, theta, zeta })
-}
-
-/// Principal moments of the four masses about the origin.
-fn principal(report: &mut Report) -> Result<()> {
-    let t = tensor(&four());
+    let askew = Attitude::from_euler(EulerAngles { phi: 0.3, theta: 0.7, zeta: -0.4 })?;
+    let again = tensor(&turned_masses(&FOUR, &askew))[0][0];
     let [one, two, three] = InertiaTensor::new(t)?.principal_axes().moments();
     let [low, middle, high] = characteristic_roots(t);
-    let (size, roots) = (32.0 * EPS, "roots of det(I - x 1)");
-    kit::claims! { report,
+    let (size, loose, roots) = (16.0 * EPS, 32.0 * EPS, "roots of det(I - x 1)");
+    claims! { report,
+        /// I_xx of the four masses about the origin
+        i_xx: xx, "kg m^2", "energies at 1 rad/s" => 2.0 * ex, within size, in "Tensor of the four masses";
+        /// I_yy
+        i_yy: yy, "kg m^2", "energies at 1 rad/s" => 2.0 * ey, within size, in "Tensor of the four masses";
+        /// I_zz
+        i_zz: zz, "kg m^2", "energies at 1 rad/s" => 2.0 * ez, within size, in "Tensor of the four masses";
+        /// I_xy
+        i_xy: xy, "kg m^2", "energies at 1 rad/s" => exy - ex - ey, within size, in "Tensor of the four masses":
+            -xy => "products of inertia carry a minus sign";
+        /// I_xz
+        i_xz: xz, "kg m^2", "energies at 1 rad/s" => exz - ex - ez, within size, in "Tensor of the four masses":
+            -xz => "products of inertia carry a minus sign";
+        /// I_yz
+        i_yz: yz, "kg m^2", "energies at 1 rad/s" => eyz - ey - ez, within size, in "Tensor of the four masses":
+            -yz => "products of inertia carry a minus sign";
+        /// I_xx on axes turned by the Euler angles 0.3, 0.7, -0.4
+        i_xx_turned: on_axes(&t, &askew)[0][0], "kg m^2", "places on those axes" => again, within size;
         /// smallest principal moment of the four masses about the origin
-        i_1: one, "kg m^2", roots => low, within size, in "Principal moments of the four masses":
-            t[1][1] => "that is I_yy; the axes are not principal";
+        i_1: one, "kg m^2", roots => low, within loose, in "Principal moments of the four masses":
+            yy => "that is I_yy; the axes are not principal";
         /// the middle one
-        i_2: two, "kg m^2", roots => middle, within size, in "Principal moments of the four masses";
+        i_2: two, "kg m^2", roots => middle, within loose, in "Principal moments of the four masses";
         /// the largest
-        i_3: three, "kg m^2", roots => high, within size, in "Principal moments of the four masses";
+        i_3: three, "kg m^2", roots => high, within loose, in "Principal moments of the four masses";
     }
 }
 
@@ -281,15 +239,16 @@ fn plate(p: &Parameters, report: &mut Report) -> Result<()> {
     let [txx, _, txy] = turned([xx, yy, xy], turn);
     let [cxx, cyy, cxy] = about_corner(m, a, b);
     let [small, large, angle] = corner_axes(m, a, b);
-    let at = |x, y| plate_points(m, [a, b], [x, y]);
-    let (centre, corner) = (tensor(&at(0.0, 0.0)), tensor(&at(0.5 * a, 0.5 * b)));
+    let at_centre = plate_points(m, [a, b], [0.0, 0.0]);
+    let at_corner = plate_points(m, [a, b], [0.5 * a, 0.5 * b]);
+    let (centre, corner) = (tensor(&at_centre), tensor(&at_corner));
     let on = |angle| Attitude::about_space_axis([0.0, 0.0, 1.0].into(), angle);
-    let across = tensor(&turned_masses(&at(0.0, 0.0), &on(turn)?));
-    let diagonal = tensor(&turned_masses(&at(0.5 * a, 0.5 * b), &on(angle)?));
+    let across = tensor(&turned_masses(&at_centre, &on(turn)?));
+    let diagonal = tensor(&turned_masses(&at_corner, &on(angle)?));
     let uniform = uniform::plate(m, a, b)?;
     let stepped = uniform.about([-0.5 * a, -0.5 * b, 0.0].into())?.matrix()[2][2];
     let (size, sums) = (32.0 * EPS * m * (a * a + b * b), "four points");
-    kit::claims! { report,
+    claims! { report,
         /// I_xx of the plate about its centre
         centre_xx: xx, "kg m^2", sums => centre[0][0], within size, in "Plate about its centre":
             cxx => "that is about an edge";
@@ -327,16 +286,15 @@ fn plate(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (t, masses) = (tensor(&four()), four());
-    let trace = t[0][0] + t[1][1] + t[2][2];
-    let spread: f64 = masses.iter().map(|(m, r)| 2.0 * m * r.dot(r)).sum();
+    let trace: f64 = (0..3).map(|i| tensor(&FOUR)[i][i]).sum();
+    let spread: f64 = FOUR.iter().map(|(m, r)| 2.0 * m * r.dot(r)).sum();
     let [strip, ..] = corner_axes(1.0, 1.0, 1e-6);
-    let far = uniform::plate(p.mass, p.width, p.height)?;
     let away = 1e9 * hypot(p.width, p.height);
+    let far = uniform::plate(p.mass, p.width, p.height)?;
     let far = far.about([away, 0.0, 0.0].into())?.matrix()[2][2];
     let [round, _, hoop] = diagonal(&uniform::torus(1.0, 1.0, 1e-9)?);
     let [ball, ..] = diagonal(&uniform::ellipsoid(1.0, 1.0, 1.0, 1.0)?);
-    kit::limits! { report,
+    limits! { report,
         /// each mass is counted by two of the three distances from the axes
         "four masses: trace of I over the sum of 2 m r^2": trace / spread => 1.0, within 4.0 * EPS;
         /// half a turn of the axes brings back the same
@@ -356,7 +314,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 /// The moments of a solid about its centre of mass.
-pub fn diagonal(solid: &MassProperties) -> [f64; 3] {
+fn diagonal(solid: &MassProperties) -> [f64; 3] {
     let t = solid.about_centre_of_mass().matrix();
     [t[0][0], t[1][1], t[2][2]]
 }
@@ -378,44 +336,36 @@ pub fn yielded(number: f64) -> Result<(f64, Work)> {
 
 /// What a plate of aluminium in air (2700 kg/m^3, 70 GPa, 23e-6/K) has besides.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (m, a, b) = (p.mass, p.width, p.height);
-    let omega = p.motion().angular_velocity.norm();
+    let (m, a, b, omega) = (p.mass, p.width, p.height, turning(p).norm());
     let thickness = m / (a * b) / 2700.0;
     let (flat, air) = (thickness / b, 3.0 * PI * 1.204 * a * b * b / (32.0 * m));
     let (grown, stretch) = (23e-6 * 10.0, 2700.0 * (omega * b) * (omega * b) / 3.5e11);
     // The library's solids, over the flat plate.
-    let moment = |solid: rotation_dynamics::Result<MassProperties>| {
-        Ok::<_, rotation_dynamics::Error>(diagonal(&solid?)[0])
-    };
-    let plain = moment(uniform::plate(m, a, b))?;
-    let thick = moment(uniform::cuboid(m, a, b, thickness))? / plain - 1.0;
-    let warm = moment(uniform::plate(m, a * (1.0 + grown), b * (1.0 + grown)))? / plain - 1.0;
-    let yields = if stretch < 0.1 { Some(yielded(stretch)?) } else { None };
-    let cost = yields.map_or(0, |(_, work)| work.derivatives);
-    kit::effect_card! { report,
+    let [plain, ..] = diagonal(&uniform::plate(m, a, b)?);
+    let [thick, ..] = diagonal(&uniform::cuboid(m, a, b, thickness)?);
+    let [warm, ..] = diagonal(&uniform::plate(m, a * (1.0 + grown), b * (1.0 + grown))?);
+    let yields = when(stretch < 0.1, || yielded(stretch))?;
+    effect_card! { report,
         "air that turns with the plate, at most": "3 pi rho b^2 a/(32 M)" = air, costs air, "of I_xx";
         "warmer by ten kelvin": "2 alpha (T - T_0)" = 2.0 * grown, costs 2.0 * grown, "of I_xx, to first order",
-            measured warm, within 4.0 * EPS, at_cost "closed form, closed form";
+            measured warm / plain - 1.0, within 4.0 * EPS, at_cost "closed form, closed form";
         "thickness of aluminium": "h^2/b^2" = flat * flat, costs flat * flat, "of I_xx",
-            measured thick, within 4.0 * EPS, at_cost "closed form, closed form";
+            measured thick / plain - 1.0, within 4.0 * EPS, at_cost "closed form, closed form";
         "stretch by the turning": "rho_p Omega^2 b^2/(5 E)" = stretch, costs stretch, "of I_xx, to first order",
-            measured yields.map(|(part, _)| part * stretch), at_cost format!("closed form, {cost} derivatives");
+            measured yields.map(|(part, _)| part * stretch), at_work yields.map(|(_, work)| work);
     }
 }
 
 /// A rolling wheel's energy, over M V^2, with several points of it for P.
-fn references(_: &Parameters) -> Result<Table> {
-    let columns = "P, M V_P^2/2, rotation about P, third term, sum";
-    let mut table = Table::new("references", columns.split(", "))?;
-    for (name, at) in WHEEL_POINTS {
-        let terms = split(&wheel(), &rolling().seen_from(at.into()));
-        let sum = terms.iter().sum();
+fn references(_: &Parameters, report: &mut Report) -> Result<()> {
+    let columns = "P, M V_P^2/2, rotation about P, third term, sum".split(", ");
+    report.add(Table::of("references", columns, WHEEL_POINTS, |(name, at)| {
+        let [carried, rotation, third] = split(&wheel(), &rolling().seen_from(at.into()));
         // Rounding leaves a zero with a sign.
         let shown = |x: f64| format!("{:.2}", if x.abs() < 1e-12 { 0.0 } else { x });
-        let numbers = [terms[0], terms[1], terms[2], sum].map(shown);
-        table.push([name.to_owned()].into_iter().chain(numbers))?;
-    }
-    Ok(table)
+        let numbers = [carried, rotation, third, carried + rotation + third].map(shown);
+        Ok([name.to_owned()].into_iter().chain(numbers))
+    })?)
 }
 
 /// A number to the digits that matter; what is below `size` is zero.
@@ -424,62 +374,45 @@ fn rounded(x: f64, size: f64) -> String {
 }
 
 /// The square about its centre with a fly on one corner: where its first axis lies.
-fn fly(p: &Parameters) -> Result<Table> {
-    let columns = "fly / kg, first axis / rad, I_2 - I_1";
-    let mut table = Table::new("fly", columns.split(", "))?;
-    for fly in [0.0, 1e-6, 1e-3, 0.1] {
+fn fly(p: &Parameters, report: &mut Report) -> Result<()> {
+    let columns = "fly / kg, first axis / rad, I_2 - I_1".split(", ");
+    report.add(Table::of("fly", columns, [0.0, 1e-6, 1e-3, 0.1], |fly| {
         let [angle, apart] = with_fly(p, fly)?;
-        let cells = [rounded(angle, 1e-12), rounded(apart, 1e-15)];
         let mass = if fly == 0.0 { "none".into() } else { short(fly, 3) };
-        table.push([mass].into_iter().chain(cells))?;
-    }
-    Ok(table)
-}
-
-/// The plates that the page asks about.
-fn tries(p: &Parameters) -> Result<Table> {
-    let columns = "plate / m, I_xx, I_xx turned, product turned, first axis / rad";
-    let mut table = Table::new("try", columns.split(", "))?;
-    for part in [1.0, 0.75, 0.1] {
-        let (a, b) = (p.width, part * p.height);
-        let plane = about_centre(p.mass, a, b);
-        let [xx, _, xy] = turned(plane, p.turn);
-        let [.., angle] = corner_axes(p.mass, a, b);
-        let numbers = [plane[0], xx, xy, angle].map(|x| rounded(x, 1e-15));
-        let name = format!("{} by {}", short(a, 3), short(b, 3));
-        table.push([name].into_iter().chain(numbers))?;
-    }
-    Ok(table)
+        Ok([mass, rounded(angle, 1e-12), rounded(apart, 1e-15)])
+    })?)
 }
 
 /// With a fly of this mass at (a/2, b/2): the angle of the first principal axis about the common
 /// centre of mass, and by how much the next moment is larger than the smallest.
 pub fn with_fly(p: &Parameters, fly: f64) -> Result<[f64; 2]> {
     let plate = uniform::plate(p.mass, p.width, p.height)?;
-    let place = DesignVector::new(0.5 * p.width, 0.5 * p.height, 0.0);
-    let mut parts = vec![plate];
-    if fly > 0.0 {
-        parts.push(MassProperties::of_points(&[(fly, place)])?);
-    }
-    let axes = MassProperties::of_parts(&parts)?.about_centre_of_mass().principal_axes();
-    let ([first, ..], moments) = (axes.axes(), axes.moments());
-    let angle = atan2(first.y() * first.x().signum(), first.x().abs());
-    Ok([angle, moments[1] - moments[0]])
+    let corner = DesignVector::new(0.5 * p.width, 0.5 * p.height, 0.0);
+    let both = match fly > 0.0 {
+        true => MassProperties::of_parts(&[plate, MassProperties::of_points(&[(fly, corner)])?])?,
+        false => plate,
+    };
+    let axes = both.about_centre_of_mass().principal_axes();
+    let ([first, ..], [one, two, _]) = (axes.axes(), axes.moments());
+    Ok([atan2(first.y() * first.x().signum(), first.x().abs()), two - one])
 }
 
-/// Moments and product of the plate against the angle of its axes.
-fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let centre = about_centre(p.mass, p.width, p.height);
-    let corner = about_corner(p.mass, p.width, p.height);
-    let columns = "angle [rad], centre I_xx [kg m^2], centre I_xy [kg m^2], corner I_xx [kg m^2], \
-                   corner I_xy [kg m^2]";
-    Trajectory::sampled(columns.split(", "), times(0.0, PI, 180), |angle| {
-        let ([a, _, b], [c, _, d]) = (turned(centre, angle), turned(corner, angle));
-        Ok([angle, a, b, c, d])
-    })
+/// The plates that the page asks about.
+fn tries(p: &Parameters, report: &mut Report) -> Result<()> {
+    let columns = "plate / m, I_xx, I_xx turned, product turned, first axis / rad".split(", ");
+    report.add(Table::of("try", columns, [1.0, 0.75, 0.1], |part| {
+        let (a, b) = (p.width, part * p.height);
+        let plane = about_centre(p.mass, a, b);
+        let [xx, _, xy] = turned(plane, p.turn);
+        let [.., angle] = corner_axes(p.mass, a, b);
+        let numbers = [plane[0], xx, xy, angle].map(|x| rounded(x, 1e-15));
+        Ok([format!("{} by {}", short(a, 3), short(b, 3))].into_iter().chain(numbers))
+    })?)
 }
 
-kit::example! {
+example! {
     ch15_3_moment_of_inertia: "Section 15.3: kinetic energy, tensor of inertia, principal axes";
-    report, figures::figures, trajectory, figures::moving_picture
+    "Moment of inertia and kinetic energy", "Four masses and a plate: energy, tensor of inertia, principal axes.",
+    [energies, elements, plate, limits, effects, solids::strip, references, fly, tries, solids::table];
+    figures::figures, figures::trajectory, figures::moving_picture
 }

@@ -1,51 +1,38 @@
 //! Uniform solids, each against point masses that stand for it; a torus in slices.
 
-use super::{Parameters, diagonal, uniform};
+use super::{Mass, Parameters, diagonal, uniform, whole};
 use core::f64::consts::{FRAC_PI_2, TAU};
-use kit::{ClosedForm, Computation, Price, Report, Result, Table, claim};
+use kit::prelude::*;
 use rotation_dynamics::Error;
-use rotation_dynamics::frame::DesignVector;
+use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::inertia::MassProperties;
-use rotation_dynamics::math::{EPS, sincos, sort_by_number};
+use rotation_dynamics::math::EPS;
 
-/// How a coordinate runs through a solid: from 0 to 1, once round, or not at all.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Over {
-    Line,
-    Turn,
-    Nothing,
+/// Values of a coordinate and their weights.
+type Nodes = Vec<(f64, f64)>;
+
+/// A coordinate that runs from 0 to 1: Gauss's rule with four points.
+fn line() -> Nodes {
+    let pair = |x: f64, w: f64| [(0.5 - 0.5 * x, 0.5 * w), (0.5 + 0.5 * x, 0.5 * w)];
+    let outer = pair(0.861_136_311_594_052_6, 0.347_854_845_137_453_85);
+    [outer, pair(0.339_981_043_584_856_26, 0.652_145_154_862_546_2)].concat()
 }
-use Over::{Line, Nothing, Turn};
 
-impl Over {
-    /// Nodes and weights: Gauss's rule with four points; eight equal angles.
-    fn rule(self) -> Vec<(f64, f64)> {
-        const GAUSS: [(f64, f64); 2] = [
-            (0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
-            (0.339_981_043_584_856_26, 0.652_145_154_862_546_2),
-        ];
-        match self {
-            Line => GAUSS
-                .iter()
-                .flat_map(|(x, w)| [(0.5 - 0.5 * x, 0.5 * w), (0.5 + 0.5 * x, 0.5 * w)])
-                .collect(),
-            Turn => (0..8).map(|i| (TAU * f64::from(i) / 8.0, 0.125)).collect(),
-            Nothing => vec![(0.0, 1.0)],
-        }
-    }
+/// One that runs once round: eight equal angles.
+fn turn() -> Nodes {
+    (0..8).map(|i| (TAU * f64::from(i) / 8.0, 0.125)).collect()
+}
+
+/// One that the solid does not need.
+fn none() -> Nodes {
+    vec![(0.0, 1.0)]
 }
 
 /// What a solid has at the coordinates (u, v, w): its volume element, up to a factor, and the place.
 type Element = fn([f64; 3]) -> (f64, [f64; 3]);
 
-/// A solid of the table: its name, its moments as formulas, the library's, its coordinates.
-struct Row {
-    name: &'static str,
-    formulas: [&'static str; 3],
-    solid: rotation_dynamics::Result<MassProperties>,
-    over: [Over; 3],
-    element: Element,
-}
+/// A solid of the table: its name, its moments as formulas, the library's, and its coordinates.
+struct Row(&'static str, [&'static str; 3], MassProperties, [fn() -> Nodes; 3], Element);
 
 /// A place given by the distance from the third axis, the angle about it, and the height.
 fn round(radius: f64, angle: f64, height: f64) -> [f64; 3] {
@@ -53,139 +40,126 @@ fn round(radius: f64, angle: f64, height: f64) -> [f64; 3] {
     [radius * c, radius * s, height]
 }
 
-/// A place on the unit sphere.
+/// A place on the unit sphere, by its height from 0 to 1 and the angle about the third axis.
 fn direction(height: f64, angle: f64) -> [f64; 3] {
-    round(((1.0 - height) * (1.0 + height)).sqrt(), angle, height)
+    let z = 2.0 * height - 1.0;
+    round(((1.0 - z) * (1.0 + z)).sqrt(), angle, z)
 }
 
-/// Point masses that have the moments of a solid of mass 1.
-fn points(row: &Row) -> Vec<(f64, DesignVector)> {
-    let [us, vs, ws] = row.over.map(Over::rule);
-    let mut points = Vec::new();
-    for (u, a) in &us {
-        for (v, b) in &vs {
-            for (w, c) in &ws {
-                let (volume, place) = (row.element)([*u, *v, *w]);
-                points.push((a * b * c * volume, place.into()));
-            }
-        }
-    }
-    let mass: f64 = points.iter().map(|(m, _)| m).sum();
-    points.into_iter().map(|(m, place)| (m / mass, place)).collect()
-}
-
-/// Radius, inner radius and length; semi-axes or edges; radius of the tube.
+/// Radius, inner radius, and length or height; semi-axes or edges; radius of the tube.
 const R: f64 = 0.5;
 const INNER: f64 = 0.3;
 const L: f64 = 1.2;
-const AXES: [f64; 3] = [0.4, 0.7, 0.9];
+const A: f64 = 0.4;
+const B: f64 = 0.7;
+const C: f64 = 0.9;
 const TUBE: f64 = 0.2;
 
 #[rustfmt::skip]
-fn rows() -> [Row; 12] {
-    let [a, b, c] = AXES;
-    let row = |name, formulas, solid, over, element| Row { name, formulas, solid, over, element };
+fn rows() -> Result<[Row; 12]> {
     let rod = "M l^2/12";
     let same = |formula| [formula, formula, formula];
-    [
-        row("rod", [rod, rod, "0"], uniform::rod(1.0, L), [Line, Nothing, Nothing],
+    Ok([
+        Row("rod", [rod, rod, "0"], uniform::rod(1.0, L)?, [line, none, none],
             |[u, ..]| (1.0, [0.0, 0.0, L * u])),
-        row("hoop", ["M r^2/2", "M r^2/2", "M r^2"], uniform::hoop(1.0, R), [Nothing, Turn, Nothing],
+        Row("hoop", ["M r^2/2", "M r^2/2", "M r^2"], uniform::hoop(1.0, R)?, [none, turn, none],
             |[_, v, _]| (1.0, round(R, v, 0.0))),
-        row("disc", ["M r^2/4", "M r^2/4", "M r^2/2"], uniform::disc(1.0, R), [Line, Turn, Nothing],
+        Row("disc", ["M r^2/4", "M r^2/4", "M r^2/2"], uniform::disc(1.0, R)?, [line, turn, none],
             |[u, v, _]| (u, round(R * u, v, 0.0))),
-        row("plate", ["M b^2/12", "M a^2/12", "M (a^2 + b^2)/12"], uniform::plate(1.0, a, b), [Line, Line, Nothing],
-            |[u, v, _]| (1.0, [AXES[0] * u, AXES[1] * v, 0.0])),
-        row("cuboid", ["M (b^2 + c^2)/12", "M (a^2 + c^2)/12", "M (a^2 + b^2)/12"], uniform::cuboid(1.0, a, b, c),
-            [Line, Line, Line], |[u, v, w]| (1.0, [AXES[0] * u, AXES[1] * v, AXES[2] * w])),
-        row("cylinder", ["M (r^2/4 + l^2/12)", "M (r^2/4 + l^2/12)", "M r^2/2"], uniform::cylinder(1.0, R, L),
-            [Line, Turn, Line], |[u, v, w]| (u, round(R * u, v, L * w))),
-        row("tube, inner radius b", ["M ((r^2 + b^2)/4 + l^2/12)", "M ((r^2 + b^2)/4 + l^2/12)", "M (r^2 + b^2)/2"],
-            uniform::hollow_cylinder(1.0, INNER, R, L), [Line, Turn, Line],
+        Row("plate", ["M b^2/12", "M a^2/12", "M (a^2 + b^2)/12"], uniform::plate(1.0, A, B)?, [line, line, none],
+            |[u, v, _]| (1.0, [A * u, B * v, 0.0])),
+        Row("cuboid", ["M (b^2 + c^2)/12", "M (a^2 + c^2)/12", "M (a^2 + b^2)/12"], uniform::cuboid(1.0, A, B, C)?,
+            [line, line, line], |[u, v, w]| (1.0, [A * u, B * v, C * w])),
+        Row("cylinder", ["M (r^2/4 + l^2/12)", "M (r^2/4 + l^2/12)", "M r^2/2"], uniform::cylinder(1.0, R, L)?,
+            [line, turn, line], |[u, v, w]| (u, round(R * u, v, L * w))),
+        Row("tube, inner radius b", ["M ((r^2 + b^2)/4 + l^2/12)", "M ((r^2 + b^2)/4 + l^2/12)", "M (r^2 + b^2)/2"],
+            uniform::hollow_cylinder(1.0, INNER, R, L)?, [line, turn, line],
             |[u, v, w]| {
                 let radius = INNER + (R - INNER) * u;
                 (radius, round(radius, v, L * w))
             }),
-        row("cone", ["M (12 r^2 + 3 h^2)/80", "M (12 r^2 + 3 h^2)/80", "M (3 r^2/10)"], uniform::cone(1.0, R, L),
-            [Line, Turn, Line], |[u, v, w]| (u * w * w, round(R * u * w, v, L * w))),
-        row("sphere", same("M (2 r^2/5)"), uniform::sphere(1.0, R), [Line, Turn, Line],
-            |[u, v, w]| (u * u, direction(2.0 * w - 1.0, v).map(|x| R * u * x))),
-        row("spherical shell", same("M (2 r^2/3)"), uniform::spherical_shell(1.0, R), [Nothing, Turn, Line],
-            |[_, v, w]| (1.0, direction(2.0 * w - 1.0, v).map(|x| R * x))),
-        row("ellipsoid", ["M (b^2 + c^2)/5", "M (a^2 + c^2)/5", "M (a^2 + b^2)/5"], uniform::ellipsoid(1.0, a, b, c),
-            [Line, Turn, Line], |[u, v, w]| {
-                let [x, y, z] = direction(2.0 * w - 1.0, v).map(|x| u * x);
-                (u * u, [AXES[0] * x, AXES[1] * y, AXES[2] * z])
+        Row("cone", ["M (12 r^2 + 3 h^2)/80", "M (12 r^2 + 3 h^2)/80", "M (3 r^2/10)"], uniform::cone(1.0, R, L)?,
+            [line, turn, line], |[u, v, w]| (u * w * w, round(R * u * w, v, L * w))),
+        Row("sphere", same("M (2 r^2/5)"), uniform::sphere(1.0, R)?, [line, turn, line],
+            |[u, v, w]| (u * u, direction(w, v).map(|x| R * u * x))),
+        Row("spherical shell", same("M (2 r^2/3)"), uniform::spherical_shell(1.0, R)?, [none, turn, line],
+            |[_, v, w]| (1.0, direction(w, v).map(|x| R * x))),
+        Row("ellipsoid", ["M (b^2 + c^2)/5", "M (a^2 + c^2)/5", "M (a^2 + b^2)/5"], uniform::ellipsoid(1.0, A, B, C)?,
+            [line, turn, line], |[u, v, w]| {
+                let [x, y, z] = direction(w, v).map(|x| u * x);
+                (u * u, [A * x, B * y, C * z])
             }),
-        row("torus, tube of radius b", ["M (r^2/2 + 5 b^2/8)", "M (r^2/2 + 5 b^2/8)", "M (r^2 + 3 b^2/4)"],
-            uniform::torus(1.0, R, TUBE), [Line, Turn, Turn], |[u, v, w]| {
+        Row("torus, tube of radius b", ["M (r^2/2 + 5 b^2/8)", "M (r^2/2 + 5 b^2/8)", "M (r^2 + 3 b^2/4)"],
+            uniform::torus(1.0, R, TUBE)?, [line, turn, turn], |[u, v, w]| {
                 let (s, c) = sincos(w);
                 let radius = R + TUBE * u * c;
                 (u * radius, round(radius, v, TUBE * u * s))
             }),
-    ]
+    ])
 }
 
-/// By how much the moments of the points differ from the solid's, over its largest, and their
-/// number; the solid's moments damaged by a relative amount.
-fn difference(row: &Row, damage: f64) -> Result<(f64, usize)> {
-    let points = points(row);
-    let sums = MassProperties::of_points(&points)?.about_centre_of_mass().matrix();
-    let solid = row.solid.clone()?.about_centre_of_mass().matrix();
-    let mut off = 0.0_f64;
-    for i in 0..3 {
-        for j in 0..3 {
-            let error = (sums[i][j] - solid[i][j] * (1.0 + damage)).abs();
-            off = if error > off || error.is_nan() { error } else { off };
+/// Point masses that have the moments of a solid of mass 1.
+fn points(Row(_, _, _, over, element): &Row) -> Vec<Mass> {
+    let [us, vs, ws] = over.map(|nodes| nodes());
+    let mut points = Vec::new();
+    for (u, a) in &us {
+        for (v, b) in &vs {
+            for (w, c) in &ws {
+                let (volume, place) = element([*u, *v, *w]);
+                points.push((a * b * c * volume, place.into()));
+            }
         }
     }
-    Ok((off / diagonal(row.solid.as_ref().map_err(Clone::clone)?)[0], points.len()))
+    let mass = whole(&points);
+    points.into_iter().map(|(m, place)| (m / mass, place)).collect()
 }
 
-/// For the tests: each solid's name and how far its points are off.
-pub fn points_of(damage: f64) -> Result<Vec<(&'static str, f64)>> {
-    rows().iter().map(|row| Ok((row.name, difference(row, damage)?.0))).collect()
+/// Each solid's name and formulas, how many points stand for it, and by how much their moments
+/// differ from the solid's, over its first; those of the solid are off by the part `damage`.
+pub fn compared(damage: f64) -> Result<Vec<(&'static str, [&'static str; 3], usize, f64)>> {
+    let of = |row: Row| {
+        let points = points(&row);
+        let Row(name, formulas, solid, ..) = row;
+        let sums = MassProperties::of_points(&points)?.about_centre_of_mass().matrix();
+        let moments = solid.about_centre_of_mass().matrix();
+        let pairs = sums.as_flattened().iter().zip(moments.as_flattened());
+        let off = largest(pairs.map(|(sum, moment)| sum - moment * (1.0 + damage)));
+        Ok((name, formulas, points.len(), off / diagonal(&solid)[0]))
+    };
+    rows()?.into_iter().map(of).collect()
 }
 
 /// The solids of the library, their moments, and how far the points are off.
-pub fn table(_: &Parameters) -> Result<Table> {
-    let mut table = Table::new("solids", ["solid", "I_1", "I_2", "I_3", "points", "off by / eps"])?;
-    for row in rows() {
-        let (off, count) = difference(&row, 0.0)?;
-        let [one, two, three] = row.formulas.map(String::from);
-        table.push([
-            row.name.into(),
-            one,
-            two,
-            three,
-            count.to_string(),
-            format!("{:.1}", off / EPS),
-        ])?;
-    }
-    Ok(table)
+pub fn table(_: &Parameters, report: &mut Report) -> Result<()> {
+    let columns = ["solid", "I_1", "I_2", "I_3", "points", "off by / eps"];
+    let row = |(name, [one, two, three], count, off): (&str, [&str; 3], usize, f64)| {
+        let (count, off) = (count.to_string(), format!("{:.1}", off / EPS));
+        Ok([name.into(), one.into(), two.into(), three.into(), count, off])
+    };
+    report.add(Table::of("solids", columns, compared(0.0)?, row)?)
 }
 
-/// I_3/(M R^2) of a torus with the tube s R, from `n` slices of equal thickness across its axis.
-fn equal_slices(s: f64, n: u32) -> f64 {
-    sliced(n, |u| {
-        let height = 2.0 * u - 1.0;
-        let half = s * ((1.0 - height) * (1.0 + height)).sqrt();
-        (half, half)
-    })
+/// How a torus with the tube TUBE/R is cut, its radius 1: at the part u of the way through, half
+/// the width of the slice and its weight.
+type Slice = fn(f64) -> (f64, f64);
+
+/// In slices of equal thickness across its axis.
+fn equal_thickness(u: f64) -> (f64, f64) {
+    let height = 2.0 * u - 1.0;
+    let half = TUBE / R * ((1.0 - height) * (1.0 + height)).sqrt();
+    (half, half)
 }
 
-/// The same from slices at equal steps of the angle in the tube's section.
-fn equal_angles(s: f64, n: u32) -> f64 {
-    sliced(n, |u| {
-        let (_, c) = sincos(FRAC_PI_2 * (2.0 * u - 1.0));
-        // A slice is the thinner the nearer to top and bottom.
-        (s * c, s * c * c)
-    })
+/// At equal steps of the angle in the tube's section.
+fn equal_angles(u: f64) -> (f64, f64) {
+    let c = cos(FRAC_PI_2 * (2.0 * u - 1.0));
+    // A slice is the thinner the nearer to top and bottom.
+    (TUBE / R * c, TUBE / R * c * c)
 }
 
-/// The mean of 1 + h^2, half the width h and weight of each of `n` slices by `slice`: a washer
-/// from 1 - h to 1 + h has the mean square radius ((1 - h)^2 + (1 + h)^2)/2.
-fn sliced(n: u32, slice: impl Fn(f64) -> (f64, f64)) -> f64 {
+/// I_3/(M R^2) from `n` slices, the mean of 1 + h^2 with half the width h: a washer from 1 - h to
+/// 1 + h has the mean square radius ((1 - h)^2 + (1 + h)^2)/2.
+fn sliced(n: u32, slice: Slice) -> f64 {
     let (mut weights, mut sum) = (0.0, 0.0);
     for i in 0..n {
         let (half, weight) = slice((f64::from(i) + 0.5) / f64::from(n));
@@ -195,20 +169,16 @@ fn sliced(n: u32, slice: impl Fn(f64) -> (f64, f64)) -> f64 {
     1.0 + sum / weights
 }
 
-/// A way of cutting: the thickness of the tube, and the number of slices.
-type Rule = fn(f64, u32) -> f64;
-
 /// More slices would take a second.
 const MOST: u32 = 1 << 22;
 
 /// Doubles the slices until they agree with half as many; the value, and all slices cut.
-fn agreed(rule: Rule, tolerance: f64) -> rotation_dynamics::Result<(f64, u32)> {
-    let (mut n, mut all) = (4, 4);
-    let mut last = rule(TUBE / R, n);
+fn agreed(slice: Slice, tolerance: f64) -> rotation_dynamics::Result<(f64, u32)> {
+    let (mut n, mut all, mut last) = (4, 4, sliced(4, slice));
     loop {
         n *= 2;
         all += n;
-        let next = rule(TUBE / R, n);
+        let next = sliced(n, slice);
         let reached = (next / last - 1.0).abs();
         if reached <= tolerance {
             return Ok((next, all));
@@ -224,39 +194,23 @@ fn agreed(rule: Rule, tolerance: f64) -> rotation_dynamics::Result<(f64, u32)> {
     }
 }
 
+fn slices((_, count): &(f64, u32)) -> String {
+    format!("{count} slices")
+}
+
 /// What accuracy costs: a torus cut in two ways.
 pub fn strip(p: &Parameters, report: &mut Report) -> Result<()> {
     let exact = 1.0 + 0.75 * (TUBE / R) * (TUBE / R);
-    let (cut, _) = agreed(equal_angles, p.tolerance)?;
-    report.add(
-        claim("torus", "I_3/(M R^2) of a torus whose tube is two fifths of R", exact, "-")
-            .against("slices at equal angles", cut)
-            .within(2.0 * p.tolerance),
-    )?;
-    let rules: [(&str, Rule); 2] = [
-        ("solve: slices at equal angles", equal_angles),
-        ("solve: slices of equal thickness", equal_slices),
-    ];
-    let mut asked = vec![1e-3, 1e-5, 1e-7, p.tolerance, 1e-12];
-    sort_by_number(&mut asked, |tolerance| -tolerance);
-    asked.dedup();
-    for (method, rule) in rules {
-        for &requested in &asked {
-            let (delivered, work, again) = match agreed(rule, requested) {
-                Ok((value, slices)) => {
-                    let again = Computation::new(
-                        move || Ok(agreed(rule, requested)?),
-                        move |(value, _)| Ok((value / exact - 1.0).abs()),
-                    );
-                    ((value / exact - 1.0).abs(), format!("{slices} slices"), Some(again))
-                }
-                Err(Error::NotDelivered { best, .. }) => (best, "refused".into(), None),
-                Err(other) => return Err(other.into()),
-            };
-            let (method, requested) = (method.into(), Some(requested));
-            report.add(Price { method, requested, delivered, work, again })?;
-        }
-    }
-    report.set_closed_form(ClosedForm::new(|part| Ok(1.0 + 0.75 * part * part)));
+    claims! { report,
+        /// I_3/(M R^2) of a torus whose tube is two fifths of R
+        torus: exact, "-", "slices at equal angles" => agreed(equal_angles, p.tolerance)?.0, within 2.0 * p.tolerance;
+    }?;
+    let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-12];
+    let angles = |tolerance| agreed(equal_angles, tolerance);
+    let thickness = |tolerance| agreed(equal_thickness, tolerance);
+    let error = move |&(value, _): &(f64, u32)| Ok((value / exact - 1.0).abs());
+    report.controlled("solve: slices at equal angles", asked, angles, slices, error)?;
+    report.controlled("solve: slices of equal thickness", asked, thickness, slices, error)?;
+    report.in_closed_form(|part| 1.0 + 0.75 * part * part);
     Ok(())
 }

@@ -113,17 +113,18 @@ impl Report {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a tolerance that is not above 0 and finite.
-    pub fn controlled<T, E>(
+    pub fn controlled<T, E, W>(
         &mut self,
         method: &str,
         tolerances: impl IntoIterator<Item = f64>,
         run: impl Fn(f64) -> core::result::Result<T, E> + Clone + Send + Sync + 'static,
-        work: fn(&T) -> Work,
+        work: fn(&T) -> W,
         error: impl Fn(&T) -> Result<f64> + Clone + Send + Sync + 'static,
     ) -> Result<()>
     where
         T: 'static,
         E: Into<crate::Error> + 'static,
+        W: fmt::Display + 'static,
     {
         let method = method.to_owned();
         let tolerances = descending(tolerances.into_iter().collect())?;
