@@ -11,26 +11,24 @@ mod hoop;
 pub mod left_out;
 #[path = "ch15_4_angular_momentum/picture.rs"]
 mod picture;
-#[path = "ch15_4_angular_momentum/setups.rs"]
-mod setups;
 #[path = "ch15_4_angular_momentum/swarm.rs"]
 pub mod swarm;
 #[path = "ch15_4_angular_momentum/worked.rs"]
 pub mod worked;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
-use kit::{Report, Result, Table, short};
+use kit::prelude::*;
+use kit::short;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::effects::{Effect, Torque};
-use rotation_dynamics::frame::{BodyVector, DesignVector, SpaceVector};
+use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{InertiaTensor, MassProperties, PrincipalMoments, solids};
-use rotation_dynamics::math::{atan2, sincos};
 use rotation_dynamics::scene::Scene;
-use swarm::{Grain, Swarm, angle, step};
+use swarm::{ORIGIN, Swarm, angle, cylinder, on_axes};
 
-kit::parameters! {
+parameters! {
     /// The cylinder of the notes' fifth example, and the bodies of the others.
     pub struct Parameters {
         /// mass of the cylinder
@@ -97,23 +95,9 @@ pub fn tensor_of_four(about: DesignVector) -> rotation_dynamics::Result<InertiaT
 // ANCHOR_END: tensor
 
 /// The four as grains that turn about the origin, which moves.
-pub fn four(omega: [f64; 3], moving: [f64; 3]) -> Swarm<impl Fn(f64, BodyVector) -> SpaceVector> {
-    let [omega, velocity] = [omega, moving].map(SpaceVector::from_array);
+pub fn four(omega: [f64; 3], moving: [f64; 3]) -> Swarm {
     let grains = FOUR.map(|(mass, place)| (mass, BodyVector::from_array(place)));
-    turning(grains.into(), omega, velocity)
-}
-
-/// A body that turns about its origin at this rate, the origin moving at this velocity.
-pub fn turning(
-    grains: Vec<Grain>,
-    omega: SpaceVector,
-    velocity: SpaceVector,
-) -> Swarm<impl Fn(f64, BodyVector) -> SpaceVector> {
-    let place = move |t, grain: BodyVector| {
-        let turned = Attitude::from_rotation_vector(omega * t).unwrap_or(Attitude::IDENTITY);
-        velocity * t + turned.to_space(grain)
-    };
-    Swarm { grains, place, step: step(omega.norm()) }
+    Swarm::turning(grains.into(), omega.into(), moving.into())
 }
 
 /// The attitude with these angles, z-x'-z''; those of the page are finite.
@@ -136,8 +120,7 @@ impl Shaft {
     pub fn of(p: &Parameters) -> Result<Self> {
         let tensor = solids::cylinder(p.mass, p.radius, p.height)?.about_centre_of_mass();
         let [[i1, ..], _, [.., i3]] = tensor.matrix();
-        let (tilt, rate) = (p.tilt, p.rate);
-        Ok(Self { i1, i3, tilt, rate })
+        Ok(Self { i1, i3, tilt: p.tilt, rate: p.rate })
     }
 
     // ANCHOR: cylinder
@@ -164,6 +147,12 @@ impl Shaft {
         euler(self.rate * t, self.tilt, 0.0)
     }
 
+    /// The moment about the shaft.
+    pub fn inertia(&self) -> f64 {
+        let (s, c) = sincos(self.tilt);
+        self.i1 * s * s + self.i3 * c * c
+    }
+
     /// The angle from Omega to L, rad.
     pub fn angle(&self) -> f64 {
         let (omega, momentum) = (self.angular_velocity(), self.momentum());
@@ -185,38 +174,20 @@ impl Shaft {
     }
 }
 
-/// Every number of the page.
-fn report(p: &Parameters) -> Result<Report> {
-    let about = "Sums over the particles of a body, its tensor of inertia, and six examples.";
-    let mut report = Report::new("Angular momentum", about)?;
-    bodies(&mut report)?;
-    worked::claims(p, &mut report)?;
-    left_out::in_air(p, &mut report)?;
-    tries(p, &mut report)?;
-    limits(&mut report)?;
-    left_out::effects(p, &mut report)?;
-    let problem = Shaft::of(p)?.driven()?;
-    report.strip(&problem, &[p.tolerance, 1e-3, 1e-6, 1e-12])?;
-    Ok(report)
-}
-
 /// The four masses, and a body on its principal axes.
-fn bodies(report: &mut Report) -> Result<()> {
-    let (origin, away) = (DesignVector::zero(), SpaceVector::new(1.0, 0.0, 0.0));
-    let tensor = tensor_of_four(origin)?;
-    let [x, y, z] = tensor.angular_momentum(DesignVector::from_array(TURNING)).to_array();
+fn bodies(_: &Parameters, report: &mut Report) -> Result<()> {
+    let tensor = tensor_of_four(DesignVector::zero())?;
+    let [x, y, z] = tensor.angular_momentum(TURNING.into()).to_array();
     let [u, v, w] = tensor.angular_momentum(DesignVector::new(0.0, 0.0, 2.0)).to_array();
-    let sum = four(TURNING, [0.0; 3]).angular_momentum(SpaceVector::zero());
-    let about_z = four([0.0, 0.0, 2.0], [0.0; 3]).angular_momentum(SpaceVector::zero());
+    let [sum, about_z] =
+        [TURNING, [0.0, 0.0, 2.0]].map(|omega| four(omega, [0.0; 3]).angular_momentum(ORIGIN));
     // With the origin moving: about it, and about a point one metre to the side.
-    let moving = four(TURNING, MOVING);
+    let (moving, away) = (four(TURNING, MOVING), SpaceVector::new(1.0, 0.0, 0.0));
     let there = moving.angular_momentum(away);
-    let here = moving.angular_momentum(SpaceVector::zero());
-    let shifted = here - away.cross(&moving.linear_momentum());
-    let momentum = SpaceVector::new(0.02, 0.06, 0.12);
-    let omega = SpaceVector::new(1.0, 2.0, 3.0);
-    let pairs = turning(worked::on_axes([0.02, 0.03, 0.04]), omega, SpaceVector::zero());
-    kit::claims! { report,
+    let shifted = moving.angular_momentum(ORIGIN) - away.cross(&moving.linear_momentum());
+    let (momentum, omega) = (SpaceVector::new(0.02, 0.06, 0.12), SpaceVector::new(1.0, 2.0, 3.0));
+    let pairs = Swarm::turning(on_axes([0.02, 0.03, 0.04]), omega, ORIGIN);
+    claims! { report,
         /// four masses: I Omega, along x
         four_x: x, "kg m^2/s", "sum of r x m v" => sum.x(), within 1e-12;
         /// along y
@@ -224,17 +195,14 @@ fn bodies(report: &mut Report) -> Result<()> {
         /// along z
         four_z: z, "kg m^2/s", "sum of r x m v" => sum.z(), within 1e-12;
         /// four masses, turning about z at 2 rad/s: L along x
-        about_z_x: u, "kg m^2/s", "sum of r x m v" => about_z.x(), within 1e-12,
-        in "Four masses":
+        about_z_x: u, "kg m^2/s", "sum of r x m v" => about_z.x(), within 1e-12, in "Four masses":
             0.0 => "Omega has no such component, L has";
         /// along y
         about_z_y: v, "kg m^2/s", "sum of r x m v" => about_z.y(), within 1e-12;
         /// along z
-        about_z_z: w, "kg m^2/s", "sum of r x m v" => about_z.z(), within 1e-12,
-        in "Four masses";
+        about_z_z: w, "kg m^2/s", "sum of r x m v" => about_z.z(), within 1e-12, in "Four masses";
         /// moments 0.02, 0.03, 0.04 kg m^2, Omega (1, 2, 3) rad/s: from L to Omega
-        principal_angle: angle(momentum, omega), "rad",
-        "six particles" => angle(pairs.angular_momentum(SpaceVector::zero()), omega),
+        principal_angle: angle(momentum, omega), "rad", "six particles" => angle(pairs.angular_momentum(ORIGIN), omega),
         within 1e-12, in "Four masses";
         /// four masses, their origin moving: L about (1, 0, 0) m, along x
         shifted_x: shifted.x(), "kg m^2/s", "sum about that point" => there.x(), within 1e-12;
@@ -247,32 +215,34 @@ fn bodies(report: &mut Report) -> Result<()> {
 
 /// The cylinder of these parameters with one of them changed: what the page asks for.
 fn tries(p: &Parameters, report: &mut Report) -> Result<()> {
-    let columns = ["flag", "from Omega to L", "torque along x", "unit"];
-    let mut table = Table::new("tries", columns)?;
-    let all: [(&str, Parameters); 4] = [
+    let all = [
         ("none", p.clone()),
-        ("--rate 20", Parameters { rate: 20.0, ..p.clone() }),
-        ("--height 0.02", Parameters { height: 0.02, ..p.clone() }),
-        ("--height 0.0866", Parameters { height: 0.0866, ..p.clone() }),
+        ("--rate 20", p.but(|p| p.rate = 20.0)),
+        ("--height 0.02", p.but(|p| p.height = 0.02)),
+        ("--height 0.0866", p.but(|p| p.height = 0.0866)),
     ];
-    for (flag, changed) in all {
+    let columns = ["flag", "from Omega to L", "torque along x", "unit"];
+    report.add(Table::of("tries", columns, all, |(flag, changed)| {
         let shaft = Shaft::of(&changed)?;
-        let (angle, torque) = (short(shaft.angle(), 4), short(shaft.torque().x(), 4));
-        table.push([flag.into(), format!("{angle} rad"), torque, "N m".into()])?;
-    }
-    report.add(table)
+        let [angle, torque] = [shaft.angle(), shaft.torque().x()].map(|x| short(x, 4));
+        Ok([flag.into(), format!("{angle} rad"), torque, "N m".into()])
+    })?)
 }
 
 /// A cylinder with these proportions at this tilt, of mass and angular velocity 1.
-pub fn shape(height_over_radius: f64, tilt: f64) -> Shaft {
-    let (i3, i1) = (0.5, 0.25 + height_over_radius * height_over_radius / 12.0);
-    Shaft { i1, i3, tilt, rate: 1.0 }
+fn shape(height_over_radius: f64, tilt: f64) -> Shaft {
+    let i1 = 0.25 + height_over_radius * height_over_radius / 12.0;
+    Shaft { i1, i3: 0.5, tilt, rate: 1.0 }
 }
 
 /// Where the answer is known without the tensor.
-fn limits(report: &mut Report) -> Result<()> {
-    let runner = worked::Runner { mass: 1.0, radius: 1e-9, shaft: 2.0, rate: 3.0 };
-    kit::limits! { report,
+fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
+    let disc = shape(0.0, 0.25 * PI).momentum();
+    let small = p.but(|p| {
+        (p.runner_mass, p.runner_radius, p.runner_shaft) = (1.0, 1e-9, 2.0);
+        (p.runner_rate, p.gravity) = (3.0, 10.0);
+    });
+    limits! { report,
         /// along a principal axis L follows Omega
         "cylinder, theta = 0: angle from Omega to L": shape(6.0, 0.0).angle() => 0.0, within 1e-15;
         /// so it does across it
@@ -282,20 +252,23 @@ fn limits(report: &mut Report) -> Result<()> {
         /// a needle has no moment about itself: L is square to it
         "cylinder, R to 0: the same + theta": shape(1e6, 0.7).angle() + 0.7 => FRAC_PI_2, within 1e-10;
         /// a disc has twice the moment about its axis
-        "cylinder, H = 0, theta = pi/4: L_z/L_y": disc_ratio() => 2.0, within 1e-15;
+        "cylinder, H = 0, theta = pi/4: L_z/L_y": disc.z() / disc.y() => 2.0, within 1e-15;
         /// a particle on a circle
-        "wheel on a shaft, R to 0: L_Z/(M a^2 Omega)": runner.momentum()[1] / 12.0 => 1.0, within 1e-15;
+        "wheel on a shaft, R to 0: L_Z/(M a^2 Omega)": worked::runner_momentum(&small)[1] / 12.0 => 1.0, within 1e-15;
         /// and nothing presses but its weight
-        "wheel on a shaft, R to 0: N/(M g)": runner.force(10.0) / 10.0 => 1.0, within 1e-8;
+        "wheel on a shaft, R to 0: N/(M g)": worked::runner_force(&small) / 10.0 => 1.0, within 1e-8;
     }
 }
 
-fn disc_ratio() -> f64 {
-    let momentum = shape(0.0, 0.25 * PI).momentum();
-    momentum.z() / momentum.y()
+/// The accuracy strip: ten turns of the cylinder.
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    report.strip(&Shaft::of(p)?.driven()?, &[p.tolerance, 1e-3, 1e-6, 1e-12])
 }
 
-kit::example! {
+example! {
     ch15_4_angular_momentum: "Angular momentum of a rigid body, and where it points";
-    report, figures::figures, picture::trajectory, picture::moving
+    "Angular momentum", "Sums over the particles of a body, its tensor of inertia, and six examples.",
+    [bodies, worked::round, worked::earth, worked::edge_runner, worked::askew, left_out::in_air, tries, limits,
+     left_out::effects, accuracy];
+    figures::figures, picture::trajectory, picture::moving_picture
 }

@@ -1,18 +1,16 @@
 //! What the scenes leave out: air, a centre off the shaft, rolling resistance, an oval orbit.
 
 use super::*;
-use kit::interval::between;
 use rotation_dynamics::effects::KeplerOrbit;
 use rotation_dynamics::integrators::{Dop853, Work, second_order};
-use rotation_dynamics::math::{expm1, sin};
+use rotation_dynamics::math::expm1;
 
 /// The cylinder with its motor shut off, slowed down by the air on strips of it, each across its
 /// own speed: the torque, on average over the first radian, and the work. `drag` is the density
 /// times the drag coefficient.
-pub fn blown(shaft: &Shaft, p: &Parameters, drag: f64) -> Result<(f64, Work)> {
+pub fn blown(p: &Parameters, drag: f64) -> Result<(f64, Work)> {
     const STRIPS: u32 = 64;
-    let (s, c) = sincos(shaft.tilt);
-    let inertia = shaft.i1 * s * s + shaft.i3 * c * c;
+    let (inertia, rate, s) = (Shaft::of(p)?.inertia(), p.rate.abs(), sin(p.tilt));
     let slowed = second_order(|_, _, rate| {
         let strips = (0..STRIPS).map(|k| {
             let from_centre = (f64::from(k) + 0.5) / f64::from(STRIPS) - 0.5;
@@ -23,26 +21,23 @@ pub fn blown(shaft: &Shaft, p: &Parameters, drag: f64) -> Result<(f64, Work)> {
         });
         strips.sum::<f64>() / inertia
     });
-    let rate = shaft.rate.abs();
     let radian = |y: &[f64; 2]| y[0] - 1.0;
     let (end, work) = Dop853::new(1e-12)?.zero(&slowed, [0.0, rate], 1, 9.0 / rate, radian)?;
-    let lost = 0.5 * inertia * (rate - end.state[1]) * (rate + end.state[1]);
-    Ok((lost, work))
+    Ok((0.5 * inertia * (rate - end.state[1]) * (rate + end.state[1]), work))
 }
 
 /// The force that leads the centre of the cylinder round, so far off the shaft, from the places
 /// of its grains.
-pub fn whirled(shaft: &Shaft, p: &Parameters, off: f64) -> f64 {
-    let grains = swarm::cylinder(p.mass, p.radius, p.height);
+pub fn whirled(p: &Parameters, off: f64) -> Result<f64> {
+    let (shaft, h) = (Shaft::of(p)?, swarm::step(p.rate));
+    let grains = cylinder(p.mass, p.radius, p.height);
     // Level, as the first axis of the cylinder is.
     let off = BodyVector::new(off, 0.0, 0.0);
-    let moment = |t: f64| {
+    let moment = |t: f64| -> SpaceVector {
         let attitude = shaft.attitude(t);
-        let places = grains.iter().map(|(mass, place)| attitude.to_space(*place + off) * *mass);
-        places.fold(SpaceVector::zero(), |sum, place| sum + place)
+        grains.iter().map(|(mass, place)| attitude.to_space(*place + off) * *mass).sum()
     };
-    let h = step(shaft.rate);
-    swarm::rate(|t| swarm::rate(moment, t, h), 0.0, h).norm()
+    Ok(swarm::rate(|t| swarm::rate(moment, t, h), 0.0, h).norm())
 }
 
 /// The torque of the air over the square of the rate; `drag` as for [`blown`].
@@ -53,66 +48,55 @@ fn dragged(p: &Parameters, drag: f64) -> f64 {
 
 /// What `--with air` adds: what the motor has to give to the cylinder, and what it would lose without.
 pub fn in_air(p: &Parameters, report: &mut Report) -> Result<()> {
-    let Some(coefficient) = p.air else {
-        return Ok(());
-    };
-    let (shaft, (s, c), drag) = (Shaft::of(p)?, sincos(p.tilt), 1.2 * coefficient);
-    let inertia = shaft.i1 * s * s + shaft.i3 * c * c;
+    let Some(coefficient) = p.air else { return Ok(()) };
+    let (inertia, drag) = (Shaft::of(p)?.inertia(), 1.2 * coefficient);
     let energy = 0.5 * inertia * p.rate * p.rate;
     let lost = -expm1(-2.0 * dragged(p, drag) / inertia);
-    let goes_on = between(0.0, 0.9).because("it would stop within a radian");
-    goes_on.check("part of the energy that the air takes in a radian", lost)?;
-    let (ran, _) = blown(&shaft, p, drag)?;
-    // What the strips lose is the difference of two energies, which are rounded.
-    let bound = (1e-3 * lost + 4.0 * f64::EPSILON) * energy;
-    kit::claims! { report,
+    allowed! {
+        "part of the energy that the air takes in a radian": lost, between(0.0, 0.9), "it would stop within a radian";
+    }?;
+    claims! { report,
+        // What the strips lose is the difference of two energies, which are rounded.
         /// in air, the motor shut off: energy lost in the first radian
-        air_lost: lost * energy, "J", "64 strips" => ran, within bound;
+        air_lost: lost * energy, "J", "64 strips" => blown(p, drag)?.0, within (1e-3 * lost + 4.0 * f64::EPSILON) * energy;
     }
 }
 
 /// The card of effects. Air: 1.2 kg/m^3 and a drag coefficient of 1.2; Earth and Moon: their
 /// measured masses, distance and moment.
 pub fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (shaft, (s, c)) = (Shaft::of(p)?, sincos(p.tilt));
-    let inertia = shaft.i1 * s * s + shaft.i3 * c * c;
-    let air = dragged(p, 1.2 * 1.2);
-    let (slowing, unit) = (air / inertia, inertia * p.rate * p.rate);
-    let breeze = if slowing < 0.1 { Some(blown(&shaft, p, 1.2 * 1.2)?) } else { None };
+    let (shaft, drag) = (Shaft::of(p)?, 1.2 * 1.2);
+    let (inertia, size) = (shaft.inertia(), p.mass * (p.height + p.radius));
+    let (slowing, unit) = (dragged(p, drag) / inertia, inertia * p.rate * p.rate);
+    let breeze = when(slowing < 0.1, || blown(p, drag))?;
     let (off, speed) = (1e-4, p.wheel_radius * p.wheel_rate.abs());
     let resisted = 0.005 * p.gravity / (1.5 * speed);
     // In a second; a wheel that is hardly slowed down, or stops, tells nothing.
-    let rolled = if (1e-9..0.1).contains(&resisted) {
-        Some(hoop::lost(0.5, [p.wheel_radius, speed], 0.005, p.gravity, 1.0)?)
-    } else {
-        None
-    };
+    let rolls = || hoop::lost(0.5, [p.wheel_radius, speed], 0.005, p.gravity, 1.0);
+    let rolled = when((1e-9..0.1).contains(&resisted), rolls)?;
     let oval = 0.0167;
     let earth = KeplerOrbit::elliptic(1.0, TAU, oval)?;
     let narrower = 1.0 - earth.place(1.0).cross(&earth.velocity(1.0)).norm();
-    let spin = worked::EARTH.spin() + worked::EARTH.third();
-    let whole = worked::EARTH.orbital();
+    let ([orbit, spin, third], denser) = (worked::EARTH, 0.4 / 0.330675);
     let moon = 7.2534e22 * 3.844e8 * 3.844e8 * 2.6617e-6;
-    let counted = |work: Option<Work>| match work {
-        Some(work) => format!("none, {} derivatives", work.derivatives),
+    let counted = |run: Option<(f64, Work)>| match run {
+        Some((_, work)) => format!("none, {} derivatives", work.derivatives),
         None => "-".into(),
     };
-    kit::effect_card! { report,
+    effect_card! { report,
         "cylinder: drag of the air": "rho C R sin^3(theta) H^4/(32 I)" = slowing,
             costs slowing * unit, "N m of the motor, to first order",
-            measured breeze.map(|(torque, _)| torque), within 1e-12 * unit, at_cost counted(breeze.map(|(_, work)| work));
+            measured breeze.map(|(torque, _)| torque), within 1e-12 * unit, at_cost counted(breeze);
         "cylinder: centre 0.1 mm off the shaft": "M e H/|I1 - I3|" = p.mass * off * p.height / (shaft.i1 - shaft.i3).abs().max(1e-3 * shaft.i1),
             costs p.mass * off * p.rate * p.rate * p.height, "N m with the lever H, going round",
-            measured whirled(&shaft, p, off) * p.height, within 1e-12 * p.mass * (p.height + p.radius) * p.height * p.rate * p.rate, at_cost "none, 64 attitudes";
+            measured whirled(p, off)? * p.height, within 1e-12 * size * p.height * p.rate * p.rate, at_cost "none, 64 attitudes";
         "rolling wheel: resistance": "C_rr g (1 s)/(1.5 R Omega)" = resisted,
             costs resisted, "of L a second",
-            measured rolled.map(|(lost, _)| lost / speed), at_cost counted(rolled.map(|(_, work)| work));
-        "Earth: denser inside": "0.4/0.330675 - 1" = 0.4 / 0.330675 - 1.0,
-            costs 0.4 / 0.330675 - 1.0, "of the spin";
+            measured rolled.map(|(lost, _)| lost / speed), at_cost counted(rolled);
+        "Earth: denser inside": "0.4/0.330675 - 1" = denser - 1.0, costs denser - 1.0, "of the spin";
         "Earth: the orbit is an ellipse": "e^2/2" = 0.5 * oval * oval,
             costs 0.5 * oval * oval, "of the orbital L, to first order",
             measured narrower, at_cost "closed form, closed form";
-        "Earth: the Moon": "L_Moon/L_spin" = moon / (spin * 0.330675 / 0.4),
-            costs moon / whole, "of the orbital L";
+        "Earth: the Moon": "L_Moon/L_spin" = moon / ((spin + third) / denser), costs moon / orbit, "of the orbital L";
     }
 }

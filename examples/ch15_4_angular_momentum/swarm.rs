@@ -2,8 +2,10 @@
 //! known of a grain is its mass and where it is at any time; its velocity comes from there.
 
 use core::f64::consts::TAU;
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::math::{sin, sincos};
+use kit::prelude::*;
+use rotation_dynamics::attitude::Attitude;
+
+pub const ORIGIN: SpaceVector = SpaceVector::zero();
 
 /// Mass (kg) and place on the axes of the body (m).
 pub type Grain = (f64, BodyVector);
@@ -14,8 +16,14 @@ const POINTS: [(f64, f64); 3] = [
     (0.0, 8.0 / 18.0),
     (0.774_596_669_241_483_4, 5.0 / 18.0),
 ];
-/// Grains on a circle.
-const AROUND: u32 = 8;
+
+/// Eight grains on a circle about e3.
+fn ring(mass: f64, radius: f64, height: f64) -> impl Iterator<Item = Grain> {
+    (0..8).map(move |k| {
+        let (s, c) = sincos(TAU * f64::from(k) / 8.0);
+        (mass / 8.0, BodyVector::new(radius * c, radius * s, height))
+    })
+}
 
 /// A uniform cylinder about e3; a disc if it has no length.
 pub fn cylinder(mass: f64, radius: f64, length: f64) -> Vec<Grain> {
@@ -24,25 +32,7 @@ pub fn cylinder(mass: f64, radius: f64, length: f64) -> Vec<Grain> {
         // Rings of equal mass are equally far apart in the square of the radius.
         let r = radius * (0.5 * (1.0 + u)).sqrt();
         for (z, share) in POINTS {
-            for k in 0..AROUND {
-                let (s, c) = sincos(TAU * f64::from(k) / f64::from(AROUND));
-                let place = BodyVector::new(r * c, r * s, 0.5 * length * z);
-                grains.push((mass * part * share / f64::from(AROUND), place));
-            }
-        }
-    }
-    grains
-}
-
-/// A uniform box about its centre; a plate if it has no thickness.
-pub fn cuboid(mass: f64, [a, b, c]: [f64; 3]) -> Vec<Grain> {
-    let mut grains = Vec::new();
-    for (x, p) in POINTS {
-        for (y, q) in POINTS {
-            for (z, r) in POINTS {
-                let place = BodyVector::new(0.5 * a * x, 0.5 * b * y, 0.5 * c * z);
-                grains.push((mass * p * q * r, place));
-            }
+            grains.extend(ring(mass * part * share, r, 0.5 * length * z));
         }
     }
     grains
@@ -54,15 +44,33 @@ pub fn ball(mass: f64, radius: f64) -> Vec<Grain> {
     for (u, part) in POINTS {
         let r = 0.5 * (1.0 + u);
         for (z, share) in POINTS {
-            let across = ((1.0 - z) * (1.0 + z)).sqrt();
-            for k in 0..AROUND {
-                let (s, c) = sincos(TAU * f64::from(k) / f64::from(AROUND));
-                let place = BodyVector::new(across * c, across * s, z) * (radius * r);
-                grains.push((mass * 3.0 * r * r * part * share / f64::from(AROUND), place));
+            let on_sphere =
+                ring(mass * 3.0 * r * r * part * share, ((1.0 - z) * (1.0 + z)).sqrt(), z);
+            grains.extend(on_sphere.map(|(mass, place)| (mass, place * (radius * r))));
+        }
+    }
+    grains
+}
+
+/// A uniform box; a plate if it has no thickness.
+pub fn cuboid(mass: f64, [a, b, c]: [f64; 3], centre: BodyVector) -> Vec<Grain> {
+    let mut grains = Vec::new();
+    for (x, p) in POINTS {
+        for (y, q) in POINTS {
+            for (z, r) in POINTS {
+                let place = BodyVector::new(0.5 * a * x, 0.5 * b * y, 0.5 * c * z);
+                grains.push((mass * p * q * r, place + centre));
             }
         }
     }
     grains
+}
+
+/// Six particles on the axes, two of 1/2 kg on each, with these principal moments.
+pub fn on_axes([a, b, c]: [f64; 3]) -> Vec<Grain> {
+    let [x, y, z] = [b + c - a, c + a - b, a + b - c].map(|sum| (0.5 * sum).sqrt());
+    let far = [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]].map(BodyVector::from_array);
+    far.into_iter().flat_map(|far| [(0.5, -far), (0.5, far)]).collect()
 }
 
 /// How fast a vector changes, by its values at eight times nearby, `step` apart.
@@ -72,26 +80,51 @@ pub fn rate(of: impl Fn(f64) -> SpaceVector, t: f64, step: f64) -> SpaceVector {
         let away = f64::from(k) * step;
         (of(t + away) - of(t - away)) * (weight / step)
     });
-    differences.fold(SpaceVector::zero(), |sum, term| sum + term)
+    differences.sum()
 }
+
+/// The time between two looks at something that turns so fast, s.
+pub fn step(angular_velocity: f64) -> f64 {
+    0.04 / angular_velocity.abs()
+}
+
 /// Grains, and where each of them is at a time.
-pub struct Swarm<F: Fn(f64, BodyVector) -> SpaceVector> {
+pub struct Swarm {
     pub grains: Vec<Grain>,
-    pub place: F,
+    pub place: Box<dyn Fn(f64, BodyVector) -> SpaceVector>,
     /// Between two looks, s.
     pub step: f64,
 }
 
-impl<F: Fn(f64, BodyVector) -> SpaceVector> Swarm<F> {
+impl Swarm {
+    /// Grains that turn at most this fast (rad/s), and their places.
+    pub fn new(
+        grains: Vec<Grain>,
+        angular_velocity: f64,
+        place: impl Fn(f64, BodyVector) -> SpaceVector + 'static,
+    ) -> Self {
+        Self { grains, place: Box::new(place), step: step(angular_velocity) }
+    }
+
+    /// A body that turns about its origin at this rate, the origin moving at this velocity.
+    pub fn turning(grains: Vec<Grain>, omega: SpaceVector, velocity: SpaceVector) -> Self {
+        Self::new(grains, omega.norm(), move |t, grain| {
+            let turned = Attitude::from_rotation_vector(omega * t).unwrap_or(Attitude::IDENTITY);
+            velocity * t + turned.to_space(grain)
+        })
+    }
+
+    fn velocity(&self, t: f64, grain: BodyVector) -> SpaceVector {
+        rate(|t| (self.place)(t, grain), t, self.step)
+    }
+
     /// Sum of (r - about) x m (v - carried): the reference point may be carried along.
     pub fn momentum_about(&self, t: f64, about: SpaceVector, carried: SpaceVector) -> SpaceVector {
-        let mut sum = SpaceVector::zero();
-        for &(mass, grain) in &self.grains {
-            let place = |t| (self.place)(t, grain);
-            let velocity = rate(place, t, self.step);
-            sum += (place(t) - about).cross(&((velocity - carried) * mass));
-        }
-        sum
+        let moment = |&(mass, grain): &Grain| {
+            let velocity = self.velocity(t, grain) - carried;
+            ((self.place)(t, grain) - about).cross(&(velocity * mass))
+        };
+        self.grains.iter().map(moment).sum()
     }
 
     /// The same about a point at rest.
@@ -101,38 +134,22 @@ impl<F: Fn(f64, BodyVector) -> SpaceVector> Swarm<F> {
 
     /// Sum of m v.
     pub fn linear_momentum(&self) -> SpaceVector {
-        let velocities = self.velocities();
-        velocities.fold(SpaceVector::zero(), |sum, (m, v)| sum + v * m)
+        self.grains.iter().map(|&(mass, grain)| self.velocity(0.0, grain) * mass).sum()
     }
 
     /// Sum of m v^2/2, J.
     pub fn kinetic_energy(&self) -> f64 {
-        self.velocities().map(|(m, v)| 0.5 * m * v.dot(&v)).sum()
+        let square = |v: SpaceVector| v.dot(&v);
+        self.grains.iter().map(|&(m, grain)| 0.5 * m * square(self.velocity(0.0, grain))).sum()
     }
 
     /// dL/dt about the origin, N m.
-    pub fn torque(&self, t: f64) -> SpaceVector {
-        let (origin, rest) = (SpaceVector::zero(), SpaceVector::zero());
-        rate(|t| self.momentum_about(t, origin, rest), t, self.step)
-    }
-
-    fn velocities(&self) -> impl Iterator<Item = (f64, SpaceVector)> {
-        let velocity = move |grain| rate(move |t| (self.place)(t, grain), 0.0, self.step);
-        self.grains.iter().map(move |&(mass, grain)| (mass, velocity(grain)))
+    pub fn torque(&self) -> SpaceVector {
+        rate(|t| self.momentum_about(t, ORIGIN, ORIGIN), 0.0, self.step)
     }
 }
 
 /// The angle between two vectors, without loss where it is small, rad.
 pub fn angle(a: SpaceVector, b: SpaceVector) -> f64 {
-    rotation_dynamics::math::atan2(a.cross(&b).norm(), a.dot(&b))
-}
-
-/// The time between two looks at something that turns so fast, s.
-pub fn step(angular_velocity: f64) -> f64 {
-    0.04 / angular_velocity.abs()
-}
-
-/// The chord of an angle on the unit circle.
-pub fn chord(angle: f64) -> f64 {
-    2.0 * sin(0.5 * angle)
+    atan2(a.cross(&b).norm(), a.dot(&b))
 }
