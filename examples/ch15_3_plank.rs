@@ -1,8 +1,4 @@
 //! Section 15.3, example 3: a plank that stands upright on a frictionless floor and falls.
-//!
-//! ```text
-//! cargo run --example ch15_3_plank -- --angle 1e-6 --check t_floor=2.084
-//! ```
 
 #[path = "ch15_3_plank/figures.rs"]
 mod figures;
@@ -12,17 +8,17 @@ mod variations;
 pub use variations::rubbing;
 
 use core::f64::consts::FRAC_PI_2;
-use kit::{ClosedForm, Report, Result, Trajectory, times};
+use kit::prelude::*;
 use models::ladder::Ladder;
 use models::plank::Plank as Exact;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, ode};
-use rotation_dynamics::math::{acos, acosh, asinh, cos, cosh, log, sin, sincos, sinh};
+use rotation_dynamics::math::{acosh, asinh, cosh, sinh};
 use rotation_dynamics::planar::contact::{
     Contact, ContactMotion, Mechanism, MechanismState, Surface, motion_within,
 };
 
-kit::parameters! {
+parameters! {
     /// The plank of the example; the notes leave all numbers open.
     pub struct Parameters {
         /// mass of the plank
@@ -158,39 +154,40 @@ fn stretch(angle: f64) -> f64 {
 /// The time of the fall by quadrature, in the variable of which the integrand knows no end.
 pub fn time_by_quadrature(p: &Parameters, start: f64) -> f64 {
     let half = sin(0.5 * start);
-    let end = acosh(0.5_f64.sqrt() / half);
+    let width = acosh(0.5_f64.sqrt() / half) / 400.0;
     let slope = |w: f64| {
         let sine = half * cosh(w);
         let square = (1.0 - sine) * (1.0 + sine);
         ((1.0 + 12.0 * sine * sine * square) / square).sqrt()
     };
-    let (panels, mut sum) = (400, 0.0);
-    let width = end / f64::from(panels);
-    for n in 0..panels {
-        // Gauss's rule with four points.
-        for (x, weight) in [
-            (0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
-            (0.339_981_043_584_856_26, 0.652_145_154_862_546_2),
-        ] {
-            for x in [-x, x] {
-                sum += 0.5 * width * weight * slope(width * (f64::from(n) + 0.5 + 0.5 * x));
-            }
+    // Gauss's rule with four points, on each of 400 panels.
+    let (outer, inner) = (0.861_136_311_594_052_6, 0.339_981_043_584_856_26);
+    let (less, more) = (0.347_854_845_137_453_85, 0.652_145_154_862_546_2);
+    let mut sum = 0.0;
+    for n in 0..400 {
+        for (x, weight) in [(-outer, less), (outer, less), (-inner, more), (inner, more)] {
+            sum += 0.5 * width * weight * slope(width * (f64::from(n) + 0.5 + 0.5 * x));
         }
     }
     sum / growth(p)
 }
 
 /// A rod of the same length, hinged at its foot: `[theta, theta']`.
-pub fn hinged(p: &Parameters) -> impl Ode<2> {
+fn hinged(p: &Parameters) -> impl Ode<2> {
     let square = 1.5 * p.gravity / p.length;
     ode(move |_, [angle, rate]: &[f64; 2]| [*rate, square * sin(*angle)])
         .scaled(move |[angle, _]| [angle.abs(), square.sqrt() * angle.abs()])
 }
 
-/// When and how the hinged rod comes to the floor, from rest.
-pub fn hinged_fall(p: &Parameters, start: f64) -> Result<LocatedEvent<2>> {
-    let (method, longest) = (Dop853::new(1e-15)?, 1e4 * (p.length / p.gravity).sqrt());
-    Ok(method.zero(&hinged(p), [start, 0.0], 1, longest, |y| y[0] - FRAC_PI_2)?.0)
+/// When and how the hinged rod comes from rest at `start` to the angle `end`.
+pub fn hinged_fall(p: &Parameters, start: f64, end: f64) -> Result<LocatedEvent<2>> {
+    let (method, longest) = (Dop853::new(1e-15)?, 1e9 * (p.length / p.gravity).sqrt());
+    Ok(method.zero(&hinged(p), [start, 0.0], 1, longest, |y| y[0] - end)?.0)
+}
+
+/// The time to the floor from rest at this angle with the foot held, in closed form.
+fn held_time(p: &Parameters, angle: f64) -> Result<f64> {
+    Ok(Ladder::new(p.length, p.gravity, angle)?.held_landing_time())
 }
 
 /// The angle at which the floor pushes least, on the way from upright, and with how much of the
@@ -202,36 +199,17 @@ pub fn least_force() -> [f64; 2] {
     [acos(c), (1.0 + 3.0 * (1.0 - c) * (1.0 - c)) / (below * below)]
 }
 
-/// The released plank, exact and simulated.
-struct Solved {
-    exact: Exact,
-    run: Fall,
+// ANCHOR: solve
+/// The plank released at rest at this angle, in closed form.
+pub fn exact(p: &Parameters, angle: f64) -> Result<Exact> {
+    Ok(Exact::new(p.length, p.gravity, angle, 0.0)?)
 }
 
-// ANCHOR: solve
-fn solve(p: &Parameters) -> Result<Solved> {
-    Ok(Solved {
-        exact: Exact::new(p.length, p.gravity, p.angle, 0.0)?,
-        run: Plank::smooth(p).fall(p.tolerance, p.angle, 0.0)?,
-    })
+/// The same by simulation, within the tolerance, as `p` releases it.
+fn simulated(p: &Parameters) -> Result<Fall> {
+    Ok(Plank::smooth(p).fall(p.tolerance, p.angle, 0.0)?)
 }
 // ANCHOR_END: solve
-
-/// Every number of the page.
-fn report(p: &Parameters) -> Result<Report> {
-    let about = "A plank on a frictionless floor, released at rest near the vertical.";
-    let mut report = Report::new("The falling plank", about)?;
-    let solved = solve(p)?;
-    upright(p, &mut report)?;
-    released(p, &solved, &mut report)?;
-    limits(p, &mut report)?;
-    variations::effects(p, &solved, &mut report)?;
-    strip(p, &solved, &mut report)?;
-    for table in [variations::starts, variations::rough] {
-        report.add(table(p)?)?;
-    }
-    Ok(report)
-}
 
 /// A start as near upright as makes no difference to fifteen digits.
 const HAIR: f64 = 1e-9;
@@ -240,59 +218,58 @@ const HAIR: f64 = 1e-9;
 fn upright(p: &Parameters, report: &mut Report) -> Result<()> {
     let (l, g, lambda) = (p.length, p.gravity, growth(p));
     let smooth = Plank::smooth(p);
-    let to = |until| Plank { until, ..smooth }.fall(p.tolerance, HAIR, 0.0);
+    let to = |until: f64| -> Result<_> {
+        let run = Plank { until, ..smooth }.fall(p.tolerance, HAIR, 0.0)?;
+        Ok(run.event("arrives")?.clone())
+    };
     let ([lowest, least], start) = (least_force(), rate_from_upright(p, p.from));
-    let (looked, floor, pushed) = (to(p.look)?, to(FRAC_PI_2)?, to(lowest)?);
-    let [looked, floor, pushed] = [&looked, &floor, &pushed].map(|run| run.event("arrives"));
+    let (doubled, looked, pushed, floor) =
+        (to(2.0 * HAIR)?, to(p.look)?, to(lowest)?, to(FRAC_PI_2)?);
+    let (looked, floor) = (looked.before.v[2], floor.before.v[2]);
     let passing = smooth.fall(p.tolerance, p.from, start)?;
-    let early = Plank { until: 2.0 * HAIR, ..smooth }.fall(p.tolerance, HAIR, 0.0)?;
-    let doubled = early.event("arrives")?.t;
-    let slow = Dop853::new(1e-15)?
-        .zero(&hinged(p), [HAIR, 0.0], 1, 1e9 / lambda, |y| y[0] - 2.0 * HAIR)?;
+    let slow = hinged_fall(p, HAIR, 2.0 * HAIR)?;
     let rate = rate_from_upright(p, p.look);
     let (bound, energy) = (4.0 * p.tolerance, 0.5 * p.mass * g * l);
     let time = Exact::new(l, g, p.from, start)?.landing_time();
     let pivoted = (1.5 * g / l).sqrt();
-    kit::claims! { report,
+    claims! { report,
         /// energy of the plank upright, counted from the floor
-        energy: energy, "J", "at the floor" => p.mass * l * l / 6.0 * floor.clone()?.before.v[2] * floor.clone()?.before.v[2],
-            within bound * energy;
+        energy: energy, "J", "at the floor" => p.mass * l * l / 6.0 * floor * floor, within bound * energy;
         /// rate at which a small tilt grows
-        growth: lambda, "1/s", "time of doubling" => acosh(2.0) / doubled, within bound * lambda, in "Near upright":
+        growth: lambda, "1/s", "time of doubling" => acosh(2.0) / doubled.t, within bound * lambda, in "Near upright":
             pivoted => "that is for a foot that is held",
             (g / l).sqrt() => "the moment of inertia counts too";
         /// the same with the foot held
-        growth_held: pivoted, "1/s", "time of doubling" => acosh(2.0) / slow.0.t, within 1e-12 * pivoted, in "Near upright":
+        growth_held: pivoted, "1/s", "time of doubling" => acosh(2.0) / slow.t, within 1e-12 * pivoted, in "Near upright":
             lambda => "that is for a foot that slides";
         /// angular velocity at the angle asked for
-        rate_look: rate, "rad/s", "simulation from 1e-9 rad" => looked?.before.v[2], within bound * lambda, in "From upright":
+        rate_look: rate, "rad/s", "simulation from 1e-9 rad" => looked, within bound * lambda, in "From upright":
             lambda * p.look => "the angle is not small",
             (3.0 * g / l * (1.0 - cos(p.look))).sqrt() => "that is for a foot that is held";
         /// angular velocity at the floor
-        rate_floor: (3.0 * g / l).sqrt(), "rad/s", "simulation from 1e-9 rad" => floor?.before.v[2], within bound * lambda,
-            in "From upright":
+        rate_floor: (3.0 * g / l).sqrt(), "rad/s", "simulation from 1e-9 rad" => floor, within bound * lambda, in "From upright":
             (12.0 * g / l).sqrt() => "the middle takes part of the energy";
         /// time to the floor from the second angle
         time_from: time, "s", "located event" => passing.end_time(), within bound / lambda, in "From upright":
-            Exact::new(l, g, p.from, 0.0)?.landing_time() => "it passes that angle moving";
+            exact(p, p.from)?.landing_time() => "it passes that angle moving";
         /// angle at which the floor pushes least
         theta_least: lowest, "rad", "least of the simulated forces" => variations::lowest(&smooth)?, within 1e-8;
         /// least force of the floor over the weight
-        n_least: least, "-", "simulation from 1e-9 rad" => pushed?.force[0].normal / g, within bound;
+        n_least: least, "-", "simulation from 1e-9 rad" => pushed.force[0].normal / g, within bound;
     }
 }
 
 /// After the release at rest.
-fn released(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
-    let (exact, l, g, lambda) = (&solved.exact, p.length, p.gravity, growth(p));
-    let (lands, landed) = (solved.run.event("arrives")?, exact.landing());
-    let bound = 4.0 * p.tolerance;
-    let held = Ladder::new(l, g, p.angle)?.held_landing_time();
-    let fixed = hinged_fall(p, p.angle)?;
+fn released(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (l, g, lambda, run) = (p.length, p.gravity, growth(p), simulated(p)?);
+    let (lands, fall) = (run.event("arrives")?, exact(p, p.angle)?);
+    let (time, landed) = (fall.landing_time(), fall.landing());
+    let (bound, held) = (4.0 * p.tolerance, held_time(p, p.angle)?);
+    let fixed = hinged_fall(p, p.angle, FRAC_PI_2)?;
     let rate = (3.0 * g * cos(p.angle) / l).sqrt();
-    kit::claims! { report,
+    claims! { report,
         /// time at which the plank lies on the floor
-        t_floor: exact.landing_time(), "s", "located event" => lands.t, within bound / lambda, in "Released at rest":
+        t_floor: time, "s", "located event" => lands.t, within bound / lambda, in "Released at rest":
             held => "that is for a foot that is held",
             acosh(FRAC_PI_2 / p.angle) / lambda => "that takes all angles as small";
         /// angular velocity at the floor
@@ -307,67 +284,47 @@ fn released(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> 
             1.0 => "the middle accelerates downwards";
         /// time with the foot held
         t_held: held, "s", "hinged rod, simulated" => fixed.t, within 1e-12 / lambda, in "With the foot held":
-            exact.landing_time() => "that is for a foot that slides";
+            time => "that is for a foot that slides";
         /// angular velocity at the floor with the foot held
         omega_held: rate, "rad/s", "hinged rod, simulated" => fixed.state[1], within 1e-12 * lambda, in "With the foot held";
     }
 }
 
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (l, g, lambda) = (p.length, p.gravity, growth(p));
-    let time =
-        |angle| Ok::<_, rotation_dynamics::Error>(Exact::new(l, g, angle, 0.0)?.landing_time());
-    let held =
-        |angle| Ok::<_, rotation_dynamics::Error>(Ladder::new(l, g, angle)?.held_landing_time());
-    let digit = lambda * (time(1e-9)? - time(1e-8)?) - log(10.0);
-    let double = (held(1e-9)? - held(1e-8)?) / (time(1e-9)? - time(1e-8)?);
-    let (rise, flat) = (1e-6, Exact::new(l, g, FRAC_PI_2 - 1e-6, 0.0)?);
-    let first = Exact::new(l, g, 1e-9, 0.0)?.start().floor_force;
-    kit::limits! { report,
+    let time = |angle| Ok::<_, kit::Error>(exact(p, angle)?.landing_time());
+    let digit = time(1e-9)? - time(1e-8)?;
+    let double = (held_time(p, 1e-9)? - held_time(p, 1e-8)?) / digit;
+    let flat = time(FRAC_PI_2 - 1e-6)? * (0.75 * p.gravity / (p.length * 1e-6)).sqrt();
+    limits! { report,
         /// exp(lambda t) must make up for a factor of ten
-        "nearly upright: time of a factor ten, lambda t - ln 10": digit => 0.0, within 1e-12;
+        "nearly upright: time of a factor ten, lambda t - ln 10": growth(p) * digit - log(10.0) => 0.0, within 1e-12;
         /// half the rate, twice the time
         "nearly upright: foot held, over foot free": double => 2.0, within 1e-12;
         /// the middle does not accelerate yet
-        "nearly upright: N/(m g) at the start": first => 1.0, within 1e-15;
+        "nearly upright: N/(m g) at the start": exact(p, 1e-9)?.start().floor_force => 1.0, within 1e-15;
         /// the height is fallen with the acceleration 3 g/4, since the floor bears a quarter
-        "nearly flat: t sqrt(3 g/(4 l x))": flat.landing_time() * (0.75 * g / (l * rise)).sqrt() => 1.0, within 1e-9;
+        "nearly flat: t sqrt(3 g/(4 l x))": flat => 1.0, within 1e-9;
         /// quadrature and closed form are one
         "0.5 rad: time by quadrature, over the closed form": time_by_quadrature(p, 0.5) / time(0.5)? => 1.0, within 1e-14;
     }
 }
 
 /// What accuracy costs: the error asked for, the error found, the work.
-fn strip(p: &Parameters, solved: &Solved, report: &mut Report) -> Result<()> {
-    let (exact, plank, start) = (solved.exact.clone(), Plank::smooth(p), p.angle);
-    let judge = exact.clone();
-    report.controlled(
-        "solve: DOP853 on the contact",
-        [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, p.tolerance],
-        move |tolerance| plank.fall(tolerance, start, 0.0),
-        Fall::work,
-        move |run| {
-            let (lands, landed) = (run.event("arrives")?, judge.landing());
-            let rate = lands.before.v[2] / landed.omega - 1.0;
-            Ok(largest([lands.t / judge.landing_time() - 1.0, rate]))
-        },
-    )?;
-    report.set_closed_form(ClosedForm::new(move |part| exact.at(part * exact.landing_time())));
-    Ok(())
-}
-
-fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    let exact = Exact::new(p.length, p.gravity, p.angle, 0.0)?;
-    let columns = "t [s], theta [rad], omega [rad/s], y_cm [m], vy_cm [m/s], x_foot [m], N/mg";
-    let all = times(0.0, exact.landing_time(), 200);
-    Trajectory::sampled(columns.split(", "), all, |t| {
-        let s = exact.at(t)?;
-        let foot = -0.5 * p.length * sin(s.theta);
-        Ok([t, s.theta, s.omega, s.y_cm, s.vy_cm, foot, s.floor_force])
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
+    let (fall, plank, start) = (exact(p, p.angle)?, Plank::smooth(p), p.angle);
+    let (time, landed) = (fall.landing_time(), fall.landing());
+    report.in_closed_form(move |part| fall.at(part * time));
+    let asked = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, p.tolerance];
+    let run = move |tolerance| plank.fall(tolerance, start, 0.0);
+    report.controlled("solve: DOP853 on the contact", asked, run, Fall::work, move |run| {
+        let lands = run.event("arrives")?;
+        Ok(largest([lands.t / time - 1.0, lands.before.v[2] / landed.omega - 1.0]))
     })
 }
 
-kit::example! {
+example! {
     ch15_3_plank: "Section 15.3, example 3: a plank falls over on a frictionless floor";
-    report, figures::figures, trajectory, figures::moving_picture
+    "The falling plank", "A plank on a frictionless floor, released at rest near the vertical.",
+    [upright, released, limits, variations::effects, accuracy, variations::starts, variations::rough];
+    figures::figures, figures::trajectory, figures::moving_picture
 }
