@@ -1,6 +1,7 @@
 //! A particle hits the end of a rod and sticks, simulated with forces and impulses of
 //! contacts: no conservation law is used. The rod is hinged at its middle, or free.
 
+use core::array::from_fn;
 use rotation_dynamics::Result;
 use rotation_dynamics::integrators::{Dop853, Work, ode, size_or};
 use rotation_dynamics::math::{hypot, sincos};
@@ -11,20 +12,13 @@ use rotation_dynamics::planar::contact::{
 /// Rod and particle on a table; the rod lies along y, the particle comes along x.
 #[derive(Debug, Clone, Copy)]
 pub struct Strike {
-    /// Mass of the rod, kg.
-    pub rod: f64,
-    /// Mass of the particle, kg.
-    pub particle: f64,
-    /// Length of the rod, m.
-    pub length: f64,
-    /// Velocity of the particle, m/s: along x, or against it.
-    pub speed: f64,
-    /// Whether the middle of the rod is held.
-    pub hinged: bool,
-    /// How far from its middle the rod is hit, m: usually l/2.
-    pub arm: f64,
-    /// Coefficient of friction of the table after the impact; 0 if it is smooth.
-    pub rub: f64,
+    pub rod: f64,      // mass of the rod, kg
+    pub particle: f64, // mass of the particle, kg
+    pub length: f64,   // of the rod, m
+    pub speed: f64,    // of the particle along x, m/s; negative if it comes against x
+    pub hinged: bool,  // whether the middle of the rod is held
+    pub arm: f64,      // how far from its middle the rod is hit, m: usually l/2
+    pub rub: f64,      // coefficient of friction of the table after the impact; 0 if it is smooth
 }
 
 /// Pieces of the rod, each of which the table brakes against its own velocity.
@@ -33,9 +27,8 @@ const PIECES: u32 = 64;
 /// Coordinates: the middle of the rod, its angle, the particle.
 impl Mechanism<5, 3> for Strike {
     fn mass(&self, _: &[f64; 5]) -> [[f64; 5]; 5] {
-        let (m, i) = (self.rod, self.rod * self.length * self.length / 12.0);
-        let diagonal = [m, m, i, self.particle, self.particle];
-        core::array::from_fn(|j| core::array::from_fn(|k| if j == k { diagonal[j] } else { 0.0 }))
+        let diagonal = [self.rod, self.rod, self.spin(), self.particle, self.particle];
+        from_fn(|j| from_fn(|k| if j == k { diagonal[j] } else { 0.0 }))
     }
 
     fn force(&self, MechanismState { q, v }: &MechanismState<5>) -> [f64; 5] {
@@ -68,13 +61,12 @@ impl Mechanism<5, 3> for Strike {
         let ([x, y], [vx, vy]) = ([q[3] - q[0], q[4] - q[1]], [v[3] - v[0], v[4] - v[1]]);
         let (front, up) = (-c * x - s * y, -s * x + c * y);
         let (to, along) = (-c * vx - s * vy, -s * vx + c * vy);
-        let square = v[2] * v[2];
         // A middle that is held does not answer to a push.
         let free = if self.hinged { 0.0 } else { 1.0 };
         let across = [free * c, free * s, -up, -c, -s];
         let lengthwise = [free * s, -free * c, front, -s, c];
-        let [bias, bias_along] =
-            [-square * front - 2.0 * v[2] * along, 2.0 * v[2] * to - square * up];
+        let bias = -v[2] * v[2] * front - 2.0 * v[2] * along;
+        let bias_along = 2.0 * v[2] * to - v[2] * v[2] * up;
         // A rod at rest has not been hit; one that turns has the particle on it.
         if v[2] == 0.0 {
             let none = |name| Contact::joint(name, 0.0, [0.0; 5], 0.0);
@@ -90,6 +82,11 @@ impl Mechanism<5, 3> for Strike {
 }
 
 impl Strike {
+    /// Moment of inertia of the rod about its middle, kg m^2.
+    fn spin(&self) -> f64 {
+        self.rod * self.length * self.length / 12.0
+    }
+
     /// Total momentum, kg m/s.
     pub fn momentum(&self, MechanismState { v, .. }: &MechanismState<5>) -> [f64; 2] {
         [0, 1].map(|k| self.rod * v[k] + self.particle * v[k + 3])
@@ -102,14 +99,10 @@ impl Strike {
     }
 
     /// Total angular momentum about a point at rest, kg m^2/s.
-    pub fn angular_momentum(
-        &self,
-        MechanismState { q, v }: &MechanismState<5>,
-        [x, y]: [f64; 2],
-    ) -> f64 {
+    pub fn angular_momentum(&self, state: &MechanismState<5>, [x, y]: [f64; 2]) -> f64 {
+        let MechanismState { q, v } = state;
         let about = |k: usize| (q[k] - x) * v[k + 1] - (q[k + 1] - y) * v[k];
-        let spin = self.rod * self.length * self.length / 12.0 * v[2];
-        self.rod * about(0) + spin + self.particle * about(3)
+        self.rod * about(0) + self.spin() * v[2] + self.particle * about(3)
     }
 
     /// Kinetic energy, J.
@@ -145,9 +138,8 @@ impl Strike {
     /// against x.
     fn mirrored(&self, MechanismState { q, v }: MechanismState<5>) -> MechanismState<5> {
         let sense = self.speed.signum();
-        let odd = |all: [f64; 5]| {
-            core::array::from_fn(|k| if k == 1 || k == 4 { all[k] } else { sense * all[k] })
-        };
+        let odd =
+            |all: [f64; 5]| from_fn(|k| if k == 1 || k == 4 { all[k] } else { sense * all[k] });
         MechanismState { q: odd(q), v: odd(v) }
     }
 
