@@ -132,7 +132,7 @@ pub fn corner_axes(m: f64, a: f64, b: f64) -> [f64; 3] {
 }
 
 /// The three roots of the characteristic polynomial of a symmetric matrix, ascending.
-pub fn characteristic_roots(t: [[f64; 3]; 3]) -> [f64; 3] {
+fn characteristic_roots(t: [[f64; 3]; 3]) -> [f64; 3] {
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = t;
     let mean = (xx + yy + zz) / 3.0;
     let [x, y, z] = [xx - mean, yy - mean, zz - mean];
@@ -388,11 +388,11 @@ fn fly(p: &Parameters, report: &mut Report) -> Result<()> {
 pub fn with_fly(p: &Parameters, fly: f64) -> Result<[f64; 2]> {
     let plate = uniform::plate(p.mass, p.width, p.height)?;
     let corner = DesignVector::new(0.5 * p.width, 0.5 * p.height, 0.0);
-    let both = match fly > 0.0 {
-        true => MassProperties::of_parts(&[plate, MassProperties::of_points(&[(fly, corner)])?])?,
-        false => plate,
-    };
-    let axes = both.about_centre_of_mass().principal_axes();
+    let mut parts = vec![plate];
+    if fly > 0.0 {
+        parts.push(MassProperties::of_points(&[(fly, corner)])?);
+    }
+    let axes = MassProperties::of_parts(&parts)?.about_centre_of_mass().principal_axes();
     let ([first, ..], [one, two, _]) = (axes.axes(), axes.moments());
     Ok([atan2(first.y() * first.x().signum(), first.x().abs()), two - one])
 }

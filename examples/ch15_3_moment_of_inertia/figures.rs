@@ -65,13 +65,9 @@ fn square() -> Sketch {
 
 /// Axes through `at` along the edges.
 fn with_edges(sketch: Sketch, at: (f64, f64), length: f64) -> Sketch {
-    sketch.arrow_to(at, sum(at, (length, 0.0)), Ink::Ink, "$x$", Side::Right).arrow_to(
-        at,
-        sum(at, (0.0, length)),
-        Ink::Ink,
-        "$y$",
-        Side::Above,
-    )
+    let [x, y] = [(length, 0.0), (0.0, length)].map(|end| sum(at, end));
+    let sketch = sketch.arrow_to(at, x, Ink::Ink, "$x$", Side::Right);
+    sketch.arrow_to(at, y, Ink::Ink, "$y$", Side::Above)
 }
 
 /// Where (I_x'x', I_x'y') goes while the axes turn.
@@ -240,31 +236,24 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// Two plates of these edges, of which the longer is 1, with the axis at `angle` through the centre
 /// and through a corner, and how far each piece is from it.
 fn two_plates([a, b]: [f64; 2], angle: f64) -> Sketch {
-    let along = polar(1.0, angle);
-    let part = |i: u32| (f64::from(i) + 0.5) / 6.0;
-    let piece = |i: u32, j: u32| (a * part(i), b * part(j));
+    let (along, part) = (polar(1.0, angle), |i: u32| (f64::from(i) + 0.5) / 6.0);
     let mut drawn = Sketch::within((-0.62, 3.28), (-0.78, 1.5));
     for (left, axis) in [(0.0, (0.5 * a, 0.5 * b)), (1.85, (0.0, 0.0))] {
         // In the middle of where the square would be.
         let corner = (left + 0.5 * (1.0 - a), 0.5 * (1.0 - b));
-        drawn = with_plate(drawn, corner, [a, b]);
         let through = sum(corner, axis);
         let at = |by: f64| sum(through, (by * along.0, by * along.1));
-        let (mut back, mut front) = (0.0_f64, 0.0_f64);
-        for (x, y) in (0..6).flat_map(|i| (0..6).map(move |j| piece(i, j))) {
-            let place = sum(corner, (x, y));
+        let (mut start, mut end) = (0.0_f64, 0.0_f64);
+        drawn = with_plate(drawn, corner, [a, b]);
+        for k in 0..36 {
+            let place = sum(corner, (a * part(k / 6), b * part(k % 6)));
             let by = (place.0 - through.0) * along.0 + (place.1 - through.1) * along.1;
-            (back, front) = (back.max(-by), front.max(by));
-            drawn = drawn
-                .curve(Curve::new([at(by), place], Ink::Frame).width(0.9))
-                .curve(Curve::new([place], Ink::Body).dots());
+            (start, end) = (start.min(by), end.max(by));
+            let distance = Curve::new([at(by), place], Ink::Frame).width(0.9);
+            drawn = drawn.curve(distance).curve(Curve::new([place], Ink::Body).dots());
         }
-        drawn = drawn.arrow_along([at(-0.25 - back), at(0.25 + front)], Ink::Velocity).dot(
-            through,
-            Ink::Ink,
-            "",
-            Side::Below,
-        );
+        drawn = drawn.arrow_along([at(start - 0.25), at(end + 0.25)], Ink::Velocity);
+        drawn = drawn.dot(through, Ink::Ink, "", Side::Below);
     }
     drawn
 }
@@ -276,12 +265,10 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let [a, b] = [p.width, p.height].map(|edge| edge / longer);
     let corner = move |angle| turned(about_corner(1.0, a, b), angle)[0];
     let centre = move |angle| turned(about_centre(1.0, a, b), angle)[0];
+    let edges = format!("A plate of {} m by {} m", short(p.width, 3), short(p.height, 3));
     let (shape, unit) = match a == b {
         true => ("A square plate".into(), "M a^2"),
-        false => (
-            format!("A plate of {} m by {} m", short(p.width, 3), short(p.height, 3)),
-            "M a^2, a the longer edge,",
-        ),
+        false => (edges, "M a^2, a the longer edge,"),
     };
     let large = Curve::of(times(0.0, PI, 120), corner, Ink::Ink);
     let small = Curve::of(times(0.0, PI, 120), centre, Ink::Body);

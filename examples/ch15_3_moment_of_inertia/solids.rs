@@ -55,45 +55,43 @@ const B: f64 = 0.7;
 const C: f64 = 0.9;
 const TUBE: f64 = 0.2;
 
+/// The moments of a body that is the same across its third axis in any direction.
+const fn axial(across: &'static str, along: &'static str) -> [&'static str; 3] {
+    [across, across, along]
+}
+
 #[rustfmt::skip]
 fn rows() -> Result<[Row; 12]> {
-    let rod = "M l^2/12";
-    let same = |formula| [formula, formula, formula];
     Ok([
-        Row("rod", [rod, rod, "0"], uniform::rod(1.0, L)?, [line, none, none],
-            |[u, ..]| (1.0, [0.0, 0.0, L * u])),
-        Row("hoop", ["M r^2/2", "M r^2/2", "M r^2"], uniform::hoop(1.0, R)?, [none, turn, none],
+        Row("rod", axial("M l^2/12", "0"), uniform::rod(1.0, L)?, [line, none, none], |[u, ..]| (1.0, [0.0, 0.0, L * u])),
+        Row("hoop", axial("M r^2/2", "M r^2"), uniform::hoop(1.0, R)?, [none, turn, none],
             |[_, v, _]| (1.0, round(R, v, 0.0))),
-        Row("disc", ["M r^2/4", "M r^2/4", "M r^2/2"], uniform::disc(1.0, R)?, [line, turn, none],
+        Row("disc", axial("M r^2/4", "M r^2/2"), uniform::disc(1.0, R)?, [line, turn, none],
             |[u, v, _]| (u, round(R * u, v, 0.0))),
         Row("plate", ["M b^2/12", "M a^2/12", "M (a^2 + b^2)/12"], uniform::plate(1.0, A, B)?, [line, line, none],
             |[u, v, _]| (1.0, [A * u, B * v, 0.0])),
         Row("cuboid", ["M (b^2 + c^2)/12", "M (a^2 + c^2)/12", "M (a^2 + b^2)/12"], uniform::cuboid(1.0, A, B, C)?,
             [line, line, line], |[u, v, w]| (1.0, [A * u, B * v, C * w])),
-        Row("cylinder", ["M (r^2/4 + l^2/12)", "M (r^2/4 + l^2/12)", "M r^2/2"], uniform::cylinder(1.0, R, L)?,
-            [line, turn, line], |[u, v, w]| (u, round(R * u, v, L * w))),
-        Row("tube, inner radius b", ["M ((r^2 + b^2)/4 + l^2/12)", "M ((r^2 + b^2)/4 + l^2/12)", "M (r^2 + b^2)/2"],
+        Row("cylinder", axial("M (r^2/4 + l^2/12)", "M r^2/2"), uniform::cylinder(1.0, R, L)?, [line, turn, line],
+            |[u, v, w]| (u, round(R * u, v, L * w))),
+        Row("tube, inner radius b", axial("M ((r^2 + b^2)/4 + l^2/12)", "M (r^2 + b^2)/2"),
             uniform::hollow_cylinder(1.0, INNER, R, L)?, [line, turn, line],
-            |[u, v, w]| {
-                let radius = INNER + (R - INNER) * u;
-                (radius, round(radius, v, L * w))
-            }),
-        Row("cone", ["M (12 r^2 + 3 h^2)/80", "M (12 r^2 + 3 h^2)/80", "M (3 r^2/10)"], uniform::cone(1.0, R, L)?,
-            [line, turn, line], |[u, v, w]| (u * w * w, round(R * u * w, v, L * w))),
-        Row("sphere", same("M (2 r^2/5)"), uniform::sphere(1.0, R)?, [line, turn, line],
+            |[u, v, w]| (INNER + (R - INNER) * u, round(INNER + (R - INNER) * u, v, L * w))),
+        Row("cone", axial("M (12 r^2 + 3 h^2)/80", "M (3 r^2/10)"), uniform::cone(1.0, R, L)?, [line, turn, line],
+            |[u, v, w]| (u * w * w, round(R * u * w, v, L * w))),
+        Row("sphere", axial("M (2 r^2/5)", "M (2 r^2/5)"), uniform::sphere(1.0, R)?, [line, turn, line],
             |[u, v, w]| (u * u, direction(w, v).map(|x| R * u * x))),
-        Row("spherical shell", same("M (2 r^2/3)"), uniform::spherical_shell(1.0, R)?, [none, turn, line],
-            |[_, v, w]| (1.0, direction(w, v).map(|x| R * x))),
+        Row("spherical shell", axial("M (2 r^2/3)", "M (2 r^2/3)"), uniform::spherical_shell(1.0, R)?,
+            [none, turn, line], |[_, v, w]| (1.0, direction(w, v).map(|x| R * x))),
         Row("ellipsoid", ["M (b^2 + c^2)/5", "M (a^2 + c^2)/5", "M (a^2 + b^2)/5"], uniform::ellipsoid(1.0, A, B, C)?,
             [line, turn, line], |[u, v, w]| {
                 let [x, y, z] = direction(w, v).map(|x| u * x);
                 (u * u, [A * x, B * y, C * z])
             }),
-        Row("torus, tube of radius b", ["M (r^2/2 + 5 b^2/8)", "M (r^2/2 + 5 b^2/8)", "M (r^2 + 3 b^2/4)"],
-            uniform::torus(1.0, R, TUBE)?, [line, turn, turn], |[u, v, w]| {
-                let (s, c) = sincos(w);
-                let radius = R + TUBE * u * c;
-                (u * radius, round(radius, v, TUBE * u * s))
+        Row("torus, tube of radius b", axial("M (r^2/2 + 5 b^2/8)", "M (r^2 + 3 b^2/4)"), uniform::torus(1.0, R, TUBE)?,
+            [line, turn, turn], |[u, v, w]| {
+                let radius = R + TUBE * u * cos(w);
+                (u * radius, round(radius, v, TUBE * u * sin(w)))
             }),
     ])
 }
@@ -118,8 +116,7 @@ fn points(Row(_, _, _, over, element): &Row) -> Vec<Mass> {
 /// differ from the solid's, over its first; those of the solid are off by the part `damage`.
 pub fn compared(damage: f64) -> Result<Vec<(&'static str, [&'static str; 3], usize, f64)>> {
     let of = |row: Row| {
-        let points = points(&row);
-        let Row(name, formulas, solid, ..) = row;
+        let (points, Row(name, formulas, solid, ..)) = (points(&row), row);
         let sums = MassProperties::of_points(&points)?.about_centre_of_mass().matrix();
         let moments = solid.about_centre_of_mass().matrix();
         let pairs = sums.as_flattened().iter().zip(moments.as_flattened());
@@ -169,33 +166,20 @@ fn sliced(n: u32, slice: Slice) -> f64 {
     1.0 + sum / weights
 }
 
-/// More slices would take a second.
-const MOST: u32 = 1 << 22;
-
-/// Doubles the slices until they agree with half as many; the value, and all slices cut.
+/// Doubles the slices until they agree with half as many, unless that would take more than a
+/// second; the value, and all slices cut.
 fn agreed(slice: Slice, tolerance: f64) -> rotation_dynamics::Result<(f64, u32)> {
-    let (mut n, mut all, mut last) = (4, 4, sliced(4, slice));
-    loop {
-        n *= 2;
-        all += n;
+    let (mut all, mut last, mut best) = (4, sliced(4, slice), f64::INFINITY);
+    for n in (3..=22).map(|doublings| 1 << doublings) {
         let next = sliced(n, slice);
-        let reached = (next / last - 1.0).abs();
-        if reached <= tolerance {
+        all += n;
+        best = (next / last - 1.0).abs();
+        if best <= tolerance {
             return Ok((next, all));
-        }
-        if n >= MOST {
-            return Err(Error::NotDelivered {
-                requested: tolerance,
-                best: reached,
-                condition: None,
-            });
         }
         last = next;
     }
-}
-
-fn slices((_, count): &(f64, u32)) -> String {
-    format!("{count} slices")
+    Err(Error::NotDelivered { requested: tolerance, best, condition: None })
 }
 
 /// What accuracy costs: a torus cut in two ways.
@@ -208,6 +192,7 @@ pub fn strip(p: &Parameters, report: &mut Report) -> Result<()> {
     let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-12];
     let angles = |tolerance| agreed(equal_angles, tolerance);
     let thickness = |tolerance| agreed(equal_thickness, tolerance);
+    let slices = |(_, count): &(f64, u32)| format!("{count} slices");
     let error = move |&(value, _): &(f64, u32)| Ok((value / exact - 1.0).abs());
     report.controlled("solve: slices at equal angles", asked, angles, slices, error)?;
     report.controlled("solve: slices of equal thickness", asked, thickness, slices, error)?;
