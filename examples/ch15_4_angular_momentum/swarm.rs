@@ -25,45 +25,38 @@ fn ring(mass: f64, radius: f64, height: f64) -> impl Iterator<Item = Grain> {
     })
 }
 
+/// All pairs of these points.
+fn pairs() -> impl Iterator<Item = [(f64, f64); 2]> {
+    POINTS.into_iter().flat_map(|a| POINTS.map(|b| [a, b]))
+}
+
 /// A uniform cylinder about e3; a disc if it has no length.
 pub fn cylinder(mass: f64, radius: f64, length: f64) -> Vec<Grain> {
-    let mut grains = Vec::new();
-    for (u, part) in POINTS {
+    let rings = pairs().flat_map(|[(u, part), (z, share)]| {
         // Rings of equal mass are equally far apart in the square of the radius.
         let r = radius * (0.5 * (1.0 + u)).sqrt();
-        for (z, share) in POINTS {
-            grains.extend(ring(mass * part * share, r, 0.5 * length * z));
-        }
-    }
-    grains
+        ring(mass * part * share, r, 0.5 * length * z)
+    });
+    rings.collect()
 }
 
 /// A uniform ball about its centre.
 pub fn ball(mass: f64, radius: f64) -> Vec<Grain> {
-    let mut grains = Vec::new();
-    for (u, part) in POINTS {
+    let rings = pairs().flat_map(|[(u, part), (z, share)]| {
         let r = 0.5 * (1.0 + u);
-        for (z, share) in POINTS {
-            let on_sphere =
-                ring(mass * 3.0 * r * r * part * share, ((1.0 - z) * (1.0 + z)).sqrt(), z);
-            grains.extend(on_sphere.map(|(mass, place)| (mass, place * (radius * r))));
-        }
-    }
-    grains
+        let unit = ring(mass * 3.0 * r * r * part * share, ((1.0 - z) * (1.0 + z)).sqrt(), z);
+        unit.map(move |(mass, place)| (mass, place * (radius * r)))
+    });
+    rings.collect()
 }
 
 /// A uniform box; a plate if it has no thickness.
 pub fn cuboid(mass: f64, [a, b, c]: [f64; 3], centre: BodyVector) -> Vec<Grain> {
-    let mut grains = Vec::new();
-    for (x, p) in POINTS {
-        for (y, q) in POINTS {
-            for (z, r) in POINTS {
-                let place = BodyVector::new(0.5 * a * x, 0.5 * b * y, 0.5 * c * z);
-                grains.push((mass * p * q * r, place + centre));
-            }
-        }
-    }
-    grains
+    let rows = pairs().flat_map(|[(x, p), (y, q)]| {
+        let place = move |z: f64| BodyVector::new(0.5 * a * x, 0.5 * b * y, 0.5 * c * z) + centre;
+        POINTS.map(|(z, r)| (mass * p * q * r, place(z)))
+    });
+    rows.collect()
 }
 
 /// Six particles on the axes, two of 1/2 kg on each, with these principal moments.

@@ -33,26 +33,22 @@ pub fn round(p: &Parameters, report: &mut Report) -> Result<()> {
     let about = |x: f64, y: f64| -wheel.angular_momentum(SpaceVector::new(x, y, 0.0)).z();
     let coins = p.coin_mass * p.coin_radius * p.coin_radius * p.coin_rate;
     let rolled = coin(p).angular_momentum(ORIGIN).z();
+    let (sums, bound) = ("sum of r x m v", 1e-12 * unit);
     claims! { report,
         /// rolling wheel: L about its centre
-        wheel_centre: 0.5 * unit, "kg m^2/s", "sum of r x m v" => about(0.0, r), within 1e-12 * unit,
-        in "A rolling wheel":
+        wheel_centre: 0.5 * unit, "kg m^2/s", sums => about(0.0, r), within bound, in "A rolling wheel":
             unit => "that is a hoop";
         /// about a point of the floor ten radii behind
-        wheel_floor: 1.5 * unit, "kg m^2/s", "sum of r x m v" => about(-10.0 * r, 0.0), within 1e-12 * unit,
-        in "A rolling wheel":
+        wheel_floor: 1.5 * unit, "kg m^2/s", sums => about(-10.0 * r, 0.0), within bound, in "A rolling wheel":
             0.5 * unit => "add what the centre carries";
         /// about the point of contact
-        wheel_contact: 1.5 * unit, "kg m^2/s", "sum of r x m v" => about(0.0, 0.0), within 1e-12 * unit;
+        wheel_contact: 1.5 * unit, "kg m^2/s", sums => about(0.0, 0.0), within bound;
         /// about the top of the rim
-        wheel_top: -0.5 * unit, "kg m^2/s", "sum of r x m v" => about(0.0, 2.0 * r), within 1e-12 * unit,
-        in "A rolling wheel":
-            1.5 * unit => "that is I Omega; but this point moves",
-            0.5 * unit => "look at the sign";
+        wheel_top: -0.5 * unit, "kg m^2/s", sums => about(0.0, 2.0 * r), within bound, in "A rolling wheel":
+            1.5 * unit => "that is I Omega; but this point moves", 0.5 * unit => "look at the sign";
         /// coin on coin: L about the centre of the fixed one
-        coin: 5.0 * coins, "kg m^2/s", "sum of r x m v" => rolled, within 1e-12 * coins, in "Coin on coin":
-            4.5 * coins => "how often does the coin turn in an orbit?",
-            6.0 * coins => "a disc, not a hoop";
+        coin: 5.0 * coins, "kg m^2/s", sums => rolled, within 1e-12 * coins, in "Coin on coin":
+            4.5 * coins => "how often does the coin turn in an orbit?", 6.0 * coins => "a disc, not a hoop";
     }
 }
 
@@ -78,16 +74,14 @@ pub fn earth(_: &Parameters, report: &mut Report) -> Result<()> {
         let (s, c) = sincos(ORBIT * t);
         SpaceVector::new(DISTANCE * c, DISTANCE * s, 0.0) + grain.to_array().into()
     });
-    let turning = |rate| {
-        let swarm = Swarm::turning(grains(), SpaceVector::new(0.0, 0.0, rate), ORIGIN);
-        swarm.angular_momentum(ORIGIN).z()
-    };
+    let carried = carried.angular_momentum(ORIGIN).z();
+    let spinning = |rate| Swarm::turning(grains(), SpaceVector::new(0.0, 0.0, rate), ORIGIN);
+    let turning = |rate| spinning(rate).angular_momentum(ORIGIN).z();
     // The pole stands at 23.44 degrees; the printed third term does not point there.
     let chord = 2.0 * sin(0.5 * 23.44_f64.to_radians());
     claims! { report,
         /// the Earth about the Sun: its orbit
-        earth_orbit: orbit, "kg m^2/s", "a ball carried round" => carried.angular_momentum(ORIGIN).z(), within 1e-12 * orbit,
-        in "The Earth";
+        earth_orbit: orbit, "kg m^2/s", "a ball carried round" => carried, within 1e-12 * orbit, in "The Earth";
         /// its spin, as a uniform ball
         earth_spin: spin, "kg m^2/s", "sum of r x m v" => turning(SPIN), within 1e-12 * spin, in "The Earth";
         /// the turn a year that is not seen from the Sun
@@ -140,27 +134,23 @@ pub fn edge_runner(p: &Parameters, report: &mut Report) -> Result<()> {
     let off = 1e-11 * n + 3e-12 * up.abs() * turns / shaft * (turns / rate.abs());
     // What is added to the weight grows with the square of the rate.
     let added = needed - weight;
+    let sums = "sum of r x m v";
     claims! { report,
         /// wheel on a shaft: L about the hinge, along the shaft outward
-        runner_along: along, "kg m^2/s", "sum of r x m v" => momentum.x(), within bound * up,
-        in "A wheel on a shaft":
-            -along => "which way does it turn, seen from the hinge?",
-            along / rate => "that has no 1/s";
+        runner_along: along, "kg m^2/s", sums => momentum.x(), within bound * up, in "A wheel on a shaft":
+            -along => "which way does it turn, seen from the hinge?", along / rate => "that has no 1/s";
         /// and along the vertical
-        runner_up: up, "kg m^2/s", "sum of r x m v" => momentum.z(), within bound * up,
-        in "A wheel on a shaft":
+        runner_up: up, "kg m^2/s", sums => momentum.z(), within bound * up, in "A wheel on a shaft":
             mass * shaft * shaft * rate => "the wheel also turns about its own diameter",
             mass * (shaft * shaft + 0.5 * r * r) * rate => "about a diameter, not about the axle";
         /// force of the floor
         runner_force: n, "N", "dL/dt of the grains" => needed, within off, in "A wheel on a shaft":
-            weight => "that is the weight only",
-            2.0 * weight - n => "the torque has the other sign";
+            weight => "that is the weight only", 2.0 * weight - n => "the torque has the other sign";
         /// angular velocity at which it is twice the weight
         runner_double: double, "rad/s", "the same, scaled" => rate.abs() * (weight / added).sqrt(),
         within double * (1e-12 + off / (n - weight));
         /// kinetic energy
-        runner_energy: energy, "J", "sum of m v^2/2" => swarm.kinetic_energy(), within bound * energy,
-        in "A wheel on a shaft";
+        runner_energy: energy, "J", "sum of m v^2/2" => swarm.kinetic_energy(), within bound * energy, in "A wheel on a shaft";
     }
 }
 
@@ -189,28 +179,24 @@ pub fn askew(p: &Parameters, report: &mut Report) -> Result<()> {
     let (square, edge) = (m * a * a * w, plate(p).angular_momentum(ORIGIN));
     let (x, y) = (-square / 4.0, square / 3.0);
     let half = 0.5_f64.sqrt();
+    let (sums, bound) = ("sum of r x m v", 1e-12 * unit);
     claims! { report,
         /// inclined cylinder: L along y
-        cylinder_y: momentum.y(), "kg m^2/s", "sum of r x m v" => on_body.y(), within 1e-12 * unit,
-        in "The inclined cylinder";
+        cylinder_y: momentum.y(), "kg m^2/s", sums => on_body.y(), within bound, in "The inclined cylinder";
         /// along its own axis
-        cylinder_z: momentum.z(), "kg m^2/s", "sum of r x m v" => on_body.z(), within 1e-12 * unit,
-        in "The inclined cylinder";
+        cylinder_z: momentum.z(), "kg m^2/s", sums => on_body.z(), within bound, in "The inclined cylinder";
         /// angle from Omega to L
-        cylinder_angle: shaft.angle(), "rad", "sum of r x m v" => angle(sum, omega), within 1e-11,
-        in "The inclined cylinder":
+        cylinder_angle: shaft.angle(), "rad", sums => angle(sum, omega), within 1e-11, in "The inclined cylinder":
             FRAC_PI_2 - p.tilt => "that is for a needle";
         /// torque of the bearings along x
         cylinder_torque: torque, "N m", "dL/dt of the grains" => swarm.torque().x(), within 1e-11 * unit * p.rate,
         in "The inclined cylinder":
-            -torque => "that is the torque on the bearings",
-            0.0 => "L is as long as before, but it turns";
+            -torque => "that is the torque on the bearings", 0.0 => "L is as long as before, but it turns";
         /// square plate: L about its corner along x
-        plate_x: x, "kg m^2/s", "sum of r x m v" => edge.x(), within 1e-12 * square, in "The square plate":
-            -x => "a product of inertia has a minus",
-            0.0 => "L is not along Omega";
+        plate_x: x, "kg m^2/s", sums => edge.x(), within 1e-12 * square, in "The square plate":
+            -x => "a product of inertia has a minus", 0.0 => "L is not along Omega";
         /// along y
-        plate_y: y, "kg m^2/s", "sum of r x m v" => edge.y(), within 1e-12 * square, in "The square plate":
+        plate_y: y, "kg m^2/s", sums => edge.y(), within 1e-12 * square, in "The square plate":
             square / 12.0 => "that is about the middle";
         /// the same along the diagonal x'
         plate_diagonal: square / 12.0 * half, "kg m^2/s", "turned by 45 degrees" => half * (edge.x() + edge.y()), within 1e-12 * square;
