@@ -45,12 +45,9 @@ parameters! {
 pub struct Plank {
     pub length: f64,
     pub gravity: f64,
-    /// Coefficient of friction of the floor.
-    pub mu: f64,
-    /// rho C w/(2 m), the drag of the air over the mass, for a unit of length and speed, 1/m^2.
-    pub drag: f64,
-    /// The angle at which the scene ends.
-    pub until: f64,
+    pub mu: f64,    // coefficient of friction of the floor
+    pub drag: f64,  // rho C w/(2 m): air over mass, for a unit of length and speed, 1/m^2
+    pub until: f64, // the angle at which the scene ends
 }
 
 // ANCHOR: scene
@@ -94,18 +91,14 @@ impl Plank {
         Self { length: p.length, gravity: p.gravity, mu: 0.0, drag: 0.0, until: FRAC_PI_2 }
     }
 
-    /// At this angle, turning at this rate, its foot on the floor, its middle above the origin.
-    pub fn state(&self, angle: f64, rate: f64) -> MechanismState<3> {
-        let (half, (s, c)) = (0.5 * self.length, sincos(angle));
-        MechanismState { q: [0.0, half * c, angle], v: [0.0, -half * s * rate, rate] }
-    }
-
-    /// The fall from there, within this error.
+    /// The fall from this angle and rate, its middle above the origin, within this error.
     pub fn fall(self, tolerance: f64, angle: f64, rate: f64) -> rotation_dynamics::Result<Fall> {
+        let (half, (s, c)) = (0.5 * self.length, sincos(angle));
+        let start = MechanismState { q: [0.0, half * c, angle], v: [0.0, -half * s * rate, rate] };
         // Friction may double the time, and then some.
         let unit = (self.length / self.gravity).sqrt();
         let longest = unit * (20.0 + 4.0 * log(1.0 / angle.clamp(1e-300, 1.0)));
-        motion_within(self, tolerance, self.state(angle, rate), longest)
+        motion_within(self, tolerance, start, longest)
     }
 
     /// Force and moment of the air over the mass, by the pieces of the plank: each is pushed at
@@ -237,8 +230,7 @@ fn upright(p: &Parameters, report: &mut Report) -> Result<()> {
         energy: energy, "J", "at the floor" => p.mass * l * l / 6.0 * floor * floor, within bound * energy;
         /// rate at which a small tilt grows
         growth: lambda, "1/s", "time of doubling" => acosh(2.0) / doubled.t, within bound * lambda, in "Near upright":
-            pivoted => "that is for a foot that is held",
-            (g / l).sqrt() => "the moment of inertia counts too";
+            pivoted => "that is for a foot that is held", (g / l).sqrt() => "the moment of inertia counts too";
         /// the same with the foot held
         growth_held: pivoted, "1/s", "time of doubling" => acosh(2.0) / slow.t, within 1e-12 * pivoted, in "Near upright":
             lambda => "that is for a foot that slides";

@@ -41,13 +41,8 @@ pub fn rubbing(p: &Parameters, mu: f64) -> rotation_dynamics::Result<Fall> {
 /// Coefficients of friction, and how the plank falls.
 pub fn rough(p: &Parameters, report: &mut Report) -> Result<()> {
     let from = format!("mu, from {} rad", rough_start(p));
-    let columns = [
-        from.as_str(),
-        "first slips at / rad",
-        "which way",
-        "t_floor / s",
-        "omega_floor / (rad/s)",
-    ];
+    let others = ["first slips at / rad", "which way", "t_floor / s", "omega_floor / (rad/s)"];
+    let columns = [from.as_str()].into_iter().chain(others);
     let sense = |mode: Mode| match mode {
         Mode::Slip(Sense::Backward) => "forwards",
         _ => "backwards",
