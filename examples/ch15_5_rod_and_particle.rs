@@ -33,15 +33,11 @@ parameters! {
 // ANCHOR: answer
 /// What the conservation of angular momentum about the hinge gives.
 pub struct Answer {
-    /// Moment of inertia about the hinge, rod and particle.
-    pub inertia: f64,
-    /// Angular momentum about the hinge, before and after.
-    pub momentum: f64,
+    pub inertia: f64,  // of rod and particle about the hinge
+    pub momentum: f64, // angular momentum about the hinge, before and after
     pub angular_velocity: f64,
-    /// Impulse of the hinge on the rod, along the particle's velocity.
-    pub hinge: f64,
-    /// Kinetic energy before and after.
-    pub energies: [f64; 2],
+    pub hinge: f64, // impulse of the hinge on the rod, along the particle's velocity
+    pub energies: [f64; 2], // kinetic energy before and after
 }
 
 impl Answer {
@@ -99,8 +95,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             a.momentum / alone => "the particle turns with the rod";
         /// impulse of the hinge on the rod, along the velocity of the particle
         hinge: a.hinge, "N s", "momentum, simulated" => push - m * v, within bound * m * v, in "The impact":
-            -a.hinge => "that is the impulse on the hinge",
-            0.0 => "what stops the middle of the rod?";
+            -a.hinge => "that is the impulse on the hinge", 0.0 => "what stops the middle of the rod?";
         /// kinetic energy after
         energy: rest, "J", "contacts simulated" => scene.energy(&after), within bound * energy, in "The impact":
             energy => "the particle sticks";

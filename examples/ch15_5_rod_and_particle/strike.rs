@@ -122,13 +122,12 @@ impl Strike {
         let free = if self.hinged { 0.0 } else { 1.0 / self.rod };
         let part = turns / (turns + free + 1.0 / self.particle);
         let lever = 1.0 - pin / self.arm;
+        let slows = 1.0 - part + part * lever;
         // Depth, its rate, angular velocity and angle, each in the unit that makes it simple.
         let law = ode(move |_, &[depth, closing, rate, _]: &[f64; 4]| {
-            let slows = 1.0 - part + part * lever;
             [closing, -slows * depth, lever * depth, rate]
-        })
-        .scaled(size_or([1.0; 4]));
-        let start = [0.0, 1.0, 0.0, 0.0];
+        });
+        let (law, start) = (law.scaled(size_or([1.0; 4])), [0.0, 1.0, 0.0, 0.0]);
         let (met, work) = Dop853::new(1e-14)?.zero(&law, start, 1, 10.0, |y| y[1])?;
         let [_, _, rate, angle] = met.state;
         Ok(([rate, 1.0 - angle / (rate * met.t)], work))
@@ -138,9 +137,8 @@ impl Strike {
     /// against x.
     fn mirrored(&self, MechanismState { q, v }: MechanismState<5>) -> MechanismState<5> {
         let sense = self.speed.signum();
-        let odd =
-            |all: [f64; 5]| from_fn(|k| if k == 1 || k == 4 { all[k] } else { sense * all[k] });
-        MechanismState { q: odd(q), v: odd(v) }
+        let signs = [sense, 1.0, sense, sense, 1.0];
+        MechanismState { q: from_fn(|k| signs[k] * q[k]), v: from_fn(|k| signs[k] * v[k]) }
     }
 
     /// The time in which the particle comes as far as the rod is long, s.

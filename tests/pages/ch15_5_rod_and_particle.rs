@@ -13,7 +13,7 @@ use support::{EPS, Errors, assert_error, assert_largest};
 const EQUAL: [[f64; 3]; 5] = [[0.8, 1.2, 5.0], [1.0, 1.0, 1.0], [3.0, 0.3, 20.0], [0.1, 2.0, 0.7], [40.0, 7.0, 3.0]];
 
 fn equal([mass, length, speed]: [f64; 3]) -> Parameters {
-    Parameters { mass, particle: mass, length, speed, table: None, tolerance: 1e-11 }
+    Parameters { mass, particle: mass, length, speed, ..Parameters::default() }
 }
 
 fn blow(p: &Parameters) -> Blow {
@@ -50,8 +50,7 @@ fn eq_15_5_ex1_1_moment_about_the_hinge() {
     let (mut errors, mut damaged) = (Errors::of("M l^2/3"), Errors::of("the rod alone"));
     for [m, l, v] in EQUAL {
         let pieces = (0..10_000).map(|k| l * ((f64::from(k) + 0.5) / 1e4 - 0.5));
-        let rod: f64 = pieces.map(|r| m / 1e4 * r * r).sum();
-        let sum = rod + m * (0.5 * l) * (0.5 * l);
+        let sum = pieces.map(|r| m / 1e4 * r * r).sum::<f64>() + m * (0.5 * l) * (0.5 * l);
         errors.push(m * l * l / 3.0 / sum - 1.0);
         errors.push(Answer::new(&equal([m, l, v])).inertia / sum - 1.0);
         damaged.push(m * l * l / 12.0 / sum - 1.0);
@@ -106,10 +105,8 @@ fn e44_one_letter_for_the_length() {
 /// The hinge must stop the middle of the rod: without its impulse the middle would move.
 #[test]
 fn the_hinge_takes_a_quarter() {
-    let [m, l, v] = EQUAL[0];
-    let p = equal([m, l, v]);
-    let after = blow(&p).after;
-    let contact = p.particle * (v - after.v[3]);
+    let ([m, _, v], p) = (EQUAL[0], equal(EQUAL[0]));
+    let contact = m * (v - blow(&p).after.v[3]);
     assert_error!(contact, 0.25 * m * v, 0.0 eps);
     assert_error!(-value(&EXAMPLE, "hinge"), contact, 3.0 eps);
     // Free, the same blow sets the middle going.
