@@ -2,10 +2,8 @@
 
 use super::{Mass, Rigid, velocity};
 use core::array::from_fn;
-use core::f64::consts::TAU;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::frame::{BodyVector, DesignVector};
-use rotation_dynamics::math::sincos;
 use rotation_dynamics::{Error, Result};
 
 impl Rigid {
@@ -78,16 +76,10 @@ pub fn plate_points(mass: f64, edges: [f64; 2], centre: [f64; 2]) -> [Mass; 4] {
     })
 }
 
-/// A wheel of mass 1 and radius 1 as two rings, upright, its axle along z: a uniform disc.
-pub fn wheel() -> Vec<Mass> {
-    let ring = |radius: f64| {
-        (0..12).map(move |i| {
-            let (s, c) = sincos(TAU * f64::from(i) / 12.0);
-            (0.5 / 12.0, DesignVector::new(radius * c, radius * s, 0.0))
-        })
-    };
-    // Half of the mass at sqrt(1/2 - d) and half at sqrt(1/2 + d): the mean square is a disc's.
-    ring(0.25_f64.sqrt()).chain(ring(0.75_f64.sqrt())).collect()
+/// A wheel of mass 1 and radius 1, a uniform disc, upright, its axle along z: a square of the edge
+/// sqrt(3) has the same moments.
+pub fn wheel() -> [Mass; 4] {
+    plate_points(1.0, [3.0_f64.sqrt(); 2], [0.0, 0.0])
 }
 
 /// It rolls along x with the speed 1, and so turns clockwise.
