@@ -9,8 +9,6 @@ mod figures;
 mod hoop;
 #[path = "ch15_4_angular_momentum/left_out.rs"]
 pub mod left_out;
-#[path = "ch15_4_angular_momentum/picture.rs"]
-mod picture;
 #[path = "ch15_4_angular_momentum/swarm.rs"]
 pub mod swarm;
 #[path = "ch15_4_angular_momentum/worked.rs"]
@@ -270,5 +268,5 @@ example! {
     "Angular momentum", "Sums over the particles of a body, its tensor of inertia, and six examples.",
     [bodies, worked::round, worked::earth, worked::edge_runner, worked::askew, left_out::in_air, tries, limits,
      left_out::effects, accuracy];
-    figures::figures, picture::trajectory, picture::moving_picture
+    figures::figures, figures::trajectory, figures::moving_picture
 }
