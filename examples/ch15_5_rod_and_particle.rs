@@ -7,7 +7,6 @@ pub mod strike;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use kit::prelude::*;
-use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
 use strike::{Blow, Strike};
@@ -204,7 +203,7 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let turned = Answer::new(p).angular_velocity * END * p.length / p.speed.abs();
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
     let run = move |tolerance| Blow::new(scene, tolerance, 0.5, END);
-    let error = move |blow: &Blow| Ok(largest([blow.end()?.q[2] - turned]));
+    let error = move |blow: &Blow| Ok((blow.end()?.q[2] - turned).abs());
     report.in_closed_form(move |part| part * turned);
     report.controlled("contacts by DOP853", asked, run, Blow::work, error)
 }

@@ -48,7 +48,6 @@ pub fn whole(masses: &[Mass]) -> f64 {
     masses.iter().map(|(m, _)| m).sum()
 }
 
-/// The centre of mass.
 pub fn centre_of_mass(masses: &[Mass]) -> DesignVector {
     masses.iter().map(|(m, r)| *r * *m).sum::<DesignVector>() / whole(masses)
 }

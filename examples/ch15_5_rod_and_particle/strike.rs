@@ -149,9 +149,8 @@ impl Strike {
 
 /// What happens: a flight, an impact at t = 0, and what comes after it.
 pub struct Blow {
-    /// Just before and just after.
-    pub before: MechanismState<5>,
-    pub after: MechanismState<5>,
+    pub before: MechanismState<5>, // just before and
+    pub after: MechanismState<5>,  // just after the impact
     strike: Strike,
     impact: f64,
     motion: ContactMotion<Strike, 5, 3>,
@@ -175,16 +174,14 @@ impl Blow {
 
     /// The state at `t` (s), counted from the impact.
     pub fn at(&self, t: f64) -> Result<MechanismState<5>> {
-        let t = (t + self.impact).clamp(0.0, self.motion.end_time());
-        self.motion.at(t).map(|state| self.strike.mirrored(state))
+        let state = self.motion.at((t + self.impact).clamp(0.0, self.motion.end_time()))?;
+        Ok(self.strike.mirrored(state))
     }
 
-    /// The state at the end.
     pub fn end(&self) -> Result<MechanismState<5>> {
         self.at(f64::INFINITY)
     }
 
-    /// What it cost.
     pub fn work(&self) -> Work {
         self.motion.work()
     }

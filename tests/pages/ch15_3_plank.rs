@@ -19,28 +19,24 @@ fn falling(start: f64) -> Exact {
     exact(&Parameters::default(), start).unwrap()
 }
 
-/// Kinetic energy over m of a plank of length 1 at this angle and rate, from where its pieces are
-/// a little before and after; the middle stays above one point.
-fn energy_of_pieces(angle: f64, rate: f64) -> f64 {
-    let (n, dt) = (400, 1e-4);
-    let [later, earlier] = [dt, -dt].map(|t| sincos(angle + rate * t));
-    let piece = |i: i32| {
-        let s = (f64::from(i) + 0.5) / f64::from(n) - 0.5;
-        let x = s * (later.0 - earlier.0) / (2.0 * dt);
-        let y = (0.5 + s) * (later.1 - earlier.1) / (2.0 * dt);
-        0.5 * (x * x + y * y) / f64::from(n)
-    };
-    // The pieces turn, too: what sums of n pieces lack of a whole.
-    (0..n).map(piece).sum::<f64>() + rate * rate / (24.0 * f64::from(n * n))
-}
-
-/// The equation that is missing in the notes: kinetic energy of the middle and of the rotation.
+/// The equation that is missing in the notes: kinetic energy of the middle and of the rotation,
+/// over m, for the length 1; against pieces that are seen a little before and after, while the
+/// middle stays above one point.
 #[test]
 fn eq_15_3_ex3_1_energy() {
     let (mut errors, mut damaged) = (Errors::of("energy"), Errors::of("without the rotation"));
+    let (rate, n, dt) = (1.3, 400, 1e-4);
     for angle in times(0.1, 1.5, 20) {
-        let (pieces, s) = (energy_of_pieces(angle, 1.3), sin(angle));
-        let (middle, turning) = (0.125 * s * s * 1.69, 1.69 / 24.0);
+        let [later, earlier] = [dt, -dt].map(|t| sincos(angle + rate * t));
+        let piece = |i: i32| {
+            let s = (f64::from(i) + 0.5) / f64::from(n) - 0.5;
+            let x = s * (later.0 - earlier.0) / (2.0 * dt);
+            let y = (0.5 + s) * (later.1 - earlier.1) / (2.0 * dt);
+            0.5 * (x * x + y * y) / f64::from(n)
+        };
+        // The pieces turn, too: what sums of n pieces lack of a whole.
+        let pieces = (0..n).map(piece).sum::<f64>() + rate * rate / (24.0 * f64::from(n * n));
+        let (middle, turning) = (0.125 * sin(angle) * sin(angle) * 1.69, 1.69 / 24.0);
         errors.push((middle + turning) / pieces - 1.0);
         damaged.push(middle / pieces - 1.0);
     }
