@@ -32,7 +32,7 @@ fn none() -> Nodes {
 type Element = fn([f64; 3]) -> (f64, [f64; 3]);
 
 /// A solid of the table: its name, its moments as formulas, the library's, and its coordinates.
-struct Row(&'static str, [&'static str; 3], MassProperties, [fn() -> Nodes; 3], Element);
+pub struct Row(pub &'static str, [&'static str; 3], MassProperties, [fn() -> Nodes; 3], Element);
 
 /// A place given by the distance from the third axis, the angle about it, and the height.
 fn round(radius: f64, angle: f64, height: f64) -> [f64; 3] {
@@ -112,16 +112,17 @@ fn points(Row(_, _, _, over, element): &Row) -> Vec<Mass> {
     points.into_iter().map(|(m, place)| (m / mass, place)).collect()
 }
 
-/// Each solid's name and formulas, how many points stand for it, and by how much their moments
-/// differ from the solid's, over its first; those of the solid are off by the part `damage`.
-pub fn compared(damage: f64) -> Result<Vec<(&'static str, [&'static str; 3], usize, f64)>> {
+/// Each solid, how many points stand for it, and by how much their moments differ from the solid's,
+/// over its first; those of the solid are off by the part `damage`.
+pub fn compared(damage: f64) -> Result<Vec<(Row, usize, f64)>> {
     let of = |row: Row| {
-        let (points, Row(name, formulas, solid, ..)) = (points(&row), row);
+        let (points, solid) = (points(&row), &row.2);
         let sums = MassProperties::of_points(&points)?.about_centre_of_mass().matrix();
         let moments = solid.about_centre_of_mass().matrix();
         let pairs = sums.as_flattened().iter().zip(moments.as_flattened());
         let off = largest(pairs.map(|(sum, moment)| sum - moment * (1.0 + damage)));
-        Ok((name, formulas, points.len(), off / diagonal(&solid)[0]))
+        let off = off / diagonal(solid)[0];
+        Ok((row, points.len(), off))
     };
     rows()?.into_iter().map(of).collect()
 }
@@ -129,11 +130,11 @@ pub fn compared(damage: f64) -> Result<Vec<(&'static str, [&'static str; 3], usi
 /// The solids of the library, their moments, and how far the points are off.
 pub fn table(_: &Parameters, report: &mut Report) -> Result<()> {
     let columns = ["solid", "I_1", "I_2", "I_3", "points", "off by / eps"];
-    let row = |(name, [one, two, three], count, off): (&str, [&str; 3], usize, f64)| {
+    report.add(Table::of("solids", columns, compared(0.0)?, |(row, count, off)| {
+        let Row(name, [one, two, three], ..) = row;
         let (count, off) = (count.to_string(), format!("{:.1}", off / EPS));
         Ok([name.into(), one.into(), two.into(), three.into(), count, off])
-    };
-    report.add(Table::of("solids", columns, compared(0.0)?, row)?)
+    })?)
 }
 
 /// How a torus with the tube TUBE/R is cut, its radius 1: at the part u of the way through, half
