@@ -75,7 +75,7 @@ pub fn plate_points(mass: f64, edges: [f64; 2], centre: [f64; 2]) -> [Mass; 4] {
     })
 }
 
-/// A wheel of mass 1 and radius 1, a uniform disc, upright, its axle along z: a square of the edge
+/// A wheel of mass 1 and radius 1, a uniform disc, upright, its axle along z: a square with edges of
 /// sqrt(3) has the same moments.
 pub fn wheel() -> [Mass; 4] {
     plate_points(1.0, [3.0_f64.sqrt(); 2], [0.0, 0.0])

@@ -31,8 +31,14 @@ fn none() -> Nodes {
 /// What a solid has at the coordinates (u, v, w): its volume element, up to a factor, and the place.
 type Element = fn([f64; 3]) -> (f64, [f64; 3]);
 
-/// A solid of the table: its name, its moments as formulas, the library's, and its coordinates.
-pub struct Row(pub &'static str, [&'static str; 3], MassProperties, [fn() -> Nodes; 3], Element);
+/// A solid of the table.
+pub struct Row {
+    pub name: &'static str,
+    formulas: [&'static str; 3], // of its moments
+    solid: MassProperties,       // the library's
+    over: [fn() -> Nodes; 3],    // how its coordinates run
+    element: Element,
+}
 
 /// A place given by the distance from the third axis, the angle about it, and the height.
 fn round(radius: f64, angle: f64, height: f64) -> [f64; 3] {
@@ -60,35 +66,45 @@ const fn axial(across: &'static str, along: &'static str) -> [&'static str; 3] {
     [across, across, along]
 }
 
+fn row(
+    name: &'static str,
+    formulas: [&'static str; 3],
+    solid: MassProperties,
+    over: [fn() -> Nodes; 3],
+    element: Element,
+) -> Row {
+    Row { name, formulas, solid, over, element }
+}
+
 #[rustfmt::skip]
 fn rows() -> Result<[Row; 12]> {
     Ok([
-        Row("rod", axial("M l^2/12", "0"), uniform::rod(1.0, L)?, [line, none, none], |[u, ..]| (1.0, [0.0, 0.0, L * u])),
-        Row("hoop", axial("M r^2/2", "M r^2"), uniform::hoop(1.0, R)?, [none, turn, none],
+        row("rod", axial("M l^2/12", "0"), uniform::rod(1.0, L)?, [line, none, none], |[u, ..]| (1.0, [0.0, 0.0, L * u])),
+        row("hoop", axial("M r^2/2", "M r^2"), uniform::hoop(1.0, R)?, [none, turn, none],
             |[_, v, _]| (1.0, round(R, v, 0.0))),
-        Row("disc", axial("M r^2/4", "M r^2/2"), uniform::disc(1.0, R)?, [line, turn, none],
+        row("disc", axial("M r^2/4", "M r^2/2"), uniform::disc(1.0, R)?, [line, turn, none],
             |[u, v, _]| (u, round(R * u, v, 0.0))),
-        Row("plate", ["M b^2/12", "M a^2/12", "M (a^2 + b^2)/12"], uniform::plate(1.0, A, B)?, [line, line, none],
+        row("plate", ["M b^2/12", "M a^2/12", "M (a^2 + b^2)/12"], uniform::plate(1.0, A, B)?, [line, line, none],
             |[u, v, _]| (1.0, [A * u, B * v, 0.0])),
-        Row("cuboid", ["M (b^2 + c^2)/12", "M (a^2 + c^2)/12", "M (a^2 + b^2)/12"], uniform::cuboid(1.0, A, B, C)?,
+        row("cuboid", ["M (b^2 + c^2)/12", "M (a^2 + c^2)/12", "M (a^2 + b^2)/12"], uniform::cuboid(1.0, A, B, C)?,
             [line, line, line], |[u, v, w]| (1.0, [A * u, B * v, C * w])),
-        Row("cylinder", axial("M (r^2/4 + l^2/12)", "M r^2/2"), uniform::cylinder(1.0, R, L)?, [line, turn, line],
+        row("cylinder", axial("M (r^2/4 + l^2/12)", "M r^2/2"), uniform::cylinder(1.0, R, L)?, [line, turn, line],
             |[u, v, w]| (u, round(R * u, v, L * w))),
-        Row("tube, inner radius b", axial("M ((r^2 + b^2)/4 + l^2/12)", "M (r^2 + b^2)/2"),
+        row("tube, inner radius b", axial("M ((r^2 + b^2)/4 + l^2/12)", "M (r^2 + b^2)/2"),
             uniform::hollow_cylinder(1.0, INNER, R, L)?, [line, turn, line],
             |[u, v, w]| (INNER + (R - INNER) * u, round(INNER + (R - INNER) * u, v, L * w))),
-        Row("cone", axial("M (12 r^2 + 3 h^2)/80", "M (3 r^2/10)"), uniform::cone(1.0, R, L)?, [line, turn, line],
+        row("cone", axial("M (12 r^2 + 3 h^2)/80", "M (3 r^2/10)"), uniform::cone(1.0, R, L)?, [line, turn, line],
             |[u, v, w]| (u * w * w, round(R * u * w, v, L * w))),
-        Row("sphere", axial("M (2 r^2/5)", "M (2 r^2/5)"), uniform::sphere(1.0, R)?, [line, turn, line],
+        row("sphere", axial("M (2 r^2/5)", "M (2 r^2/5)"), uniform::sphere(1.0, R)?, [line, turn, line],
             |[u, v, w]| (u * u, direction(w, v).map(|x| R * u * x))),
-        Row("spherical shell", axial("M (2 r^2/3)", "M (2 r^2/3)"), uniform::spherical_shell(1.0, R)?,
+        row("spherical shell", axial("M (2 r^2/3)", "M (2 r^2/3)"), uniform::spherical_shell(1.0, R)?,
             [none, turn, line], |[_, v, w]| (1.0, direction(w, v).map(|x| R * x))),
-        Row("ellipsoid", ["M (b^2 + c^2)/5", "M (a^2 + c^2)/5", "M (a^2 + b^2)/5"], uniform::ellipsoid(1.0, A, B, C)?,
+        row("ellipsoid", ["M (b^2 + c^2)/5", "M (a^2 + c^2)/5", "M (a^2 + b^2)/5"], uniform::ellipsoid(1.0, A, B, C)?,
             [line, turn, line], |[u, v, w]| {
                 let [x, y, z] = direction(w, v).map(|x| u * x);
                 (u * u, [A * x, B * y, C * z])
             }),
-        Row("torus, tube of radius b", axial("M (r^2/2 + 5 b^2/8)", "M (r^2 + 3 b^2/4)"), uniform::torus(1.0, R, TUBE)?,
+        row("torus, tube of radius b", axial("M (r^2/2 + 5 b^2/8)", "M (r^2 + 3 b^2/4)"), uniform::torus(1.0, R, TUBE)?,
             [line, turn, turn], |[u, v, w]| {
                 let radius = R + TUBE * u * cos(w);
                 (u * radius, round(radius, v, TUBE * u * sin(w)))
@@ -97,13 +113,13 @@ fn rows() -> Result<[Row; 12]> {
 }
 
 /// Point masses that have the moments of a solid of mass 1.
-fn points(Row(_, _, _, over, element): &Row) -> Vec<Mass> {
-    let [us, vs, ws] = over.map(|nodes| nodes());
+fn points(row: &Row) -> Vec<Mass> {
+    let [us, vs, ws] = row.over.map(|nodes| nodes());
     let mut points = Vec::new();
     for (u, a) in &us {
         for (v, b) in &vs {
             for (w, c) in &ws {
-                let (volume, place) = element([*u, *v, *w]);
+                let (volume, place) = (row.element)([*u, *v, *w]);
                 points.push((a * b * c * volume, place.into()));
             }
         }
@@ -116,7 +132,7 @@ fn points(Row(_, _, _, over, element): &Row) -> Vec<Mass> {
 /// over its first; those of the solid are off by the part `damage`.
 pub fn compared(damage: f64) -> Result<Vec<(Row, usize, f64)>> {
     let of = |row: Row| {
-        let (points, solid) = (points(&row), &row.2);
+        let (points, solid) = (points(&row), &row.solid);
         let sums = MassProperties::of_points(&points)?.about_centre_of_mass().matrix();
         let moments = solid.about_centre_of_mass().matrix();
         let pairs = sums.as_flattened().iter().zip(moments.as_flattened());
@@ -131,9 +147,9 @@ pub fn compared(damage: f64) -> Result<Vec<(Row, usize, f64)>> {
 pub fn table(_: &Parameters, report: &mut Report) -> Result<()> {
     let columns = ["solid", "I_1", "I_2", "I_3", "points", "off by / eps"];
     report.add(Table::of("solids", columns, compared(0.0)?, |(row, count, off)| {
-        let Row(name, [one, two, three], ..) = row;
+        let [one, two, three] = row.formulas;
         let (count, off) = (count.to_string(), format!("{:.1}", off / EPS));
-        Ok([name.into(), one.into(), two.into(), three.into(), count, off])
+        Ok([row.name.into(), one.into(), two.into(), three.into(), count, off])
     })?)
 }
 

@@ -221,12 +221,12 @@ fn scene(p: &Parameters, shaft: &Shaft, t: f64) -> View {
         })
 }
 
-/// A turn and a half, and a bit: s.
+/// How long it is followed, s: a turn and a half, and a bit.
 fn end(shaft: &Shaft) -> f64 {
     1.6 * TAU / shaft.rate.abs()
 }
 
-/// That motion.
+/// The cylinder on its shaft, above the components of L.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (p, shaft) = (p.clone(), Shaft::of(p)?);
     let end = end(&shaft);

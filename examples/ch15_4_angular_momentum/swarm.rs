@@ -138,7 +138,7 @@ impl Swarm {
 
     /// dL/dt about the origin, N m.
     pub fn torque(&self) -> SpaceVector {
-        rate(|t| self.momentum_about(t, ORIGIN, ORIGIN), 0.0, self.step)
+        rate(|t| self.momentum_about(t, ORIGIN, SpaceVector::zero()), 0.0, self.step)
     }
 }
 

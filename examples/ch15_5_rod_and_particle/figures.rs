@@ -54,7 +54,7 @@ fn whole(p: &Parameters) -> Result<(Strike, Blow, [f64; 2])> {
     Ok((s, blow, [-approach * s.unit(), END * s.unit()]))
 }
 
-/// It, for `--csv`.
+/// Angle, momenta and energy, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (s, blow, [from, to]) = whole(p)?;
     let columns =

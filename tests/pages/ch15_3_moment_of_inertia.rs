@@ -323,7 +323,7 @@ fn e39_from_the_centre_of_mass() {
 fn solids_are_their_points() {
     let error = |damage: f64| {
         let mut errors = Errors::in_units_of(EPS, "solids");
-        compared(damage).unwrap().into_iter().for_each(|(solid, _, off)| errors.push_at(off, solid.0));
+        compared(damage).unwrap().into_iter().for_each(|(solid, _, off)| errors.push_at(off, solid.name));
         errors
     };
     assert_largest!(error(0.0), 12, @"26.7");
