@@ -3,6 +3,7 @@
 use super::*;
 use core::f64::consts::PI;
 use kit::draw::{Camera, Method};
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
 
 /// Azimuth and elevation of the eye: the middle axis points to the reader.
 const EYE: (f64, f64) = (0.4, 0.34);
@@ -51,9 +52,14 @@ fn path(run: &Solution<3>, pieces: u32) -> Result<Vec<SpaceVector>> {
     sampled(times(0.0, run.end_time(), pieces), |t| Ok(on_sphere(unit(run.at(t)?))))
 }
 
-/// The body of the page from its start, for so long.
-fn falling(p: &Parameters, body: &Lossy, time: f64) -> rotation_dynamics::Result<Solution<3>> {
-    Dop853::new(1e-11)?.solve(&body.equations(), 0.0, &start(p.aside), time, &[])
+/// The body's motion, for so long.
+fn falling(body: &Lossy, aside: f64, time: f64) -> rotation_dynamics::Result<Solution<3>> {
+    Dop853::new(1e-11)?.solve(&body.equations(), 0.0, &start(aside), time, &[])
+}
+
+/// The motion of the page, to some time beyond the separatrix.
+fn shown(p: &Parameters, body: &Lossy) -> Result<Solution<3>> {
+    Ok(falling(body, p.aside, 1.7 * body.fall(start(p.aside), 1e-12)?.end_time())?)
 }
 
 /// The body with as strong a loss as the page allows.
@@ -73,14 +79,8 @@ fn grid() -> impl Iterator<Item = [f64; 3]> {
     })
 }
 
-/// Where the staircase starts, rad from the middle axis.
-const STAIRS: f64 = 0.3;
-/// By how much the page's motion is shown beyond the separatrix.
-const BEYOND: f64 = 1.7;
-
 figures! { p: &Parameters, body = lossy(p)?,
-    fall = body.fall(p.aside, 1e-12)?,
-    run = falling(p, &body, BEYOND * fall.end_time())?;
+    run = shown(p, &body)?;
 
     /// Energy over its least value against the nutation angle, on a logarithmic axis, for a rod
     /// and for a plate of the same momentum. The rod's falls from 3 to 1 as its axis goes from
@@ -106,7 +106,7 @@ figures! { p: &Parameters, body = lossy(p)?,
         let (thin, end) = (Opening { axial: 1.0, transverse: 3.0, nutation: p.nutation, ..quick }.quickened(), 8.0);
         let flat = Opening { axial: 2.0, transverse: 1.0, nutation: 1.3, ..quick }.quickened();
         let dots = |o: Opening| sampled(times(0.5, end - 0.5, 7), |x| {
-            Ok((x, o.angle_of(&o.run(x * o.tau(), 1e-9)?)?))
+            Ok((x, o.run(x * o.tau(), 1e-9)?.angle))
         });
         let line = |o: Opening| Curve::of(times(0.0, end, 120), move |x| o.angle(x * o.tau()), Ink::Ink);
         Panel::over_axes(r"$t/\tau$", Axis::linear(r"nutation angle $\theta$ / rad").range(0.0, 1.6).step(0.4))
@@ -128,10 +128,10 @@ figures! { p: &Parameters, body = lossy(p)?,
     /// until the separatrix, then faster and ever less wide.
     flips: {
         let free = Lossy { loss: 0.0, ..body };
-        let steady = falling(p, &free, run.end_time())?;
+        let steady = falling(&free, p.aside, run.end_time())?;
         let of = |run: &Solution<3>| sampled(times(0.0, run.end_time(), 900), |t| Ok((t, run.at(t)?[1])));
         Panel::over_axes("$tL/I_2$", Axis::linear("$L_2/L$").range(-1.0, 1.0).step(0.5))
-            .upright(fall.end_time(), Ink::Frame, "separatrix")
+            .upright(body.fall(start(p.aside), 1e-12)?.end_time(), Ink::Frame, "separatrix")
             .curve(Curve::new(of(&steady)?, Ink::Frame).thin().dashed())
             .curve(Curve::new(of(&run)?, Ink::Momentum))
     };
@@ -139,10 +139,10 @@ figures! { p: &Parameters, body = lossy(p)?,
     /// Energy against time: a staircase, with a step at each flip and a tread in each wait,
     /// along a smooth line of the average. At the separatrix the treads are longest.
     staircase: {
-        let late = Parameters { aside: STAIRS, ..p.clone() };
-        let run = falling(&late, &body, 2.0 * body.fall(STAIRS, 1e-12)?.end_time())?;
+        let aside = 0.3;
+        let run = falling(&body, aside, 2.0 * body.fall(start(aside), 1e-12)?.end_time())?;
         let twice = |t: f64| Ok(body.above(&run.at(t)?) + 1.0);
-        let top = body.above(&start(STAIRS));
+        let top = body.above(&start(aside));
         let mean = sampled(times(0.0, 1.0, 60), |s| {
             let above = top * (1.0 - s * s * (2.0 - s * s)).max(1e-9);
             Ok((body.averaged_fall(top, above)?[0], above + 1.0))
@@ -163,12 +163,9 @@ figures! { p: &Parameters, body = lossy(p)?,
         let turned = curve.iter().map(|n| SpaceVector::new(-n.x(), -n.y(), n.z()));
         let view = sphere().trace(turned, Ink::Momentum).trace(curve.iter().copied(), Ink::Momentum);
         grid().filter(|n| strong.above(n) > 0.0).try_fold(view, |view, n| {
-            let plus = strong.fall_from(n, 1e-10)?.end_state()[2] > 0.0;
-            let at = on_sphere(n);
-            Ok::<_, rotation_dynamics::Error>(match plus {
-                true => view.dot(at, Ink::Body, "", Side::Right),
-                false => view.ring(at, Ink::Body, "", Side::Right),
-            })
+            let plus = strong.fall(n, 1e-10)?.end_state()[2] > 0.0;
+            let mark = if plus { View::dot } else { View::ring };
+            Ok::<_, rotation_dynamics::Error>(mark(view, on_sphere(n), Ink::Body, "", Side::Right))
         })?
     };
 
@@ -201,11 +198,11 @@ figures! { p: &Parameters, body = lossy(p)?,
     /// forty radians. The splittings with the exact free part lie far to the left of DOP853,
     /// the farther the weaker the loss.
     cost: {
-        let (weak, time) = (Lossy { loss: 1e-3, ..body }, 40.0);
+        let weak = Lossy { loss: 1e-3, ..body };
         let mut panel = Panel::over_axes(Axis::log("evaluations of the loss"), Axis::log("error / rad"));
         for (scheme, settings) in PRICED {
             let points = sampled(settings.iter().copied(), |fine| {
-                let (error, work) = price(&weak, p.aside, time, scheme, fine)?;
+                let (error, work) = price(&weak, p.aside, scheme, fine)?;
                 Ok((work.torques() as f64, error.max(1e-15)))
             })?;
             let method = scheme.map_or(Method::Dop853, |scheme| Method::named(scheme.name));
@@ -230,7 +227,7 @@ const PRICED: [(Option<Scheme>, &[f64]); 3] = [
 /// The body's motion, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let body = lossy(p)?;
-    let run = falling(p, &body, BEYOND * body.fall(p.aside, 1e-12)?.end_time())?;
+    let run = shown(p, &body)?;
     let columns = ["t [I2/L]", "n1 [-]", "n2 [-]", "n3 [-]", "2 E I2/L^2 [-]"];
     Trajectory::of(&run, columns, 1200, |t, n| [t, n[0], n[1], n[2], 1.0 + body.above(&n)])
 }
@@ -244,16 +241,9 @@ fn satellite(view: View, attitude: &Attitude, roll: f64) -> View {
         [place(0.09 * x, 0.09 * y, -0.1), place(0.42 * x, 0.42 * y, -0.16)]
     };
     let seam = [place(0.092 * c, 0.092 * s, -0.85), place(0.092 * c, 0.092 * s, 0.7)];
-    let view = view
-        .solid(
-            Solid::cylinder(place(0.0, 0.0, -0.85), place(0.0, 0.0, 0.7), 0.09).with(Solid::cone(
-                place(0.0, 0.0, 0.7),
-                place(0.0, 0.0, 1.0),
-                0.09,
-            )),
-            Ink::Body,
-        )
-        .line(seam, Ink::Paper);
+    let [foot, shoulder, tip] = [-0.85, 0.7, 1.0].map(|z| place(0.0, 0.0, z));
+    let hull = Solid::cylinder(foot, shoulder, 0.09).with(Solid::cone(shoulder, tip, 0.09));
+    let view = view.solid(hull, Ink::Body).line(seam, Ink::Paper);
     (0..4).fold(view, |view, k| view.line(whip(0.5 * PI * f64::from(k)), Ink::Ink))
 }
 
@@ -265,17 +255,12 @@ const SLOWED: f64 = 40.0;
 /// The satellite from its spin to its tumble, the loss as in so few turns.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let sat = Opening::new(p)?;
-    let end = if sat.thin() {
-        log(1.0 / tan(p.nutation)).max(0.0) + 2.5
-    } else {
-        log(tan(p.nutation)).max(0.0) + 4.0
-    };
+    let end = sat.to_go().max(0.0) + if sat.thin() { 2.5 } else { 4.0 };
     // In units of tau, with a precession that the eye can follow.
     let unit_time = Opening { rate: sat.rate.signum(), ..sat };
     let line = Curve::of(times(0.0, end, 200), move |x| unit_time.angle(x), Ink::Body);
-    let graph =
-        Panel::over_axes(r"$t/\tau$", Axis::linear(r"$\theta$ / rad").range(0.0, 1.6).step(0.8))
-            .curve(line);
+    let axis = Axis::linear(r"$\theta$ / rad").range(0.0, 1.6).step(0.8);
+    let graph = Panel::over_axes(r"$t/\tau$", axis).curve(line);
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.62 * end, end], move |x| {
         let theta = unit_time.angle(x);
         let phi = TAU * TURNS * x / end;
@@ -283,11 +268,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let lean = |theta: f64| log(tan(0.5 * theta));
         let turned = (lean(theta) - lean(unit_time.nutation)) * unit_time.rate.signum();
         let slower = (sat.transverse / sat.axial - 1.0) / SLOWED;
-        let attitude = Attitude::from_euler(rotation_dynamics::attitude::EulerAngles {
-            phi,
-            theta,
-            zeta: 0.0,
-        })?;
+        let attitude = Attitude::from_euler(EulerAngles { phi, theta, zeta: 0.0 })?;
         let nose = |x: f64| {
             let ((s, c), phi) = (sincos(unit_time.angle(x)), TAU * TURNS * x / end);
             SpaceVector::new(s * sin(phi), -s * cos(phi), c)

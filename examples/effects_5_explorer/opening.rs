@@ -1,16 +1,10 @@
 //! The satellite: a symmetric body whose axis leaves L, or comes to it, in closed form.
 
-use super::Parameters;
-use kit::interval::{above, from_to};
-use rotation_dynamics::Result;
+use super::*;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::InternalDissipation;
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::scene::{components, state};
-use rotation_dynamics::integrators::{Dop853, Integrator};
-use rotation_dynamics::math::{atan2, cos, exp, hypot, log, sin, tan};
 use rotation_dynamics::scene::Scene;
 
 /// L upright, the axis at a nutation angle whose tangent is that of the start times e^(t/tau).
@@ -26,21 +20,29 @@ pub struct Opening {
     pub rate: f64,
 }
 
-/// What loses: the scene of the satellite.
-pub type Losing = Scene<((), InternalDissipation)>;
+/// Where a simulation of the satellite ends.
+pub struct Reached {
+    pub state: State,
+    /// The angle between e3 and L.
+    pub angle: f64,
+    /// The size of its angular velocity.
+    pub rate: f64,
+    pub energy: f64,
+    pub work: Work,
+}
 
 impl Opening {
     /// The uniform cylinder of these parameters.
-    pub fn new(p: &Parameters) -> kit::Result<Self> {
+    pub fn new(p: &Parameters) -> Result<Self> {
         let (r, l) = (0.5 * p.diameter, p.length);
         let (axial, transverse) = (0.5 * p.mass * r * r, p.mass * (r * r / 4.0 + l * l / 12.0));
         let ratio = transverse / axial;
         let allowed = if ratio < 1.0 { from_to(0.5, 0.98) } else { from_to(1.02, 1e3) };
-        let allowed =
-            allowed.because("at 1 no axis is special, and a needle has no moment about its own");
-        let turns = above(0.0).because("what does not turn has no axis to leave");
-        turns.check("size of the spin", p.spin.abs())?;
-        allowed.check("moment across the axis over that about it", ratio)?;
+        allowed! {
+            "size of the spin": p.spin.abs(), above(0.0), "what does not turn has no axis to leave";
+            "moment across the axis over that about it": ratio, allowed,
+                "at 1 no axis is special, and a needle has no moment about its own";
+        }?;
         let sign = if ratio > 1.0 { 1.0 } else { -1.0 };
         Ok(Self {
             axial,
@@ -73,8 +75,7 @@ impl Opening {
     /// The same with so much loss that the tangent grows by e within thirty radians, at most,
     /// of the body's turning about its axis.
     pub fn quickened(self) -> Self {
-        let slow = 0.03 * self.momentum * self.gap();
-        Self { rate: slow, ..self }
+        Self { rate: 0.03 * self.momentum * self.gap(), ..self }
     }
 
     // ANCHOR: opening
@@ -100,7 +101,7 @@ impl Opening {
     /// Attitude and momentum at the time t.
     pub fn state(&self, t: f64) -> Result<State> {
         let up = SpaceVector::new(0.0, 0.0, self.momentum);
-        State::new(Attitude::from_euler(self.angles(t))?, up)
+        Ok(State::new(Attitude::from_euler(self.angles(t))?, up)?)
     }
 
     /// The kinetic energy at this nutation angle.
@@ -110,54 +111,35 @@ impl Opening {
     }
 
     /// The body with its loss, and how it starts.
-    pub fn scene(&self) -> Result<(Losing, State)> {
+    pub fn scene(&self) -> Result<(Scene<((), InternalDissipation)>, State)> {
         let body = RigidBody::new(PrincipalMoments::symmetric(self.transverse, self.axial)?);
         let loss = InternalDissipation::new(self.loss() / self.momentum)?;
         Ok((Scene::new(body).with(loss), self.state(0.0)?))
     }
 
-    /// 1/tau, positive, as the library's effect says it.
-    pub fn library_rate(&self) -> Result<f64> {
-        let (scene, start) = self.scene()?;
-        let ((), loss) = scene.effects();
-        Ok(loss.rate(scene.body(), &start).abs())
-    }
-
     /// By which time the rest is less than a millionth.
     pub fn settled(&self) -> f64 {
-        let to_go =
-            if self.thin() { log(1.0 / tan(self.nutation)) } else { log(tan(self.nutation)) };
-        (to_go.max(0.0) + 7.0 + log(self.transverse / self.axial).abs()) * self.tau()
+        (self.to_go().max(0.0) + 7.0 + log(self.transverse / self.axial).abs()) * self.tau()
     }
 
-    /// The state at that time, by DOP853 with this error of a step.
-    pub fn run(&self, end: f64, step: f64) -> Result<State> {
+    /// The logarithm of what tan(theta) must grow (or fall) by until it is 1.
+    pub fn to_go(&self) -> f64 {
+        let tangent = tan(self.nutation);
+        log(if self.thin() { 1.0 / tangent } else { tangent })
+    }
+
+    /// Simulated to the time `end`, by DOP853 with this error of a step.
+    pub fn run(&self, end: f64, step: f64) -> Result<Reached> {
         let (scene, start) = self.scene()?;
-        Ok(Dop853::new(step)?.advance(&scene, 0.0, &start, end)?.0)
+        let (state, work) = Dop853::new(step)?.advance(&scene, 0.0, &start, end)?;
+        let body = scene.body();
+        let [x, y, z] = body.angular_momentum(&state).to_array();
+        let (angle, rate) = (atan2(hypot(x, y), z), body.angular_velocity(&state).norm());
+        Ok(Reached { state, angle, rate, energy: scene.energy(&state), work })
     }
 
-    /// The rate of the body in a state.
-    pub fn rate(&self, state: &State) -> f64 {
-        self.scene().map_or(f64::NAN, |(scene, _)| scene.body().angular_velocity(state).norm())
-    }
-
-    /// Its energy.
-    pub fn energy_of(&self, state: &State) -> Result<f64> {
-        Ok(self.scene()?.0.energy(state))
-    }
-
-    /// When tan(theta) is twice (or half) that of the start.
-    pub fn doubled(&self) -> Result<f64> {
-        let factor = if self.thin() { 2.0 } else { 0.5 };
-        self.reaches(tan(self.nutation) * factor)
-    }
-
-    /// When it is 1.
-    pub fn to_45(&self) -> Result<f64> {
-        self.reaches(1.0)
-    }
-
-    fn reaches(&self, tangent: f64) -> Result<f64> {
+    /// When tan(theta) is this, in the simulation.
+    pub fn reaches(&self, tangent: f64) -> Result<f64> {
         let (scene, start) = self.scene()?;
         let body = *scene.body();
         let off = move |y: &[f64; 7]| {
@@ -168,18 +150,5 @@ impl Opening {
         };
         let until = 40.0 * self.tau();
         Ok(Dop853::new(1e-13)?.zero(&scene, components(&start), 1, until, off)?.0.t)
-    }
-
-    /// The angle between e3 and L in a state.
-    pub fn angle_of(&self, state: &State) -> Result<f64> {
-        let (scene, _) = self.scene()?;
-        let [x, y, z] = scene.body().angular_momentum(state).to_array();
-        Ok(atan2(hypot(x, y), z))
-    }
-
-    /// Where its nose points at the time t.
-    pub fn nose(&self, t: f64) -> Result<SpaceVector> {
-        let attitude = Attitude::from_euler(self.angles(t))?;
-        Ok(attitude.to_space(BodyVector::new(0.0, 0.0, 1.0)))
     }
 }
