@@ -16,7 +16,7 @@ use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{KeplerOrbit, OrbitingBody};
 use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::integrators::{Dop853, Integrator, Ode, Solution, ode, size_or};
+use rotation_dynamics::integrators::{Dop853, Ode, Solution, ode, size_or};
 
 /// One second of arc (rad), a day and a Julian year (s).
 pub const ARCSEC: f64 = PI / 648_000.0;
@@ -107,23 +107,23 @@ pub fn axis<const N: usize>(p: &Parameters, pulls: impl Fn(f64) -> [Pull; N]) ->
     .scaled(size_or([1.0; 3]))
 }
 
-/// Sun and Moon where they are, at every time.
-pub fn in_orbit(p: &Parameters) -> Result<impl Fn(f64) -> [Pull; 2] + use<>> {
+/// Under Sun and Moon where they are, at every time.
+pub fn in_orbit(p: &Parameters) -> Result<impl Ode<3>> {
     let (sun, moon) = (sun(p)?, moon(p)?);
-    Ok(move |t| [sun.pull(t), moon.pull(t)])
+    Ok(axis(p, move |t| [sun.pull(t), moon.pull(t)]))
 }
 
 /// Each averaged over its orbit: the normal of the orbit, and a strength that is negative.
-pub fn as_rings(p: &Parameters) -> Result<impl Fn(f64) -> [Pull; 2] + use<>> {
+pub fn as_rings(p: &Parameters) -> Result<impl Ode<3>> {
     let (sun, moon) = (sun(p)?.averaged()?, moon(p)?.averaged()?);
-    Ok(move |t| [sun.pull(t), moon.pull(t)])
+    Ok(axis(p, move |t| [sun.pull(t), moon.pull(t)]))
 }
 
 /// The Moon's ring averaged over the round of its node, too: all about one normal.
-pub fn as_one(p: &Parameters) -> Result<impl Fn(f64) -> [Pull; 1] + use<>> {
-    let [(_, sun), (_, moon)] = as_rings(p)?(0.0);
+pub fn as_one(p: &Parameters) -> Result<impl Ode<3>> {
+    let (sun, moon) = (sun(p)?.averaged()?.pull(0.0).1, moon(p)?.averaged()?.pull(0.0).1);
     let s = sin(p.moon_inclination);
-    Ok(move |_| [(UP, sun + moon * (1.0 - 1.5 * s * s))])
+    Ok(axis(p, move |_| [(UP, sun + moon * (1.0 - 1.5 * s * s))]))
 }
 // ANCHOR_END: axis
 
@@ -169,14 +169,15 @@ pub fn start(p: &Parameters, terms: usize) -> rotation_dynamics::Result<[f64; 3]
     Ok(pole([precession, p.obliquity + tilt]))
 }
 
-/// The axis under these pulls from the epoch, begun with so many terms, to `end` (s).
-pub fn run<const N: usize>(
-    p: &Parameters,
-    pulls: impl Fn(f64) -> [Pull; N],
-    terms: usize,
-    end: f64,
-) -> rotation_dynamics::Result<Solution<3>> {
-    Dop853::new(p.tolerance)?.solve(&axis(p, pulls), 0.0, &start(p, terms)?, end, &[])
+/// The axis by this law from the epoch, begun with so many terms, to `end` (s).
+pub fn run(p: &Parameters, law: &impl Ode<3>, terms: usize, end: f64) -> Result<Solution<3>> {
+    Ok(Dop853::new(p.tolerance)?.solve(law, 0.0, &start(p, terms)?, end, &[])?)
+}
+
+/// By what angle it goes round in that time.
+pub fn gone_round(p: &Parameters, law: &impl Ode<3>, terms: usize, end: f64) -> Result<f64> {
+    let run = run(p, law, terms, end)?;
+    Ok(angles(*run.end_state())[0] - angles(start(p, terms)?)[0])
 }
 
 /// The Earth with its three axes, C = 1, and its state at the epoch: it turns about `axis`.
@@ -199,17 +200,12 @@ fn precession(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([sun_rate, moon_rate], both) = (rates(p), rate(p));
     // The Sun alone, from one perigee to the next: all that is not the mean comes back.
     let (own, year) = (sun(p)?, ANOMALISTIC_YEAR * DAY);
-    let alone = axis(p, |t| [own.pull(t)]);
-    let mean = pole([0.0, p.obliquity]);
-    let after = Dop853::new(p.tolerance)?.advance(&alone, 0.0, &mean, year)?.0;
-    let by_sun = angles(after)[0] / year;
+    let by_sun = gone_round(p, &axis(p, |t| [own.pull(t)]), 0, year)? / year;
     // The Moon's ring while its node goes from the equinox to the equinox.
     let ring = moon(p)?.averaged()?;
     let round = TAU / (TAU / (p.node_period * YEAR) + moon_rate);
-    let turning = axis(p, |t| [ring.pull(t)]);
-    let after = Dop853::new(p.tolerance)?.advance(&turning, 0.0, &start(p, 1)?, round)?.0;
-    let by_moon = (angles(after)[0] - angles(start(p, 1)?)[0]) / round;
-    let by_both = nutation::Spectrum::of(p)?.rate;
+    let by_moon = gone_round(p, &axis(p, |t| [ring.pull(t)]), 1, round)? / round;
+    let by_both = nutation::spectrum(p)?.0;
     // In a year the equinox has moved, and with it the phase of the half-yearly nutation.
     let [longitude, tilt] = nutation::first_order(p)?[1];
     let phase = 3.0 * (longitude + 2.0 * tilt) * (sun_rate * year).abs();
@@ -217,22 +213,19 @@ fn precession(p: &Parameters, report: &mut Report) -> Result<()> {
     let second = nutation::crossed(p)?;
     let crossed = 2.0 * second.abs() + 1e-6 * yearly(both).abs();
     let halves = 3.0 * TAU * ARCSEC * (longitude + tilt) * (longitude + tilt);
-    let great = TAU / both.abs() / YEAR;
-    let whole = run(p, as_rings(p)?, 1, great * YEAR)?;
-    // Its nutation of the node is taken off, to first order: a part of the precession in a round
+    // The nutation of the node is taken off, to first order: a part of the precession in a round
     // of the node is left of it.
+    let great = TAU / both.abs() / YEAR;
     let [begins, ends] = [0.0, great * YEAR].map(|t| nutation::at(p, t, 1));
-    let left = angles(*whole.end_state())[0] - ends?[0] - (angles(start(p, 1)?)[0] - begins?[0]);
+    let left = gone_round(p, &as_rings(p)?, 1, great * YEAR)? - ends?[0] + begins?[0];
     let node = nutation::first_order(p)?[0][0] * TAU / great * nutation::node_round(p) / YEAR;
     claims! { report,
         /// precession by the Sun, a year
-        sun: yearly(sun_rate), "arcsec", "its orbit, simulated" => yearly(by_sun), within phase,
-        in "The mean precession":
+        sun: yearly(sun_rate), "arcsec", "its orbit, simulated" => yearly(by_sun), within phase, in "The mean precession":
             2.0 * yearly(sun_rate) => "the torque is greatest at the solstices and nothing at the equinoxes",
             -yearly(sun_rate) => "which way does the equinox go?";
         /// precession by the Moon, a year
-        moon: yearly(moon_rate), "arcsec", "its ring, simulated" => yearly(by_moon), within crossed,
-        in "The mean precession":
+        moon: yearly(moon_rate), "arcsec", "its ring, simulated" => yearly(by_moon), within crossed, in "The mean precession":
             yearly(moon_rate) / MOON * 4.035_032e14 => "that is the mass of the Earth and the Moon";
         /// precession by both, a year
         both: yearly(both), "arcsec", "both in their orbits, simulated" => yearly(by_both), within crossed + halves,
@@ -268,12 +261,11 @@ fn ledgers(p: &Parameters, report: &mut Report) -> Result<()> {
         ("the Moon's orbit inclined", inclined),
         ("the Moon at its mean distance", rates(p).map(yearly)),
     ];
-    let mut table = Table::new("refined", ["put in", "by the Sun", "by the Moon", "both"])?;
-    for (name, [sun, moon]) in rows {
-        let numbers = [sun, moon, sun + moon].map(|rate| format!("{rate:.3}"));
-        table.push([vec![name.into()], numbers.to_vec()].concat())?;
-    }
-    report.add(table)?;
+    let columns = ["put in", "by the Sun", "by the Moon", "both"];
+    let refined = Table::of("refined", columns, rows, |(name, [sun, moon])| {
+        let [sun, moon, both] = [sun, moon, sun + moon].map(|rate| format!("{rate:.3}"));
+        Ok([name.into(), sun, moon, both])
+    })?;
     let both = yearly(rate(p));
     let rows = [
         ("Sun and Moon, here", both),
@@ -282,11 +274,9 @@ fn ledgers(p: &Parameters, report: &mut Report) -> Result<()> {
         ("sum", both + geodesic() + PLANETS),
         ("observed (IAU 2006)", -50.287_961_95),
     ];
-    let mut table = Table::new("observed", ["part", "arcsec a year"])?;
-    for (name, rate) in rows {
-        table.push([name.into(), format!("{rate:.3}")])?;
-    }
-    report.add(table)
+    let columns = ["part", "arcsec a year"];
+    let told = |(name, rate): (&str, f64)| Ok([name.to_owned(), format!("{rate:.3}")]);
+    report.add(vec![refined, Table::of("observed", columns, rows, told)?])
 }
 
 /// What the moving ecliptic takes off the precession, chi_A cos(eps) of Capitaine, Wallace and
@@ -305,22 +295,18 @@ fn slowness() -> f64 {
 }
 
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
-    let with = |change: fn(&mut Parameters)| {
-        let mut changed = p.clone();
-        change(&mut changed);
-        changed
-    };
-    let circle = with(|p| p.sun_eccentricity = 0.0);
-    let level = with(|p| p.moon_inclination = 0.0);
+    let circle = p.but(|p| p.sun_eccentricity = 0.0);
+    let level = p.but(|p| p.moon_inclination = 0.0);
+    let slow = p.but(|p| p.day *= 2.0);
+    let far = p.but(|p| p.moon_distance = 6e8);
     let kepler = TAU / (ANOMALISTIC_YEAR * DAY);
     let by_hand = -1.5 * cos(p.obliquity) * p.ellipticity * kepler * kepler / spin(p);
-    let straight = run(&level, as_rings(&level)?, 1, 1000.0 * YEAR)?;
+    let straight = run(&level, &as_rings(&level)?, 1, 1000.0 * YEAR)?;
     let tilt = angles(*straight.end_state())[1];
     let once = TAU / rate(p).abs();
-    let round = run(&level, as_one(&level)?, 0, TAU / rate(&level).abs())?;
+    let round = run(&level, &as_one(&level)?, 0, TAU / rate(&level).abs())?;
     let back = SpaceVector::from_array(*round.end_state());
     let begun = SpaceVector::from_array(start(&level, 0)?);
-    let far = with(|p| p.moon_distance = 6e8);
     let cube = pow(p.moon_distance / 6e8, 3.0);
     limits! { report,
         /// Kepler's third law: the strength is the square of the mean motion
@@ -332,7 +318,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         /// the torque falls with the third power
         "Moon at 600000 km: its part": rates(&far)[1] / rates(p)[1] / cube => 1.0, within 1e-13;
         /// faster in proportion to how slowly the Earth turns
-        "a day twice as long: round": TAU / rate(&with(|p| p.day *= 2.0)).abs() / once => 0.5, within 1e-14;
+        "a day twice as long: round": TAU / rate(&slow).abs() / once => 0.5, within 1e-14;
     }
 }
 

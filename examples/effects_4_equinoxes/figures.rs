@@ -33,7 +33,7 @@ fn nutated(p: &Parameters, run: &Solution<3>, t: f64) -> Result<(f64, f64)> {
 fn wobbled(p: &Parameters, end: f64) -> Result<Vec<(f64, f64)>> {
     let system = levels::full(p)?;
     let motion = levels::turning(p, &system)?;
-    let alone = run(p, in_orbit(p)?, 3, end)?;
+    let alone = run(p, &in_orbit(p)?, 3, end)?;
     sampled(times(0.0, end, 600), |t| {
         let [x, y, z] = alone.at(t)?;
         let s = SpaceVector::new(x, y, z);
@@ -41,14 +41,6 @@ fn wobbled(p: &Parameters, end: f64) -> Result<Vec<(f64, f64)>> {
         let east = s.cross(&UP) / s.cross(&UP).norm();
         Ok((1e3 * off.dot(&east) / ARCSEC, 1e3 * off.dot(&east.cross(&s)) / ARCSEC))
     })
-}
-
-/// The stars' names that a map has room for, and where.
-fn side(name: &str) -> Side {
-    match name {
-        "Polaris" | "Errai" | "Deneb" | "Alderamin" => Side::Left,
-        _ => Side::Right,
-    }
 }
 
 figures! { p: &Parameters, node = nutation::first_order(p)?[0];
@@ -83,7 +75,7 @@ figures! { p: &Parameters, node = nutation::first_order(p)?[0];
     /// the right, Polaris at the top, Errai and Alderamin on the left and, at some distance,
     /// Vega at the bottom; marks every two thousand years, the pole moving anticlockwise.
     sky: {
-        let whole = run(p, as_rings(p)?, 1, 26_000.0 * YEAR)?;
+        let whole = run(p, &as_rings(p)?, 1, 26_000.0 * YEAR)?;
         let path = sampled(times(0.0, 25_800.0, 600), |a| {
             Ok(on_map(SpaceVector::from_array(whole.at(a * YEAR)?)))
         })?;
@@ -100,7 +92,9 @@ figures! { p: &Parameters, node = nutation::first_order(p)?[0];
             }
         }
         sky::STARS.iter().fold(map, |map, star| {
-            map.dot(on_map(star.direction()), Ink::Ink, star.name, side(star.name))
+            // Where the map has room for the name.
+            let left = ["Polaris", "Errai", "Deneb", "Alderamin"].contains(&star.name);
+            map.dot(on_map(star.direction()), Ink::Ink, star.name, if left { Side::Left } else { Side::Right })
         })
     };
 
@@ -108,7 +102,7 @@ figures! { p: &Parameters, node = nutation::first_order(p)?[0];
     /// little higher than wide; a fine line with two wiggles a year runs along it.
     ellipse: {
         let round = nutation::node_round(p);
-        let (orbits, rings) = (run(p, in_orbit(p)?, 3, round)?, run(p, as_rings(p)?, 1, round)?);
+        let (orbits, rings) = (run(p, &in_orbit(p)?, 3, round)?, run(p, &as_rings(p)?, 1, round)?);
         let fine = sampled(times(0.0, round, 2400), |t| nutated(p, &orbits, t))?;
         let smooth = sampled(times(0.0, round, 200), |t| nutated(p, &rings, t))?;
         let most = 1.15 * node[1].max(node[0] * sin(p.obliquity)).max(1.0);
@@ -124,7 +118,7 @@ figures! { p: &Parameters, node = nutation::first_order(p)?[0];
     /// the full curve swings about it twice a year by half a second of arc, with ripples of
     /// half a month on it.
     year: {
-        let (orbits, rings) = (run(p, in_orbit(p)?, 3, YEAR)?, run(p, as_rings(p)?, 1, YEAR)?);
+        let (orbits, rings) = (run(p, &in_orbit(p)?, 3, YEAR)?, run(p, &as_rings(p)?, 1, YEAR)?);
         let tilt = |run: &Solution<3>, d: f64| Ok(nutated(p, run, (d * DAY).min(YEAR))?.1);
         Panel::over_axes("days of the year 2000", r"$\Delta\varepsilon$ / arcsec")
             .curve(Curve::sampled(times(0.0, 365.25, 60), |d| tilt(&rings, d), Ink::Frame)?.dashed().label("rings"))
@@ -141,7 +135,7 @@ figures! { p: &Parameters, node = nutation::first_order(p)?[0];
 /// The motion over a round of the node, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let round = nutation::node_round(p);
-    let path = run(p, in_orbit(p)?, 3, round)?;
+    let path = run(p, &in_orbit(p)?, 3, round)?;
     let columns = ["t [d]", "precession [arcsec]", "tilt [rad]"];
     Trajectory::of(&path, columns, 3000, |t, state| {
         let [precession, tilt] = angles(state);
@@ -172,15 +166,15 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let torque = n.cross(&s) * (n.dot(&s) / largest);
         let longitude = atan2(n.y(), n.x()).to_degrees().rem_euclid(360.0);
         let size = torque.norm();
+        let torque_told = match size > 0.02 {
+            true => {
+                format!("has {size:.2} of the greatest size and lies in the plane of the equator")
+            }
+            false => "is too small to be drawn".into(),
+        };
         let alt = format!(
             "The Earth after {d:.0} days of the year 2000, flattened far too much. The Sun stands at \
-             the longitude {longitude:.0} degrees; its torque on the Earth {}; below, how far the axis has gone round.",
-            match size > 0.02 {
-                true => format!(
-                    "has {size:.2} of the greatest size and lies in the plane of the equator"
-                ),
-                false => "is too small to be drawn".into(),
-            }
+             the longitude {longitude:.0} degrees; its torque on the Earth {torque_told}; below, how far the axis has gone round."
         );
         let ring = times(0.0, TAU, 90).map(|a| SpaceVector::new(cos(a), sin(a), 0.0));
         let mut scene = View::of(UP * 0.26, 0.93)

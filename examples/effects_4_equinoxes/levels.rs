@@ -2,7 +2,7 @@
 
 use super::*;
 use kit::short;
-use rotation_dynamics::accuracy::{Limits, Problem, SolvedMotion};
+use rotation_dynamics::accuracy::{Limits, Problem, SolvedMotion, largest};
 use rotation_dynamics::attitude::{EulerAngles, EulerRates};
 use rotation_dynamics::integrators::Work;
 use rotation_dynamics::motion::Motion;
@@ -32,38 +32,17 @@ pub fn turning<'s>(
 }
 // ANCHOR_END: full
 
-/// One level: what it costs, and what it leaves out of the level above.
-pub struct Level {
-    pub name: &'static str,
-    /// Mean step, s.
-    pub step: f64,
-    /// Torques for the whole span.
-    pub torques: f64,
-    /// Largest angle from the level above (arcsec), over so many years.
-    pub off: Option<[f64; 2]>,
+/// The largest distance (arcsec) of two paths of the axis in this time.
+fn farthest(span: f64, a: &Solution<3>, b: &Solution<3>) -> Result<f64> {
+    Ok(largest(sampled(times(0.0, span, 4000), |t| {
+        let ([p, tilt], [q, other]) = (angles(a.at(t)?), angles(b.at(t)?));
+        Ok(hypot(ahead(p, q) * sin(tilt), tilt - other) / ARCSEC)
+    })?))
 }
 
-fn level(name: &'static str, span: f64, work: Work, off: Option<[f64; 2]>) -> Level {
-    Level {
-        name,
-        step: span / work.steps as f64,
-        torques: work.torques() as f64 * (WHOLE * YEAR / span),
-        off,
-    }
-}
-
-/// The largest distance (arcsec) of two paths of the axis.
-fn farthest(
-    span: f64,
-    a: impl Fn(f64) -> Result<[f64; 2]>,
-    b: impl Fn(f64) -> Result<[f64; 2]>,
-) -> Result<f64> {
-    let far = sampled(times(0.0, span, 4000), |t| {
-        let ([p, tilt], [q, other]) = (a(t)?, b(t)?);
-        let turned = p - q - TAU * ((p - q) / TAU).round();
-        Ok(hypot(turned * sin(tilt), tilt - other) / ARCSEC)
-    })?;
-    Ok(far.into_iter().fold(0.0, f64::max))
+/// By what angle the one longitude is ahead of the other, the short way.
+fn ahead(one: f64, other: f64) -> f64 {
+    one - other - TAU * ((one - other) / TAU).round()
 }
 
 /// How far the axis of the full body is from that of the axis alone, arcsec: the largest in
@@ -71,7 +50,7 @@ fn farthest(
 pub fn spin_left_out(p: &Parameters) -> Result<([f64; 2], Work)> {
     let system = full(p)?;
     let motion = turning(p, &system)?;
-    let alone = run(p, in_orbit(p)?, 3, p.days * DAY)?;
+    let alone = run(p, &in_orbit(p)?, 3, p.days * DAY)?;
     let (mut figure, mut momentum) = (0.0_f64, 0.0_f64);
     for t in times(0.0, p.days * DAY, (8.0 * p.days) as u32) {
         let state = motion.try_state(t)?;
@@ -85,58 +64,60 @@ pub fn spin_left_out(p: &Parameters) -> Result<([f64; 2], Work)> {
 /// The same in closed form: the axis goes round L, from which it is l'/(L/A) away as a steady
 /// torque would have it, and as far on the other side as it was at the start.
 pub fn spin_in_closed_form(p: &Parameters) -> Result<f64> {
-    let alone = run(p, in_orbit(p)?, 3, p.days * DAY)?;
-    let equation = axis(p, in_orbit(p)?);
+    let law = in_orbit(p)?;
+    let alone = run(p, &law, 3, p.days * DAY)?;
     let wobble = spin(p) / (1.0 - p.ellipticity);
-    let behind = |t: f64| {
-        let rate = SpaceVector::from_array(equation.derivative(t, &alone.at(t)?));
-        Ok::<_, rotation_dynamics::Error>(rate / wobble / ARCSEC)
+    let behind = |t: f64| -> Result<SpaceVector> {
+        Ok(SpaceVector::from_array(law.derivative(t, &alone.at(t)?)) / wobble / ARCSEC)
     };
-    let first: SpaceVector = behind(0.0)?;
-    let sizes = sampled(times(0.0, p.days * DAY, (8.0 * p.days) as u32), |t| {
-        Ok(behind(t)?.norm() + first.norm())
-    })?;
-    Ok(sizes.into_iter().fold(0.0, f64::max))
+    let first = behind(0.0)?;
+    let looks = times(0.0, p.days * DAY, (8.0 * p.days) as u32);
+    Ok(largest(sampled(looks, |t| Ok(behind(t)?.norm() + first.norm()))?))
 }
 
 /// What one ring in place of two leaves out, arcsec: the largest distance in a round of the
 /// node, and the longitude by which it runs ahead in the whole span, in the mean.
 pub fn node_left_out(p: &Parameters) -> Result<[f64; 2]> {
     let round = nutation::node_round(p);
-    let (rings, one) = (run(p, as_rings(p)?, 1, WHOLE * YEAR)?, one_ring(p)?);
-    let path = |run: &Solution<3>, t| Ok(angles(run.at(t)?));
-    let widest = farthest(round, |t| path(&rings, t), |t| path(&one, t))?;
-    let lost = |from: f64| {
+    let (rings, one) = over_all(p)?;
+    let lost = |from: f64| -> Result<f64> {
         let ahead = sampled(times(from, from + round, 200), |t| {
-            let apart = path(&rings, t)?[0] - path(&one, t)?[0];
-            Ok(apart - TAU * (apart / TAU).round())
+            Ok(ahead(angles(rings.at(t)?)[0], angles(one.at(t)?)[0]))
         })?;
         Ok(ahead.iter().skip(1).sum::<f64>() / 200.0 / ARCSEC)
     };
-    let (begin, end): (Result<f64>, Result<f64>) = (lost(0.0), lost(WHOLE * YEAR - round));
-    Ok([widest, (end? - begin?) * WHOLE / (WHOLE - round / YEAR)])
+    let drift = lost(WHOLE * YEAR - round)? - lost(0.0)?;
+    Ok([farthest(round, &rings, &one)?, drift * WHOLE / (WHOLE - round / YEAR)])
 }
 
-/// The one ring: all that it does is to turn the axis.
-fn one_ring(p: &Parameters) -> Result<Solution<3>> {
-    Ok(run(p, as_one(p)?, 0, WHOLE * YEAR)?)
+/// The two rings, and the one ring, which only turns the axis, over the whole span.
+fn over_all(p: &Parameters) -> Result<(Solution<3>, Solution<3>)> {
+    Ok((run(p, &as_rings(p)?, 1, WHOLE * YEAR)?, run(p, &as_one(p)?, 0, WHOLE * YEAR)?))
 }
 
-/// The four levels.
-pub fn levels(p: &Parameters) -> Result<[Level; 4]> {
-    let ([figure, _], turning) = spin_left_out(p)?;
-    let (days, round) = (p.days * DAY, nutation::node_round(p));
-    let orbits = run(p, in_orbit(p)?, 3, round)?;
-    let rings = run(p, as_rings(p)?, 1, round)?;
-    let off_rings = farthest(round, |t| Ok(angles(orbits.at(t)?)), |t| Ok(angles(rings.at(t)?)))?;
-    let (whole, one) = (run(p, as_rings(p)?, 1, WHOLE * YEAR)?, one_ring(p)?);
-    let off_one = farthest(WHOLE * YEAR, |t| Ok(angles(whole.at(t)?)), |t| Ok(angles(one.at(t)?)))?;
-    Ok([
-        level("full body", days, turning, None),
-        level("axis alone", round, orbits.work(), Some([figure, p.days / 365.25])),
-        level("rings", WHOLE * YEAR, whole.work(), Some([off_rings, round / YEAR])),
-        level("one ring", WHOLE * YEAR, one.work(), Some([off_one, WHOLE])),
-    ])
+/// The four levels: what each leaves out and costs, and the largest angle (arcsec) from the one
+/// above it, over so many years. The axis of the full body is so far from the axis alone.
+fn levels(p: &Parameters, figure: f64, turning: Work) -> Result<Table> {
+    let (days, round, all) = (p.days * DAY, nutation::node_round(p), WHOLE * YEAR);
+    let (orbits, rings) = (run(p, &in_orbit(p)?, 3, round)?, run(p, &as_rings(p)?, 1, round)?);
+    let (whole, one) = over_all(p)?;
+    let off_rings = farthest(round, &orbits, &rings)?;
+    let off_one = farthest(all, &whole, &one)?;
+    let rows = [
+        ("full body", "nothing", days, turning, None),
+        ("axis alone", "daily turn, wobble", round, orbits.work(), Some([figure, p.days / 365.25])),
+        ("rings", "months and years", all, whole.work(), Some([off_rings, round / YEAR])),
+        ("one ring", "18.6 years of the node", all, one.work(), Some([off_one, WHOLE])),
+    ];
+    let columns = "level, without, step, torques in 26000 a, off the level above, over";
+    Table::of("levels", columns.split(", "), rows, |(level, without, span, work, off)| {
+        let [off, over] = match off {
+            None => ["-".into(), "-".into()],
+            Some([off, over]) => [format!("{} arcsec", short(off, 2)), told(over * YEAR)],
+        };
+        let torques = short(work.torques() as f64 * (all / span), 2);
+        Ok([level.into(), without.into(), told(span / work.steps as f64), torques, off, over])
+    })
 }
 
 /// A time in the unit that fits.
@@ -148,21 +129,8 @@ fn told(seconds: f64) -> String {
 }
 
 pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    let ([figure, momentum], _) = spin_left_out(p)?;
+    let ([figure, momentum], turning) = spin_left_out(p)?;
     let expected = spin_in_closed_form(p)?;
-    let levels = levels(p)?;
-    let left = ["nothing", "daily turn, wobble", "months and years", "18.6 years of the node"];
-    let columns = ["level", "without", "step", "torques in 26000 a", "off the level above", "over"];
-    let mut table = Table::new("levels", columns)?;
-    for (level, left) in levels.iter().zip(left) {
-        let [off, over] = match level.off {
-            None => ["-".into(), "-".into()],
-            Some([off, over]) => [format!("{} arcsec", short(off, 2)), told(over * YEAR)],
-        };
-        let row =
-            [level.name.into(), left.into(), told(level.step), short(level.torques, 2), off, over];
-        table.push(row)?;
-    }
     let node = nutation::first_order(p)?[0];
     // The half axis of the tilt, with the next term, of twice the node.
     let widest = node[1] * (1.0 + 0.25 * tan(p.moon_inclination) * tan(p.obliquity));
@@ -179,7 +147,7 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// longitude by which one ring runs ahead of two in 26 000 years
         drift: drift, "arcsec", "product of two nutations" => expected_drift, within 0.05 * expected_drift.abs() + 0.1;
     }?;
-    report.add(table)
+    report.add(levels(p, figure, turning)?)
 }
 
 /// The accuracy strip: the full body under the Sun's ring, where it can precess steadily.

@@ -69,43 +69,31 @@ pub fn crossed(p: &Parameters) -> Result<f64> {
     Ok(0.5 * ARCSEC * (steep * b - a * a * rate))
 }
 
-/// What a simulated motion is made of.
-pub struct Spectrum {
-    /// The mean precession, rad/s.
-    pub rate: f64,
-    /// Longitude and tilt of the three terms, as [`first_order`] has them.
-    pub terms: [[f64; 2]; 3],
-}
-
-impl Spectrum {
-    /// Of the axis under Sun and Moon in their orbits, through a window of two rounds of the
-    /// node, 1 - cos: terms that fit twice or more into it do not see each other.
-    pub fn of(p: &Parameters) -> Result<Self> {
-        let end = 2.0 * node_round(p);
-        Self::seen(p, &run(p, in_orbit(p)?, 3, end)?)
-    }
-
-    fn seen(p: &Parameters, run: &Solution<3>) -> Result<Self> {
-        let (end, count) = (run.end_time(), 16_384_u32);
-        let weight = |t: f64| 1.0 - cos(TAU * t / end);
-        let path = sampled(times(0.0, end, count), |t| Ok((t, angles(run.at(t)?))))?;
-        // By parts: the mean of the rate is that of the angle with the window's own rate.
-        let mean = |f: &dyn Fn(f64, [f64; 2]) -> f64| {
-            path.iter().skip(1).map(|(t, at)| f(*t, *at)).sum::<f64>() / f64::from(count)
-        };
-        let steep = |t: f64| -(TAU / end) * sin(TAU * t / end);
-        let rate = mean(&|t, [precession, _]| steep(t) * precession);
-        let [off, tilt] = [0, 1]
-            .map(|i| mean(&|t, at| weight(t) * (at[i] - if i == 0 { rate * t } else { 0.0 })));
-        let terms = [0, 1, 2].map(|k| {
-            let longitude = mean(&|t, [precession, _]| {
-                2.0 * weight(t) * sin(arguments(p, t)[k]) * (precession - rate * t - off)
-            });
-            let tilt = mean(&|t, [_, at]| 2.0 * weight(t) * cos(arguments(p, t)[k]) * (at - tilt));
-            [longitude / ARCSEC, tilt / ARCSEC]
+/// What a simulated motion is made of: the mean precession (rad/s), and longitude and tilt of the
+/// three terms, as [`first_order`] has them. Of the axis under Sun and Moon in their orbits, through
+/// a window of two rounds of the node, 1 - cos: terms that fit twice or more into it do not see
+/// each other.
+pub fn spectrum(p: &Parameters) -> Result<(f64, [[f64; 2]; 3])> {
+    let (end, count) = (2.0 * node_round(p), 16_384_u32);
+    let run = run(p, &in_orbit(p)?, 3, end)?;
+    let weight = |t: f64| 1.0 - cos(TAU * t / end);
+    let path = sampled(times(0.0, end, count), |t| Ok((t, angles(run.at(t)?))))?;
+    // By parts: the mean of the rate is that of the angle with the window's own rate.
+    let mean = |f: &dyn Fn(f64, [f64; 2]) -> f64| {
+        path.iter().skip(1).map(|(t, at)| f(*t, *at)).sum::<f64>() / f64::from(count)
+    };
+    let steep = |t: f64| -(TAU / end) * sin(TAU * t / end);
+    let rate = mean(&|t, [precession, _]| steep(t) * precession);
+    let [off, tilt] =
+        [0, 1].map(|i| mean(&|t, at| weight(t) * (at[i] - if i == 0 { rate * t } else { 0.0 })));
+    let terms = [0, 1, 2].map(|k| {
+        let longitude = mean(&|t, [precession, _]| {
+            2.0 * weight(t) * sin(arguments(p, t)[k]) * (precession - rate * t - off)
         });
-        Ok(Self { rate, terms })
-    }
+        let tilt = mean(&|t, [_, at]| 2.0 * weight(t) * cos(arguments(p, t)[k]) * (at - tilt));
+        [longitude / ARCSEC, tilt / ARCSEC]
+    });
+    Ok((rate, terms))
 }
 
 /// The three terms, and what is known of them: of a rigid Earth by theory (Woolard 1953), of
@@ -117,7 +105,7 @@ const KNOWN: [[[f64; 2]; 2]; 3] = [
 ];
 
 pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (formula, found) = (first_order(p)?, Spectrum::of(p)?.terms);
+    let (formula, found) = (first_order(p)?, spectrum(p)?.1);
     // The first order leaves out parts of the size of one precession over the other.
     let slow = rate(p).abs() * node_round(p) / TAU;
     let off = |[longitude, tilt]: [f64; 2]| slow * (longitude + tilt) + 1e-5;
@@ -129,12 +117,10 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// nutation of the Moon's node in longitude
         node_longitude: node[0], "arcsec", "in the simulated axis" => by_node[0], within off(node);
         /// the same in the tilt
-        node_tilt: node[1], "arcsec", "in the simulated axis" => by_node[1], within off_tilt(node),
-        in "The nutation":
+        node_tilt: node[1], "arcsec", "in the simulated axis" => by_node[1], within off_tilt(node), in "The nutation":
             2.0 * node[1] => "that is from end to end";
         /// nutation of half a year in longitude
-        year_longitude: year[0], "arcsec", "in the simulated axis" => by_year[0], within off(year),
-        in "The nutation":
+        year_longitude: year[0], "arcsec", "in the simulated axis" => by_year[0], within off(year), in "The nutation":
             2.0 * year[0] => "the torque goes round twice in a year";
         /// the same in the tilt
         year_tilt: year[1], "arcsec", "in the simulated axis" => by_year[1], within off_tilt(year);
@@ -144,23 +130,16 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         month_tilt: month[1], "arcsec", "in the simulated axis" => by_month[1], within off_tilt(month);
     }?;
     let columns = ["term", "period", "here", "rigid, by theory", "observed"];
-    let mut table = Table::new("nutation", columns)?;
-    let periods = arguments(p, YEAR).into_iter().zip(arguments(p, 0.0));
-    let names = ["the Moon’s node", "half a year", "half a month"];
-    for (k, (name, (later, now))) in names.into_iter().zip(periods).enumerate() {
-        let years = TAU / (later - now).abs();
-        let period =
-            if k == 0 { format!("{years:.2} a") } else { format!("{:.2} d", years * 365.25) };
-        for (which, i) in [("in longitude", 0), ("in the tilt", 1)] {
-            let [rigid, real] = KNOWN[k].map(|row| row[i]);
-            table.push([
-                format!("{name}, {which}"),
-                period.clone(),
-                format!("{:.4}", found[k][i]),
-                format!("{rigid:.4}"),
-                format!("{real:.4}"),
-            ])?;
-        }
-    }
-    report.add(table)
+    let rows = (0..6).map(|row| (row / 2, row % 2));
+    report.add(Table::of("nutation", columns, rows, |(k, i)| {
+        let years = TAU / (arguments(p, YEAR)[k] - arguments(p, 0.0)[k]).abs();
+        let (name, period) = match k {
+            0 => ("the Moon’s node", format!("{years:.2} a")),
+            1 => ("half a year", format!("{:.2} d", years * 365.25)),
+            _ => ("half a month", format!("{:.2} d", years * 365.25)),
+        };
+        let [rigid, real] = KNOWN[k].map(|known| format!("{:.4}", known[i]));
+        let which = ["in longitude", "in the tilt"][i];
+        Ok([format!("{name}, {which}"), period, format!("{:.4}", found[k][i]), rigid, real])
+    })?)
 }

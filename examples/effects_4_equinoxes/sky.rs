@@ -54,10 +54,9 @@ pub fn simulated(p: &Parameters, star: &Star, about: f64) -> Result<[f64; 2]> {
     let at = star.direction();
     let [when, _] = closest(p, star, about);
     let span = if when < 0.0 { when - 100.0 } else { when + 100.0 } * YEAR;
-    let path = run(p, as_one(p)?, 0, span)?;
+    let path = run(p, &as_one(p)?, 0, span)?;
     // The first maximum of the cosine, halved down: coarsely over the last two centuries.
-    let near =
-        |t: f64| Ok::<_, rotation_dynamics::Error>(SpaceVector::from_array(path.at(t)?).dot(&at));
+    let near = |t: f64| -> Result<f64> { Ok(SpaceVector::from_array(path.at(t)?).dot(&at)) };
     let before = span - 200.0 * YEAR * span.signum();
     let mut around = [if before * span > 0.0 { before } else { 0.0 }, span];
     for _ in 0..60 {
@@ -72,7 +71,7 @@ pub fn simulated(p: &Parameters, star: &Star, about: f64) -> Result<[f64; 2]> {
 pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let [polaris, thuban, vega, ..] = &STARS;
     let found =
-        |star, about| Ok::<_, kit::Error>((closest(p, star, about), simulated(p, star, about)?));
+        |star, about| -> Result<_> { Ok((closest(p, star, about), simulated(p, star, about)?)) };
     let (next, by_polaris) = found(polaris, 0.0)?;
     let (past, by_thuban) = found(thuban, -5000.0)?;
     let (far, by_vega) = found(vega, 12_000.0)?;
@@ -80,16 +79,13 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (years, degrees) = (0.05, 1e-6);
     claims! { report,
         /// year in which the pole is closest to Polaris
-        polaris: 2000.0 + next[0], "-", "one ring, simulated" => 2000.0 + by_polaris[0], within years, judged 2e-3,
-        in "The sky";
+        polaris: 2000.0 + next[0], "-", "one ring, simulated" => 2000.0 + by_polaris[0], within years, judged 2e-3, in "The sky";
         /// how close
         polaris_distance: next[1], "deg", "one ring, simulated" => by_polaris[1], within degrees;
         /// year in which it was closest to Thuban
-        thuban: 2000.0 + past[0], "-", "one ring, simulated" => 2000.0 + by_thuban[0], within years, judged 2e-3,
-        in "The sky";
+        thuban: 2000.0 + past[0], "-", "one ring, simulated" => 2000.0 + by_thuban[0], within years, judged 2e-3, in "The sky";
         /// year in which it will be closest to Vega
-        vega: 2000.0 + far[0], "-", "one ring, simulated" => 2000.0 + by_vega[0], within years, judged 2e-3,
-        in "The sky";
+        vega: 2000.0 + far[0], "-", "one ring, simulated" => 2000.0 + by_vega[0], within years, judged 2e-3, in "The sky";
         /// how close
         vega_distance: far[1], "deg", "one ring, simulated" => by_vega[1], within degrees;
     }
