@@ -17,8 +17,9 @@ pub mod weigh;
 use desk::*;
 use digits::Case;
 use kit::prelude::*;
-use kit::{EffectLine, Prepared, rounded_up, short};
-use rotation_dynamics::accuracy::{Limits, NeglectedEffects, Problem};
+use kit::{Prepared, rounded_up, short};
+use models::heavy_top::direction;
+use rotation_dynamics::accuracy::{Limits, NeglectedEffects, Problem, largest};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::{Effect, GravityAtLever, GravityGradient};
@@ -27,7 +28,7 @@ use rotation_dynamics::integrators::{Dop853, ode, size_or};
 use rotation_dynamics::motion::Motion;
 use rotation_dynamics::scene::Scene;
 use std::sync::Arc;
-use weigh::{LeftOut, Question, angle};
+use weigh::{Question, angle};
 
 parameters! {
     /// A half-kilogram gyroscope on a desk.
@@ -48,9 +49,10 @@ type Weight = ((), GravityAtLever);
 
 /// The gyroscope's axis for the time asked for.
 pub fn question(p: &Parameters) -> Result<Question<Weight>> {
-    let fast = from_to(250.0, 1000.0)
-        .because("a slower one nods too widely for a linear response, a faster one takes too long");
-    fast.check("size of the spin", p.spin.abs())?;
+    allowed! {
+        "size of the spin": p.spin.abs(), from_to(250.0, 1000.0),
+            "a slower one nods too widely for a linear response, a faster one takes too long";
+    }?;
     let (scene, start) = gyroscope(p).scene()?;
     Ok(Question::new(scene, start, p.seconds).of_axis())
 }
@@ -81,15 +83,9 @@ fn by_angles(p: &Parameters, looks: &[f64], torque: impl Fn(f64) -> f64) -> Resu
         Dop853::new(1e-12)?.solve(&law, 0.0, &start, p.seconds, &[])
     };
     let (with, without) = (axis(1.0)?, axis(0.0)?);
-    let mut largest = 0.0_f64;
-    for &t in looks {
-        let axes = [with.at(t)?, without.at(t)?].map(|[theta, _, phi, ..]| {
-            let ((s, c), (sp, cp)) = (sincos(theta), sincos(phi));
-            SpaceVector::new(s * sp, -s * cp, c)
-        });
-        largest = largest.max(angle(axes));
-    }
-    Ok(largest)
+    Ok(largest(sampled(looks.iter().copied(), |t| {
+        Ok(angle([with.at(t)?, without.at(t)?].map(|[theta, _, phi, ..]| direction(theta, phi))))
+    })?))
 }
 
 /// What leaving an effect out costs, by the linear response and by two simulations.
@@ -154,26 +150,6 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-/// What acts beside the weight, and the number that measures it.
-const CARD: [[&str; 2]; 6] = [
-    ["air on the rotor", "torque t / L_z"],
-    ["bearing of the axle", "torque t / L_z"],
-    ["friction of the pivot", "torque / m g l"],
-    ["weight of the air displaced", "rho_air / rho_steel"],
-    ["the Earth turns", "Omega_E / (dphi/dt)"],
-    ["gravity is weaker above", "l / R_E"],
-];
-
-/// A line of the card.
-fn line<C: Effect + Clone>(
-    left_out: &NeglectedEffects<'_, Weight>,
-    [name, formula]: [&str; 2],
-    number: f64,
-    effect: &C,
-) -> Result<EffectLine> {
-    left_out.line(name, formula, number, effect, "rad, of the axis")
-}
-
 /// The card: what acts on the desk beside the weight.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (rotor, q) = (gyroscope(p), question(p)?);
@@ -181,14 +157,38 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (l, t, weight) = (rotor.momentum(), q.end, rotor.weight());
     let rate = weight / l;
     let slowed = -drag.axial_torque(p.spin) * t / l;
-    let [air, bearing, pivot, buoyancy, earth, above] = CARD;
+    let of = "rad, of the axis";
     report.add(vec![
-        line(&asked, air, slowed, &drag)?,
-        line(&asked, bearing, rotor.bearing * t / l, &rotor.dry()?)?,
-        line(&asked, pivot, rotor.pivot / weight, &rotor.pivot())?,
-        line(&asked, buoyancy, rotor.lifted(), &rotor.buoyancy())?,
-        line(&asked, earth, EARTH / rate, &on_the_earth())?,
-        line(&asked, above, rotor.lever / EARTH_RADIUS, &gradient()?)?,
+        asked.line("air on the rotor", "torque t / L_z", slowed, &drag, of)?,
+        asked.line(
+            "bearing of the axle",
+            "torque t / L_z",
+            rotor.bearing * t / l,
+            &rotor.dry()?,
+            of,
+        )?,
+        asked.line(
+            "friction of the pivot",
+            "torque / m g l",
+            rotor.pivot / weight,
+            &rotor.pivot(),
+            of,
+        )?,
+        asked.line(
+            "weight of the air displaced",
+            "rho_air / rho_steel",
+            rotor.lifted(),
+            &rotor.buoyancy(),
+            of,
+        )?,
+        asked.line("the Earth turns", "Omega_E / (dphi/dt)", EARTH / rate, &on_the_earth(), of)?,
+        asked.line(
+            "gravity is weaker above",
+            "l / R_E",
+            rotor.lever / EARTH_RADIUS,
+            &gradient()?,
+            of,
+        )?,
         effect("weight")
             .number("m g l I1 / L_z^2", weight * rotor.moments[0] / (l * l))
             .costs(rate * t, "rad of precession")
@@ -204,32 +204,26 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     report.strip(&problem, &[p.tolerance, 1e-6, 1e-9])
 }
 
-/// A change of the page's parameters.
-type Change = fn(&mut Parameters);
-
-/// What the page's tries change.
-const TRIES: [(&str, Change); 4] = [
-    ("as it is", |_| ()),
-    ("--spin 628", |p| p.spin = 628.0),
-    ("--seconds 1", |p| p.seconds = 1.0),
-    ("--pivot 0", |p| p.pivot = 0.0),
-];
-
 /// What the page's tries give, whatever the flags.
 fn tries() -> Result<Table> {
+    let page = Parameters::default();
+    let runs = [
+        ("as it is", page.clone()),
+        ("--spin 628", page.but(|p| p.spin = 628.0)),
+        ("--seconds 1", page.but(|p| p.seconds = 1.0)),
+        ("--pivot 0", page.but(|p| p.pivot = 0.0)),
+    ];
     let columns = "run, air, bearing, pivot, buoyancy, the Earth turns";
-    Table::of("tries", columns.split(", "), TRIES, |(run, change)| {
-        let mut p = Parameters::default();
-        change(&mut p);
+    Table::of("tries", columns.split(", "), runs, |(run, p)| {
         let (rotor, q) = (gyroscope(&p), question(&p)?);
-        let all = [
-            q.left_out("air", rotor.air()?)?,
-            q.left_out("bearing", rotor.dry()?)?,
-            q.left_out("pivot", rotor.pivot())?,
-            q.left_out("buoyancy", rotor.buoyancy())?,
-            q.left_out("the Earth turns", on_the_earth())?,
+        let errors = [
+            q.error_without(rotor.air()?)?,
+            q.error_without(rotor.dry()?)?,
+            q.error_without(rotor.pivot())?,
+            q.error_without(rotor.buoyancy())?,
+            q.error_without(on_the_earth())?,
         ];
-        let told = all.map(|one| format!("{} rad", short(one.error, 2)));
+        let told = errors.map(|(error, _)| format!("{} rad", short(error, 2)));
         Ok([run.to_owned()].into_iter().chain(told))
     })
 }

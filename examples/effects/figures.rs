@@ -31,22 +31,21 @@ fn digits(key: &str) -> Result<Panel> {
         Axis::log("error / rad").range(1e-15, 10.0),
     )
     .curve(Curve::new(case.runs.iter().copied(), Ink::Body).with_dots());
-    for one in named(case) {
-        panel = panel.level(one.error, Ink::Force, one.name);
+    for &(name, (error, _)) in named(case) {
+        panel = panel.level(error, Ink::Force, name);
     }
     Ok(panel)
 }
 
 /// Those left out whose labels do not lie on each other.
-fn named(case: &Case) -> Vec<&LeftOut> {
-    let mut all: Vec<&LeftOut> = Vec::new();
-    for one in &case.left_out {
-        if all.last().is_none_or(|last| one.error < 0.06 * last.error) {
-            all.push(one);
-        }
-    }
-    all.truncate(3);
-    all
+fn named(case: &Case) -> impl Iterator<Item = &digits::LeftOut> {
+    let mut lowest = f64::INFINITY;
+    let apart = case.left_out.iter().filter(move |(_, (error, _))| {
+        let room = *error < 0.06 * lowest;
+        lowest = if room { *error } else { lowest };
+        room
+    });
+    apart.take(3)
 }
 
 figures! { p: &Parameters;

@@ -5,21 +5,6 @@ use rotation_dynamics::Result;
 use rotation_dynamics::accuracy::PredictedError;
 use rotation_dynamics::integrators::Integrator;
 
-/// An effect that a scene leaves out.
-#[derive(Debug, Clone)]
-pub struct LeftOut {
-    pub name: &'static str,
-    /// The error of leaving it out, rad: predicted if that is linear, else simulated.
-    pub error: f64,
-    pub how: &'static str,
-}
-
-impl LeftOut {
-    pub fn new(name: &'static str, error: f64, how: &'static str) -> Self {
-        Self { name, error, how }
-    }
-}
-
 /// The angle between two axes, rad.
 pub fn angle([a, b]: [SpaceVector; 2]) -> f64 {
     atan2(a.cross(&b).norm(), a.dot(&b))
@@ -93,31 +78,26 @@ impl<E: Effect + Clone> Question<E> {
     pub fn simulated(&self, effect: impl Effect, tolerance: f64) -> kit::Result<f64> {
         let looks = self.looks(&effect)?;
         let both = self.both(effect, tolerance, looks.into_iter())?;
-        let apart = both.into_iter().map(|(_, attitudes)| self.apart(attitudes));
-        Ok(apart.fold(0.0, f64::max))
+        Ok(largest(both.into_iter().map(|(_, attitudes)| self.apart(attitudes))))
     }
     // ANCHOR_END: weigh
 
-    /// Predicted where that can be believed, else simulated.
-    pub fn left_out(&self, name: &'static str, effect: impl Effect) -> kit::Result<LeftOut> {
+    /// The same, and how it is known: predicted where that can be believed, else simulated.
+    pub fn error_without(&self, effect: impl Effect) -> kit::Result<(f64, &'static str)> {
         let predicted = self.predicted(&effect)?;
-        if predicted.linear {
-            return Ok(LeftOut::new(name, predicted.predicted, "predicted"));
+        match predicted.linear {
+            true => Ok((predicted.predicted, "predicted")),
+            false => Ok((self.simulated(effect, 1e-6)?, "simulated")),
         }
-        let error = self.simulated(effect, 1e-6)?;
-        Ok(LeftOut::new(name, error, "simulated"))
     }
 
     /// Runs of DOP853, coarse to fine: evaluations of the torque, and how far each ends from
     /// `exact`, rad.
     pub fn runs(&self, exact: &Attitude) -> kit::Result<Vec<(f64, f64)>> {
-        let mut runs = Vec::new();
-        for n in 0..12 {
-            let method = Dop853::new(1e-2 * pow(10.0, -f64::from(n)))?;
+        sampled((0..12).map(f64::from), |n| {
+            let method = Dop853::new(1e-2 * pow(10.0, -n))?;
             let (end, work) = method.advance(&self.scene, 0.0, &self.start, self.end)?;
-            let off = self.apart([end.attitude, *exact]).max(1e-15);
-            runs.push((work.torques() as f64, off));
-        }
-        Ok(runs)
+            Ok((work.torques() as f64, self.apart([end.attitude, *exact]).max(1e-15)))
+        })
     }
 }
