@@ -183,14 +183,12 @@ fn faded(p: &Parameters, quality: f64) -> Result<f64> {
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let days = p.day / DAY;
-    let period = |step: Step| Ok::<_, kit::Error>(step.period(p)? * days);
-    let stepped = |step: Step| Ok::<_, kit::Error>(step.simulated(p, 1e-12)? * days);
-    let all = stepped(WHOLE)?;
-    let [rigid, shell, elastic] = [period(RIGID)?, period(SHELL)?, period(ELASTIC)?];
-    let [fluid, ocean, whole] = [period(FLUID)?, period(OCEAN)?, period(WHOLE)?];
+    let period = |step: Step| -> Result<f64> { Ok(step.period(p)? * days) };
+    let stepped = |step: Step| -> Result<f64> { Ok(step.simulated(p, 1e-12)? * days) };
+    let (whole, all) = (period(WHOLE)?, stepped(WHOLE)?);
+    let (rigid, elastic, fluid) = (period(RIGID)?, period(ELASTIC)?, period(FLUID)?);
     // The formulas are those of a small wobble; that of the quality is of first order.
-    let (bound, first) = (1e-9 * whole, 2.0 * flattening(p)?);
-    let year = excited::YEAR;
+    let (bound, first, year) = (1e-9 * whole, 2.0 * flattening(p)?, excited::YEAR);
     let quality = 0.5 * (p.fluid * (1.0 - WHOLE.following(p)?)) / p.loss;
     let complex = CoreAndMantle::of(p, &WHOLE)?.quality(p.loss / p.fluid * (p.c - p.a));
     let core = CoreAndMantle::of(p, &FLUID)?;
@@ -203,42 +201,35 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         rigid: rigid, "d", "simulated" => stepped(RIGID)?, within bound, in "The period":
             rigid / days => "these are sidereal days";
         /// with a mantle that yields
-        elastic: elastic, "d", "simulated with the effect" => stepped(ELASTIC)?, within bound,
-        in "The period":
+        elastic: elastic, "d", "simulated with the effect" => stepped(ELASTIC)?, within bound, in "The period":
             elastic / days => "these are sidereal days",
             rigid * (1.0 - ELASTIC.following(p)?) => "what yields calls the pole back less strongly";
         /// with a fluid core in a rigid mantle
-        shell: shell, "d", "simulated, core and mantle" => stepped(SHELL)?, within bound,
-        in "The period":
+        shell: period(SHELL)?, "d", "simulated, core and mantle" => stepped(SHELL)?, within bound, in "The period":
             rigid / (1.0 - p.core) => "the core need not be moved: the wobble is faster",
             rigid => "the core is fluid, and moves otherwise";
         /// with both
-        fluid: fluid, "d", "simulated, core and mantle" => stepped(FLUID)?, within bound,
-        in "The period":
+        fluid: fluid, "d", "simulated, core and mantle" => stepped(FLUID)?, within bound, in "The period":
             fluid / days => "these are sidereal days";
         /// with oceans that follow the pole
-        ocean: ocean, "d", "simulated, core and mantle" => stepped(OCEAN)?, within bound;
+        ocean: period(OCEAN)?, "d", "simulated, core and mantle" => stepped(OCEAN)?, within bound;
         /// with a mantle that has time to yield
-        whole: whole, "d", "simulated, core and mantle" => all, within bound,
-        in "The period":
+        whole: whole, "d", "simulated, core and mantle" => all, within bound, in "The period":
             whole / days => "these are sidereal days";
         /// what is left to the period observed
-        left: p.observed - whole, "d", "simulated, core and mantle" => p.observed - all,
-        within bound;
+        left: p.observed - whole, "d", "simulated, core and mantle" => p.observed - all, within bound;
         /// free nutation of the core, a period among the stars, backward
         nutation: nutation(core.rates()[1]), "d",
         "simulated, core and mantle" => nutation(core.nutation(alpha, 1e-12)?), within 1e-6 * whole;
         /// quality of the wobble, 2 pi over the part of its energy that is lost in a circuit
-        quality: quality, "-", "complex root for core and mantle" => complex, within first * quality,
-        in "Fading":
+        quality: quality, "-", "complex root for core and mantle" => complex, within first * quality, in "Fading":
             2.0 * quality => "the energy goes as the square";
         /// the part of the wobble that is left after a circuit, at this quality
         left_over: exp(-PI / quality), "-",
         "simulated with both effects" => faded(p, quality)?, within 5e-3 / (quality * quality), in "Fading":
             exp(-2.0 * PI / quality) => "that is the energy";
         /// time in which it fades to 1/e
-        fading: quality * whole / (PI * year), "yr",
-        "complex root for core and mantle" => complex * whole / (PI * year),
+        fading: quality * whole / (PI * year), "yr", "complex root for core and mantle" => complex * whole / (PI * year),
         within first * quality * whole / (PI * year), in "Fading":
             2.0 * quality * whole / (PI * year) => "that is of the energy: a factor of two";
         /// from one beat with the year to the next
@@ -246,43 +237,36 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         within 1e-9 * beat, if p.annual > 0.01 * p.wobble && beat < 50.0 && beat > 1.5, in "The beat":
             (whole - year) / year => "subtract the frequencies, not the periods";
         /// monthly pushes that keep up the wobble, root mean square of each component
-        push: 1e3 * excited.push, "mas", "a thousand fading times of pushes" => {
-            1e3 * excited.push * p.wobble / excited.kept_up()
-        }, within 100.0 * excited.push;
+        push: 1e3 * excited.push, "mas", "a thousand fading times of pushes" => 1e3 * excited.push * p.wobble / excited.kept_up(),
+        within 100.0 * excited.push;
         /// the pole after four years of pushes, from Greenwich to the east
-        pole: excited.at(1461.0)[1], "arcsec", "stepped month by month" => excited.stepped(1461.0)?[1],
-        within 1e-9;
+        pole: excited.at(1461.0)[1], "arcsec", "stepped month by month" => excited.stepped(1461.0)?[1], within 1e-9;
     }
 }
 
 /// The ledger: one effect after the other.
 fn ledger(p: &Parameters, report: &mut Report) -> Result<()> {
-    let columns = ["step", "k/k_s", "first order", "exact", "simulated", "to the observed"];
-    let (mut table, days) = (Table::new("ledger", columns)?, p.day / DAY);
-    for step in LEDGER {
+    let (columns, days) =
+        ("step, k/k_s, first order, exact, simulated, to the observed", p.day / DAY);
+    report.add(Table::of("ledger", columns.split(", "), LEDGER, |step| {
         let (exact, simulated) = (step.period(p)? * days, step.simulated(p, 1e-10)? * days);
         let off = (exact - simulated).abs().max(1e-3);
-        table.push([
+        Ok([
             step.name.to_string(),
             supported_digits(step.following(p)?, 5e-5),
             supported_digits(step.simple(p)? * days, 0.05),
             supported_digits(exact, off),
             supported_digits(simulated, off),
             supported_digits(p.observed - exact, 0.05),
-        ])?;
-    }
-    report.add(table)
+        ])
+    })?)
 }
 
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let f = flattening(p)?;
-    let with =
-        |part: f64, cavity: f64, love: f64| Parameters { core: part, cavity, love, ..p.clone() };
-    let [sphere, tiny, nearly] = [
-        with(p.core, 0.0, 0.0),
-        with(1e-9, p.cavity, p.love),
-        with(p.core, p.cavity, p.fluid * 0.899_999),
-    ];
+    let sphere = p.but(|p| (p.cavity, p.love) = (0.0, 0.0));
+    let tiny = p.but(|p| p.core = 1e-9);
+    let nearly = p.but(|p| p.love = p.fluid * 0.899_999);
     let round = CoreAndMantle::of(&sphere, &SHELL)?.rates();
     limits! { report,
         /// a fluid in a round cavity takes no notice: the mantle is a body of its own
@@ -299,20 +283,18 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 /// The card of effects: what each makes of the whole, and what is left out.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (whole, days) = (WHOLE.period(p)?, p.day / DAY);
-    let without = |step: Step| Ok::<_, kit::Error>((whole - step.period(p)?) * days);
-    let [stiff, prompt, dry, frozen] = [
-        Step { elastic: false, ..WHOLE },
-        Step { slow: false, ..WHOLE },
-        Step { ocean: false, ..WHOLE },
-        Step { core: false, ..WHOLE },
-    ];
+    let without = |step: Step| -> Result<f64> { Ok((whole - step.period(p)?) * days) };
+    let stiff = Step { elastic: false, ..WHOLE };
+    let prompt = Step { slow: false, ..WHOLE };
+    let dry = Step { ocean: false, ..WHOLE };
+    let frozen = Step { core: false, ..WHOLE };
     let (left, uneven, whole) = (p.fluid * (1.0 - WHOLE.following(p)?), 0.0053, whole * days);
     let year = TAU / excited::YEAR;
     // The simulations that confirm the claims, and three more circuits.
     let told = |key| report.claim(key).map_or(f64::NAN, |claim| claim.oracle.value);
     let (all, lasting) = (told("whole"), told("left_over"));
     let slower = all - told("ocean");
-    let ran = |step: Step| Ok::<_, kit::Error>(all - step.simulated(p, 1e-10)? * days);
+    let ran = |step: Step| -> Result<f64> { Ok(all - step.simulated(p, 1e-10)? * days) };
     // Euler's small wobble of three moments, in closed form; none of what is no body.
     let apart = |part: f64| -> Result<f64> {
         let side = part * (p.c - p.a);
@@ -351,32 +333,28 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The runs that the page asks the reader to predict.
 fn tries(_: &Parameters, report: &mut Report) -> Result<()> {
-    let columns = ["run", "period", "nutation", "fading", "beat"];
-    let mut table = Table::new("tries", columns)?;
-    let [ours, mut small, mut flat, mut lasting, mut soft] =
-        [(); 5].map(|()| Parameters::default());
-    (small.core, flat.cavity, lasting.loss, soft.love) = (0.05, 0.0027, 0.0018, 0.6);
+    let ours = Parameters::default();
     let runs = [
-        ("as it is", ours),
-        ("a small core", small),
-        ("a flatter core", flat),
-        ("half the loss", lasting),
-        ("a soft mantle", soft),
+        ("as it is", ours.clone()),
+        ("a small core", ours.but(|p| p.core = 0.05)),
+        ("a flatter core", ours.but(|p| p.cavity = 0.0027)),
+        ("half the loss", ours.but(|p| p.loss = 0.0018)),
+        ("a soft mantle", ours.but(|p| p.love = 0.6)),
     ];
-    for (name, p) in runs {
+    let columns = ["run", "period", "nutation", "fading", "beat"];
+    report.add(Table::of("tries", columns, runs, |(name, p)| {
         let (days, core) = (p.day / DAY, CoreAndMantle::of(&p, &WHOLE)?);
         let (period, year) = (WHOLE.period(&p)? * days, excited::YEAR);
         let simulated = WHOLE.simulated(&p, 1e-9)? * days;
         let quality = core.quality(p.loss / p.fluid * (p.c - p.a));
-        table.push([
+        Ok([
             name.to_string(),
             supported_digits(period, (period - simulated).abs().max(0.05)),
             supported_digits(days / (1.0 + core.rates()[1]), 0.5),
             supported_digits(quality * period / (PI * year), 0.05),
             supported_digits(1.0 / (1.0 / year - 1.0 / period).abs() / year, 5e-3),
-        ])?;
-    }
-    report.add(table)
+        ])
+    })?)
 }
 
 /// The attitude of the yielding Earth after thirty turns.

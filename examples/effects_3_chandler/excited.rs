@@ -1,28 +1,26 @@
 //! The wobble that fades, is pushed, and beats with the year.
 
-use super::{DAY, Parameters, WHOLE};
-use core::f64::consts::TAU;
-use kit::prelude::*;
-use rotation_dynamics::integrators::{Dop853, after, ode};
+use super::*;
+use rotation_dynamics::integrators::after;
 
 /// A Julian year, d.
 pub const YEAR: f64 = 365.25;
 /// From one push to the next, d.
 pub const MONTH: f64 = 30.0;
 
-/// A point of the ground near the pole, towards Greenwich and towards 90° east, or what is
-/// multiplied like a complex number.
+/// A complex number: a point of the ground near the pole, towards Greenwich and towards 90° east,
+/// or what turns and stretches it.
 pub type Plane = [f64; 2];
 
-fn times_complex([a, b]: Plane, [c, d]: Plane) -> Plane {
+pub fn times_complex([a, b]: Plane, [c, d]: Plane) -> Plane {
     [a * c - b * d, a * d + b * c]
 }
 
-fn sum([a, b]: Plane, [c, d]: Plane) -> Plane {
+pub fn sum([a, b]: Plane, [c, d]: Plane) -> Plane {
     [a + c, b + d]
 }
 
-fn difference(u: Plane, [c, d]: Plane) -> Plane {
+pub fn difference(u: Plane, [c, d]: Plane) -> Plane {
     sum(u, [-c, -d])
 }
 
@@ -33,10 +31,10 @@ fn turned([rate, decay]: Plane, t: f64) -> Plane {
 }
 
 /// Numbers that are random enough, and the same for the same seed everywhere.
-pub struct Dice(u64);
+struct Dice(u64);
 
 impl Dice {
-    pub fn new(seed: f64) -> Self {
+    fn new(seed: f64) -> Self {
         Self(seed.to_bits() ^ 0x9E37_79B9_7F4A_7C15)
     }
 
@@ -50,7 +48,7 @@ impl Dice {
     }
 
     /// Two that are normally distributed, with the mean square 1.
-    pub fn pair(&mut self) -> Plane {
+    fn pair(&mut self) -> Plane {
         let size = (-2.0 * log(self.even())).sqrt();
         let (s, c) = sincos(TAU * self.even());
         [size * c, size * s]
@@ -60,15 +58,14 @@ impl Dice {
 /// A wobble that weather and water keep up. Lengths in seconds of arc, times in days.
 pub struct Excited {
     /// rate and decay of the free wobble, 1/d
-    pub rate: Plane,
+    rate: Plane,
     /// the monthly pushes, root mean square of each component
     pub push: f64,
     wobble: f64,
     annual: f64,
     seed: f64,
-    /// the pushes, and where the pole is at the beginning of each month, without the yearly part
-    pushes: Vec<Plane>,
-    nodes: Vec<Plane>,
+    /// each month's push, and where the pole is at its beginning, without the yearly part
+    months: Vec<[Plane; 2]>,
 }
 
 /// Months of the motion that is kept: 150 years.
@@ -85,22 +82,15 @@ impl Excited {
         let kept = 1.0 - exp(-2.0 * rate[1] * MONTH);
         let [x, y] = difference([1.0, 0.0], month);
         let push = p.wobble * (0.5 * kept / (x * x + y * y)).sqrt();
-        let mut this = Self {
-            rate,
-            push,
-            wobble: p.wobble,
-            annual: p.annual,
-            seed: p.seed,
-            pushes: Vec::new(),
-            nodes: vec![[p.wobble, 0.0]],
-        };
-        let mut dice = Dice::new(p.seed);
-        for k in 0..MONTHS {
-            this.pushes.push(dice.pair().map(|x| x * push));
-            let next = this.pushed(this.nodes[k], this.pushes[k], MONTH);
-            this.nodes.push(next);
+        let (wobble, annual, seed) = (p.wobble, p.annual, p.seed);
+        let mut excited = Self { rate, push, wobble, annual, seed, months: Vec::new() };
+        let (mut dice, mut at) = (Dice::new(p.seed), [p.wobble, 0.0]);
+        for _ in 0..MONTHS {
+            let pushed = dice.pair().map(|x| x * push);
+            excited.months.push([pushed, at]);
+            at = excited.pushed(at, pushed, MONTH);
         }
-        Ok(this)
+        Ok(excited)
     }
 
     // ANCHOR: excited
@@ -119,7 +109,8 @@ impl Excited {
     /// The same without its yearly part.
     pub fn wobbling(&self, t: f64) -> Plane {
         let month = ((t / MONTH) as usize).min(MONTHS - 1);
-        self.pushed(self.nodes[month], self.pushes[month], t - MONTH * month as f64)
+        let [push, at] = self.months[month];
+        self.pushed(at, push, t - MONTH * month as f64)
     }
     // ANCHOR_END: excited
 
@@ -141,19 +132,19 @@ impl Excited {
         let yearly = TAU / YEAR;
         // i sigma e makes the yearly part of the pole go round with the year.
         let forced = difference([0.0, yearly], [-decay, rate]);
-        let mut state = sum(self.nodes[0], [self.annual, 0.0]);
-        let mut month = 0;
-        while (month as f64) * MONTH < end {
-            let (from, push) = (month as f64 * MONTH, self.pushes[month]);
+        let mut state = [self.wobble + self.annual, 0.0];
+        for (month, &[push, _]) in self.months.iter().enumerate() {
+            let from = month as f64 * MONTH;
+            if from >= end {
+                break;
+            }
             let law = ode(move |t, m: &[f64; 2]| {
                 let (s, c) = sincos(yearly * (from + t));
                 let year = times_complex(forced, [self.annual * c, self.annual * s]);
                 sum(times_complex([-decay, rate], difference(*m, push)), year)
             });
-            let size = self.wobble;
-            let law = law.scaled(move |_| [size, size]);
+            let law = law.scaled(|_| [self.wobble; 2]);
             state = after((end - from).min(MONTH), &law, &state, 1e-13)?;
-            month += 1;
         }
         Ok(state)
     }
@@ -178,10 +169,8 @@ impl Excited {
         let mut dice = Dice::new(self.seed + 1.0);
         let (mut m, mut squares) = ([self.wobble, 0.0], 0.0);
         let months = (1000.0 / (self.rate[1] * MONTH)) as usize;
-        let month = turned(self.rate, MONTH);
         for _ in 0..months {
-            let push = dice.pair().map(|x| x * self.push);
-            m = sum(push, times_complex(month, difference(m, push)));
+            m = self.pushed(m, dice.pair().map(|x| x * self.push), MONTH);
             squares += m[0] * m[0] + m[1] * m[1];
         }
         (squares / months as f64).sqrt()

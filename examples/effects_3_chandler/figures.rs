@@ -19,24 +19,18 @@ fn through(tilt: f64, from: f64, to: f64) -> [(f64, f64); 2] {
     [(from * s, from * c), (to * s, to * c)]
 }
 
-/// The Earth with this Love number alone.
-fn with_love(p: &Parameters, love: f64) -> Parameters {
-    Parameters { love, ..p.clone() }
-}
-
-/// The period in days, NaN where the bulge would follow nearly whole.
+/// The period in days with this Love number; none where the bulge would follow nearly whole.
 fn days(p: &Parameters, step: Step, love: f64) -> f64 {
-    let period = step.period(&with_love(p, love));
+    let period = step.period(&p.but(|p| p.love = love));
     period.map_or(f64::NAN, |turns| turns * p.day / DAY)
 }
 
-/// Love numbers that are simulated.
-const LOVES: [f64; 7] = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
-
+/// Period against Love number, exact and simulated.
 fn swept(p: &Parameters, step: Step, ink: Ink) -> Result<[Curve; 2]> {
     let line = Curve::of(times(0.0, 0.6, 120), |love| days(p, step, love), Ink::Ink);
-    let stepped = |love| Ok(step.simulated(&with_love(p, love), 1e-9)? * p.day / DAY);
-    Ok([line, Curve::sampled(LOVES, stepped, ink)?.dots()])
+    let stepped = |love| Ok(step.simulated(&p.but(|p| p.love = love), 1e-9)? * p.day / DAY);
+    let loves = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
+    Ok([line, Curve::sampled(loves, stepped, ink)?.dots()])
 }
 
 /// A size of the pole's motion over so many years.
@@ -44,25 +38,20 @@ fn over_years(end: f64, count: u32, size: impl Fn(f64) -> f64, ink: Ink) -> Curv
     Curve::of(times(0.0, end, count), move |years| size(years * YEAR), ink)
 }
 
-fn sampled_steps(p: &Parameters) -> Result<Vec<f64>> {
-    let steps = LEDGER.into_iter();
-    steps.map(|step| Ok(step.period(p)? * p.day / DAY)).collect()
-}
-
 /// The steps of the ledger, one below the other, each from the period before to its own.
 fn stairs(p: &Parameters) -> Result<Panel> {
-    let periods = sampled_steps(p)?;
-    let low = periods.iter().copied().fold(p.observed, f64::min);
-    let high = periods.iter().copied().fold(p.observed, f64::max);
+    let periods = LEDGER.map(|step| days(p, step, p.love));
+    let low = periods.into_iter().fold(p.observed, f64::min);
+    let high = periods.into_iter().fold(p.observed, f64::max);
     let axes = Panel::over_axes(
         Axis::linear("period / d").range(low - 0.15 * (high - low), high + 0.2 * (high - low)),
         Axis::linear("").range(0.4, 5.6).ticks(Vec::<(f64, &str)>::new()),
     );
     let mut panel = axes.upright(p.observed, Ink::Frame, "observed");
-    let mut before: Option<f64> = None;
-    for ((step, period), row) in LEDGER.into_iter().zip(periods).zip([5.0, 4.0, 3.0, 2.0, 1.0]) {
-        let simulated = step.simulated(p, 1e-9)? * p.day / DAY;
-        if let Some(from) = before {
+    for (i, step) in LEDGER.into_iter().enumerate() {
+        let (row, period) = (5.0 - i as f64, periods[i]);
+        if i > 0 {
+            let from = periods[i - 1];
             let stair = [(from, row + 1.0), (from, row), (period, row)];
             panel = panel.curve(Curve::new(stair, Ink::Frame).thin());
             let (left, middle) = (from.min(period), 0.5 * (from + period));
@@ -72,9 +61,9 @@ fn stairs(p: &Parameters) -> Result<Panel> {
                 false => panel.note(middle, row, Ink::Ink, step.name, Side::Above),
             };
         }
-        let label = if before.is_none() { step.name } else { "" };
+        let simulated = step.simulated(p, 1e-9)? * p.day / DAY;
+        let label = if i == 0 { step.name } else { "" };
         panel = panel.dot(simulated, row, Ink::Body, label, Side::Right);
-        before = Some(period);
     }
     Ok(panel)
 }
@@ -158,11 +147,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(Curve::of(times(0.0, 13.0, 400), distance, Ink::Velocity));
     MovingPicture::above(graph, 0.0..=13.0, [1.6, 3.2, 6.4], move |t| {
         let path = |from: f64| {
-            let count = 2 + (60.0 * (t - from)) as u32;
-            sampled(times(from, t.max(from + 1e-3), count), |years| {
-                Ok(excited.at(years * YEAR).into())
-            })
-            .map(|path: Vec<(f64, f64)>| path)
+            let years = times(from, t.max(from + 1e-3), 2 + (60.0 * (t - from)) as u32);
+            years.map(|years| excited.at(years * YEAR).into())
         };
         let [x, y] = excited.at(t * YEAR);
         let alt = format!(
@@ -176,8 +162,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .guide([(0.0, 0.0), (0.0, 1.2 * top)])
             .text((1.25 * top, 0.0), "Greenwich", Ink::Frame, Side::Right)
             .text((0.0, 1.2 * top), "90° E", Ink::Frame, Side::Above)
-            .curve(Curve::new(path(0.0)?, Ink::Velocity).thin().faint(0.45))
-            .curve(Curve::new(path((t - 1.0).max(0.0))?, Ink::Velocity))
+            .curve(Curve::new(path(0.0), Ink::Velocity).thin().faint(0.45))
+            .curve(Curve::new(path((t - 1.0).max(0.0)), Ink::Velocity))
             .dot((x, y), Ink::Velocity, r"$\Omega$", Side::AboveRight);
         Ok((alt, ground))
     })

@@ -1,10 +1,8 @@
 //! A mantle that yields, with a fluid core: the equations of Poincaré and Hough, and of Sasao,
 //! Okubo and Saito.
 
-use super::{Parameters, Step, body};
-use core::f64::consts::TAU;
-use kit::prelude::*;
-use rotation_dynamics::integrators::{Dop853, Ode, ode};
+use super::excited::{difference, sum, times_complex};
+use super::*;
 
 /// Of the Earth, by seismology: the moments of inertia of the core and of the whole, 10^37
 /// kg m^2 ...
@@ -70,11 +68,12 @@ fn bulge(w: BodyVector, v: BodyVector) -> BodyVector {
 
 const POLE: BodyVector = BodyVector::new(0.0, 0.0, 1.0);
 
-fn pair(&[a, b, c, d, e, f]: &[f64; 6]) -> Turning {
+/// Two vectors from the numbers of a state, and back.
+pub fn pair(&[a, b, c, d, e, f]: &[f64; 6]) -> Turning {
     [BodyVector::new(a, b, c), BodyVector::new(d, e, f)]
 }
 
-fn joined(pair: Turning) -> [f64; 6] {
+pub fn joined(pair: Turning) -> [f64; 6] {
     let [[a, b, c], [d, e, f]] = pair.map(BodyVector::to_array);
     [a, b, c, d, e, f]
 }
@@ -102,14 +101,14 @@ impl CoreAndMantle {
 
     /// The turnings that have these momenta: the tensors hardly change with them.
     pub fn turning(&self, [l, n]: Turning) -> Turning {
-        let evenly = |[l, n]: Turning| {
-            let (l, n, mut w) = (l.to_array(), n.to_array(), [[0.0; 3]; 2]);
-            for k in 0..3 {
+        let evenly = |momenta: Turning| {
+            let [l, n] = momenta.map(BodyVector::to_array);
+            let turned = [0, 1, 2].map(|k| {
                 let [i, j, c] = [self.whole[k], self.link[k], self.core[k]];
                 let det = i * c - j * j;
-                (w[0][k], w[1][k]) = ((c * l[k] - j * n[k]) / det, (i * n[k] - j * l[k]) / det);
-            }
-            w.map(BodyVector::from_array)
+                [(c * l[k] - j * n[k]) / det, (i * n[k] - j * l[k]) / det]
+            });
+            [0, 1].map(|which| BodyVector::from_array(turned.map(|both| both[which])))
         };
         let mut w = evenly([l, n]);
         for _ in 0..12 {
@@ -176,20 +175,16 @@ impl CoreAndMantle {
         let [c0, c1, c2] = self.equation();
         let (c_f, f) = (self.core[2], self.core[0] + self.yields[2]);
         // The coefficients are linear in what the whole yields.
-        let (d0, d1, d2) = (late * c_f, late * (f + c_f), late * f);
-        let [mut x, mut y] = [self.rates()[0], 0.0];
+        let (d0, d1, d2) = ([c0, late * c_f], [c1, late * (f + c_f)], [c2, late * f]);
+        let mut root = [self.rates()[0], 0.0];
         for _ in 0..20 {
-            let (xx, xy) = (x * x - y * y, 2.0 * x * y);
-            let value = [
-                c0 + c1 * x - d1 * y + c2 * xx - d2 * xy,
-                d0 + c1 * y + d1 * x + c2 * xy + d2 * xx,
-            ];
-            let slope = [c1 + 2.0 * (c2 * x - d2 * y), d1 + 2.0 * (c2 * y + d2 * x)];
-            let square = slope[0] * slope[0] + slope[1] * slope[1];
-            x -= (value[0] * slope[0] + value[1] * slope[1]) / square;
-            y -= (value[1] * slope[0] - value[0] * slope[1]) / square;
+            let steep = times_complex(d2, root);
+            let value = sum(d0, times_complex(sum(d1, steep), root));
+            let [re, im] = sum(sum(d1, steep), steep);
+            let square = re * re + im * im;
+            root = difference(root, times_complex(value, [re / square, -im / square]));
         }
-        0.5 * x / y.abs()
+        0.5 * root[0] / root[1].abs()
     }
 
     /// Kinetic energy and that of the strain, kept by the motion, but for a constant.
@@ -202,12 +197,9 @@ impl CoreAndMantle {
             let along = w.dot(&v);
             along * along - w.dot(&w) * v.dot(&v) / 3.0
         };
-        let [pp, pq, qq] = {
-            let [ww, wv, vv] =
-                [product(omega, omega), product(omega, turned), product(turned, turned)];
-            [ww, wv - ww, vv - 2.0 * wv + ww]
-        };
-        let strain = 0.25 * own * pp + 0.5 * both * pq + 0.25 * core * qq;
+        let [ww, wv] = [product(omega, omega), product(omega, turned)];
+        let vv = product(turned, turned);
+        let strain = 0.25 * own * ww + 0.5 * both * (wv - ww) + 0.25 * core * (vv - 2.0 * wv + ww);
         // Half of the momenta times the turnings has the strain twice, and it counts three times.
         0.5 * (omega.dot(&l) + chi.dot(&n)) + strain
     }

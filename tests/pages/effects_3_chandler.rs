@@ -3,8 +3,8 @@
 
 use crate::answers::{confirmed, ledger, refused, value};
 use core::f64::consts::TAU;
-use pages::effects_3_chandler::excited::{Dice, Excited};
-use pages::effects_3_chandler::parts::{CORE, CoreAndMantle};
+use pages::effects_3_chandler::excited::Excited;
+use pages::effects_3_chandler::parts::{CORE, CoreAndMantle, joined, pair};
 use pages::effects_3_chandler::*;
 use rotation_dynamics::integrators::{Ode, after, ode, size_or};
 use rotation_dynamics::math::{exp, log};
@@ -88,9 +88,7 @@ fn eq_2_what_core_and_mantle_keep() {
     let p = Parameters { love: 0.5, a: 0.3, c: 0.3024, ..Parameters::default() };
     let earth = CoreAndMantle::of(&p, &LEDGER[4]).unwrap();
     let [omega, chi] = [BodyVector::new(0.3, -0.1, 1.0), BodyVector::new(-0.2, 0.5, 0.1)];
-    let [l, n] = earth.momenta([omega, chi]);
-    let start = [l.x(), l.y(), l.z(), n.x(), n.y(), n.z()];
-    let pair = |y: &[f64; 6]| [BodyVector::new(y[0], y[1], y[2]), BodyVector::new(y[3], y[4], y[5])];
+    let start = joined(earth.momenta([omega, chi]));
     let told = |y: &[f64; 6]| {
         let [l, n] = pair(y);
         let [omega, chi] = earth.turning([l, n]);
@@ -101,9 +99,8 @@ fn eq_2_what_core_and_mantle_keep() {
     let mut strained = Errors::of("energy without the strain's");
     let law = earth.law([0.3, 0.3, 0.3, 0.03, 0.03, 0.03]);
     let wrong = ode(|t, y: &[f64; 6]| {
-        let ([a, b, c, ..], [l, n]) = (law.derivative(t, y), pair(y));
-        let [d, e, f] = n.cross(&earth.turning([l, n])[0]).to_array();
-        [a, b, c, d, e, f]
+        let ([whole, _], [l, n]) = (pair(&law.derivative(t, y)), pair(y));
+        joined([whole, n.cross(&earth.turning([l, n])[0])])
     })
     .scaled(size_or([1.0; 6]));
     let first = told(&start);
@@ -183,19 +180,6 @@ fn pushes_hold_the_wobble() {
     }
     assert_largest!(held, 4, @"0.0217");
     twin.exceed(0.4, 4);
-}
-
-/// The dice: mean 0, mean square 1, as many beyond two as there should be, and no memory.
-#[test]
-fn the_dice_are_fair() {
-    let (mut dice, count) = (Dice::new(1891.0), 1_000_000);
-    let pairs: Vec<[f64; 2]> = (0..count).map(|_| dice.pair()).collect();
-    let mean = |f: &dyn Fn(usize) -> f64| (1..count).map(f).sum::<f64>() / count as f64;
-    assert_error!(mean(&|k| pairs[k][0]) - 0.0, 6.4e-4);
-    assert_error!(mean(&|k| pairs[k][0] * pairs[k][0]) - 1.0, 1.5e-3);
-    assert_error!(mean(&|k| pairs[k][0] * pairs[k][1]) - 0.0, 1.1e-3);
-    assert_error!(mean(&|k| pairs[k][0] * pairs[k - 1][0]) - 0.0, 8.7e-5);
-    assert_error!(mean(&|k| f64::from(u8::from(pairs[k][1].abs() > 2.0))) - 0.0455, 1.3e-4);
 }
 
 /// The card of effects: six lines from circuits, with the effect and without it. The loss and the
