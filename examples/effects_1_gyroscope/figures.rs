@@ -51,12 +51,11 @@ fn tilt(course: &GimbalMotion, end: f64, count: u32) -> Result<Vec<(f64, f64)>> 
     sampled(times(0.0, end, count), |t| Ok((t, course.at(t)?.theta)))
 }
 
-/// The path of the end of the axis.
-fn path(course: &GimbalMotion, end: f64) -> Result<Vec<SpaceVector>> {
-    let end = end.min(course.end_time());
-    sampled(times(0.0, end, 1500), |t| {
+/// Where the end of the axis points, in so many pieces.
+fn path(course: &GimbalMotion, end: f64, pieces: u32) -> Result<Vec<(f64, SpaceVector)>> {
+    sampled(times(0.0, end.min(course.end_time()), pieces), |t| {
         let at = course.at(t)?;
-        Ok(direction(at.theta, at.phi))
+        Ok((t, direction(at.theta, at.phi)))
     })
 }
 
@@ -106,7 +105,7 @@ figures! { p: &Parameters, y = Gyroscope::new(p)?, first = nods(&y, p)?,
     trace: View::of(SpaceVector::zero(), 1.12)
         .camera(Camera::new(0.3, 1.25))
         .sphere()
-        .trace(path(&first.0, 0.985 * TAU / y.fading()?.precession)?, Ink::Body)
+        .trace(path(&first.0, 0.985 * TAU / y.fading()?.precession, 1500)?.into_iter().map(|(_, end)| end), Ink::Body)
         .dot(direction(p.theta, 0.0), Ink::Body, "start", Side::Left);
 
     /// Tilt against time in the first moments: nods between the tilt of the release and twice
@@ -188,7 +187,7 @@ figures! { p: &Parameters, y = Gyroscope::new(p)?, first = nods(&y, p)?,
             .at([1.0, 4.0, 8.0, 12.0, 16.0, 19.0])
             .exact_and_simulated("nod longer by", exact, |k| {
                 let y = heavier(p, k)?;
-                longer(k, measured::nod(&y, 1e-10)?.t)
+                longer(k, measured::nod(&y, 1e-10)?[1].t)
             })?
             .curve(Curve::of(times(0.0, 20.0, 2), |k| small * k, Ink::Frame).dashed().label("first order"))
     };
@@ -214,13 +213,11 @@ impl Gyroscope {
 /// The whole motion, for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (course, _) = nods(&Gyroscope::new(p)?, p)?;
-    let mut trajectory =
-        Trajectory::new(["t [s]", "theta [rad]", "phi [rad]", "heat of the tilt [J]"])?;
-    for t in times(0.0, course.end_time(), 4000) {
+    let columns = ["t [s]", "theta [rad]", "phi [rad]", "heat of the tilt [J]"];
+    Trajectory::sampled(columns, times(0.0, course.end_time(), 4000), |t| {
         let at = course.at(t)?;
-        trajectory.push([t, at.theta, at.phi, course.heat(t)?[0]])?;
-    }
-    Ok(trajectory)
+        Ok([t, at.theta, at.phi, course.heat(t)?[0]])
+    })
 }
 
 /// The first moments, slowed down by the reader.
@@ -231,10 +228,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let graph = Panel::over_axes("$t$ / s", r"tilt $\theta$ / rad")
         .curve(Curve::new(tilt(&course, end, 1500)?, Ink::Body).thin())
         .low();
-    let trail = sampled(times(0.0, end, 3000), |t| {
-        let at = course.at(t)?;
-        Ok((t, direction(at.theta, at.phi)))
-    })?;
+    let trail = path(&course, end, 3000)?;
     // The ribbon is as long as the nods last, or most of a turn.
     let past = 0.8 * TAU / y.fading()?.precession;
     let lowest = 0.5 * TAU / y.fading()?.frequency;

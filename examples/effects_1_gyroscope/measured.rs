@@ -3,25 +3,15 @@
 use super::*;
 use rotation_dynamics::attitude::EulerAngles;
 use rotation_dynamics::exact::heavy_top::HeavyTop;
-use rotation_dynamics::integrators::{after, small_frequency};
+use rotation_dynamics::integrators::{LocatedEvent, after, small_frequency};
 
-/// A nod that is back: when, where phi is then, and the lowest point on the way.
-pub struct Back {
-    pub t: f64,
-    pub phi: f64,
-    pub lowest: f64,
-}
-
-/// The first nod without friction, by located events.
-pub fn nod(y: &Gyroscope, step: f64) -> Result<Back> {
-    let start = y.start.to_array();
+/// The first nod without friction, located: its lowest point, and where it is back.
+pub fn nod(y: &Gyroscope, step: f64) -> Result<[LocatedEvent<6>; 2]> {
     let until = 3.0 * NutationCycle::of(&y.gimbals, &y.start)?.period;
-    let turned = |count| {
-        let method = Dop853::new(step)?;
-        Ok::<_, Error>(method.zero(&y.gimbals, start, count, until, |y| y[1])?.0)
+    let turned = |count| -> Result<_> {
+        Ok(Dop853::new(step)?.zero(&y.gimbals, y.start.to_array(), count, until, |y| y[1])?.0)
     };
-    let ([low, back], Pose { .. }) = ([turned(1)?, turned(2)?], y.start);
-    Ok(Back { t: back.t, phi: back.state[2], lowest: low.state[0] })
+    Ok([turned(1)?, turned(2)?])
 }
 
 /// The period without gimbals, by elliptic functions.
@@ -37,32 +27,31 @@ pub fn nod_without_gimbals(y: &Gyroscope) -> rotation_dynamics::Result<NutationC
     NutationCycle::of(&Gimbals::new(*y.gimbals.rotor(), [0.0; 3], 0.0)?, &y.start)
 }
 
-/// The pose of steady precession at the bottom of the valley.
-pub fn steady(y: &Gyroscope) -> rotation_dynamics::Result<Pose> {
-    let (theta, axial) = (y.bottom()?, y.start.axial_momentum);
-    let phi_rate = y.gimbals.steady_rate(theta, axial, 0.0)?;
-    Ok(y.start.but(|start| (start.theta, start.phi_rate) = (theta, phi_rate)))
+/// The pose of steady precession at the bottom of the valley, and the angular frequency of small
+/// nods about it.
+pub fn steady(y: &Gyroscope) -> rotation_dynamics::Result<(Pose, f64)> {
+    let (g, theta, axial) = (&y.gimbals, y.bottom()?, y.start.axial_momentum);
+    let phi_rate = g.steady_rate(theta, axial, 0.0)?;
+    let at = y.start.but(|start| (start.theta, start.phi_rate) = (theta, phi_rate));
+    Ok((at, g.nodding(theta, axial, phi_rate)))
 }
 
 /// The rate of the azimuth there, from a turn.
 pub fn walk(y: &Gyroscope, step: f64) -> Result<f64> {
-    let (at, turn) = (steady(y)?, TAU / y.fading()?.precession);
-    let end = after(turn, &y.gimbals, &at.to_array(), step)?;
-    Ok(end[2] / turn)
+    let turn = TAU / y.fading()?.precession;
+    Ok(after(turn, &y.gimbals, &steady(y)?.0.to_array(), step)?[2] / turn)
 }
 
 /// Angular frequency of the smallest nods about it.
 pub fn smallest(y: &Gyroscope) -> rotation_dynamics::Result<f64> {
-    let (at, g) = (steady(y)?, &y.gimbals);
-    let rate = g.nodding(at.theta, at.axial_momentum, at.phi_rate);
+    let (at, rate) = steady(y)?;
     let kicked = |size| at.but(|at| at.theta_rate = 0.01 * size * rate).to_array();
-    small_frequency(g, kicked, 20.0 / rate, |y| y[0] - at.theta)
+    small_frequency(&y.gimbals, kicked, 20.0 / rate, |y| y[0] - at.theta)
 }
 
 /// Tilt and heat after nods that a viscous tilt bearing of its own has taken, and nothing else.
 pub fn damped(y: &Gyroscope, step: f64) -> Result<(f64, f64)> {
-    let at = steady(y)?;
-    let rate = y.gimbals.nodding(at.theta, at.axial_momentum, at.phi_rate);
+    let (_, rate) = steady(y)?;
     let tilt = Bearing::new(0.1 * y.gimbals.tilting() * rate, 0.0)?;
     let smooth = y.with(Bearings { tilt, ..Bearings::SMOOTH });
     let course = smooth.run(None, 500.0 / rate, step)?;
@@ -76,8 +65,7 @@ pub fn damped(y: &Gyroscope, step: f64) -> Result<(f64, f64)> {
 pub fn decay(y: &Gyroscope, step: f64) -> Result<f64> {
     let viscous = |b: &Bearing| Bearing::new(b.viscous(), 0.0);
     let (tilt, azimuth) = (viscous(&y.bearings.tilt)?, viscous(&y.bearings.azimuth)?);
-    let at = steady(y)?;
-    let rate = y.gimbals.nodding(at.theta, at.axial_momentum, at.phi_rate);
+    let (at, rate) = steady(y)?;
     let slow = y.with(Bearings { tilt, azimuth, ..Bearings::SMOOTH });
     let start = at.but(|at| at.theta_rate = 1e-3 * rate);
     let course = Gyroscope { start, ..slow }.run(None, 25.0 * PI / rate, step)?;
@@ -103,50 +91,29 @@ pub fn half_nods(y: &Gyroscope, step: f64) -> Result<Option<f64>> {
     Ok(Some(stops.count() as f64))
 }
 
-/// The rate at which the axis sinks in the first turn, without friction of the tilt.
-pub fn sag(y: &Gyroscope, step: f64) -> Result<f64> {
-    sinking(y, y.bearings.but(|bearings| bearings.tilt = Bearing::SMOOTH), step)
-}
-
-/// The same with these bearings: over whole nods, a quarter of a turn.
+/// The rate at which the axis sinks with these bearings: over whole nods, a quarter of a turn.
 pub fn sinking(y: &Gyroscope, bearings: Bearings, step: f64) -> Result<f64> {
-    let (at, f) = (steady(y)?, y.fading()?);
+    let (at, f) = (steady(y)?.0, y.fading()?);
     let time = TAU / f.frequency * (0.25 * f.frequency / f.precession).ceil();
     let course = Gyroscope { start: at, ..y.with(bearings) }.run(None, time, step)?;
     Ok((course.at(time)?.theta - at.theta) / time)
 }
 
-/// The end: time and spin, simulated with everything and by the slow motion alone.
-pub struct End {
-    pub t: f64,
-    pub spin: f64,
-    pub slow: f64,
-    pub spin_slow: f64,
-}
-
-/// The whole way to the stop; none if it is not reached in the longest simulation, if a nod
-/// meets it, or if the rotor is too slow by then for a slow precession.
-pub fn to_the_stop(y: &Gyroscope, p: &Parameters) -> Result<Option<End>> {
+/// The whole way to the stop: time and spin, simulated with everything and by the slow motion
+/// alone. None if it is not reached in the longest simulation, if a nod meets it, or if the rotor
+/// is too slow by then for a slow precession.
+pub fn to_the_stop(y: &Gyroscope, p: &Parameters) -> Result<Option<[[f64; 2]; 2]>> {
     let course = y.run(Some(p.stop), LONGEST, p.tolerance)?;
-    if !course.stopped() {
-        return Ok(None);
-    }
     let (t, i3) = (course.end_time(), y.gimbals.rotor().i3());
-    if t < 2.0 * y.lasting(y.bottom()? - y.start.theta)? {
+    if !course.stopped() || t < 2.0 * y.lasting(y.bottom()? - y.start.theta)? {
         return Ok(None);
     }
-    let spin = course.at(t)?.axial_momentum / i3;
-    let slow = Decay::slow(y.gimbals, y.bearings);
+    let last = Gyroscope { start: course.at(t)?, ..*y };
     // While it sinks, dry friction of the tilt bears a part of the weight.
     let from = y.bottom_at(&y.start, y.bearings.tilt.dry())?;
     let start = [from, 0.0, y.start.axial_momentum];
-    let down = |y: &[f64; 3]| y[0] - p.stop;
-    let slow = Dop853::new(p.tolerance)?.zero(&slow, start, 1, LONGEST, down);
-    let last = Gyroscope { start: course.at(t)?, ..*y };
-    Ok(match slow {
-        Ok((end, _)) if last.slowness() < 2.0 => {
-            Some(End { t, spin, slow: end.t, spin_slow: end.state[2] / i3 })
-        }
-        _ => None,
-    })
+    let (slow, down) = (Decay::slow(y.gimbals, y.bearings), |y: &[f64; 3]| y[0] - p.stop);
+    let slow = Dop853::new(p.tolerance)?.zero(&slow, start, 1, LONGEST, down).ok();
+    let slow = slow.filter(|_| last.slowness() < 2.0);
+    Ok(slow.map(|(end, _)| [[t, last.start.axial_momentum / i3], [end.t, end.state[2] / i3]]))
 }
