@@ -188,40 +188,36 @@ pub fn growth(p: &Parameters, spin: f64) -> Result<f64> {
     // A tenth of the friction and of the patch: as viscous, with a hundredth of the pivoting.
     let firm = Patch::new(0.1 * p.friction, 0.1 * p.patch()?)?;
     let top = Top::new(p.shape()?, GRAVITY)?.on(firm);
-    let start =
-        Throw::spinning(1e-5, spin).precessing(p.precession(spin.max(1.02 * p.rolling_spin())));
-    let run = top.simulate(&start.rolling(), 18.0, 1e-12)?;
+    let precession = p.precession(spin.max(1.02 * p.rolling_spin()));
+    let start = Throw::spinning(1e-5, spin).precessing(precession).rolling();
+    let run = top.simulate(&start, 18.0, 1e-12)?;
     // Over whole turns of the precession what is left of a nod averages out.
-    let turn = TAU / p.precession(spin.max(1.02 * p.rolling_spin()));
-    let mean = |from: f64| -> Result<f64> {
-        let sizes =
-            sampled(times(from, from + turn, 200), |t| Ok(log(run.configuration(t)?.tilt())))?;
-        Ok(sizes.iter().sum::<f64>() / 201.0)
-    };
+    let turn = TAU / precession;
+    let size =
+        |from: f64| mean(times(from, from + turn, 200), |t| Ok(log(run.configuration(t)?.tilt())));
     let (from, to) = (8.0, 8.0 + 10.0 * turn.min(0.7));
-    Ok((mean(to)? - mean(from)?) / (to - from))
+    Ok((size(to)? - size(from)?) / (to - from))
 }
 
-/// The spin at which a small tilt neither grows nor dies, by bisection.
+/// The mean of what `of` gives at these times.
+fn mean(times: impl Iterator<Item = f64>, of: impl FnMut(f64) -> Result<f64>) -> Result<f64> {
+    let samples = sampled(times, of)?;
+    Ok(samples.iter().sum::<f64>() / samples.len() as f64)
+}
+
+/// The spin at which a small tilt neither grows nor dies.
 fn least_by_growth(p: &Parameters) -> Result<f64> {
-    let (mut low, mut high) = (0.985 * p.least_spin(), 1.015 * p.least_spin());
-    for _ in 0..8 {
-        let middle = 0.5 * (low + high);
-        match growth(p, middle)? > 0.0 {
-            true => low = middle,
-            false => high = middle,
-        }
-    }
+    let least = p.least_spin();
+    let grows = |spin: f64| -> Result<bool> { Ok(growth(p, spin)? > 0.0) };
+    let [low, high] = try_bisect([0.985 * least, 1.015 * least], 1.2e-4 * least, grows)?;
     Ok(0.5 * (low + high))
 }
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
-    let sleeps = above(1.25).because("a slower one does not sleep");
-    sleeps.check("spin over the least spin of a sleeping top", p.spin / p.least_spin())?;
+    allowed! {
+        "spin over the least spin of a sleeping top": p.spin / p.least_spin(), above(1.25), "a slower one does not sleep";
+    }?;
     let (life, again) = (p.life(p.tolerance)?, p.life(0.1 * p.tolerance)?);
-    let at = |name| -> Result<[Configuration; 2]> {
-        Ok([life.configuration_at(life.event(name)?), again.configuration_at(again.event(name)?)])
-    };
     let when = |name| -> Result<[f64; 2]> { Ok([life.event(name)?.t, again.event(name)?.t]) };
     let first = life.configuration(0.0)?;
     // With so little friction it goes on at one rate, and without a nod.
@@ -232,13 +228,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let [asleep, asleep_again] = when("sleeps")?;
     let [wakes, wakes_again] = when("wakes")?;
     let [falls, falls_again] = when("falls")?;
-    let [fallen, fallen_again] = at("falls")?;
+    let fallen = life.configuration_at(life.event("falls")?);
+    let fallen_again = again.configuration_at(again.event("falls")?);
     let least = p.least_spin();
     // Between two spins of the sleep.
-    let early = life.event("unstable")?.t * 0.5;
-    let late = life.event("unstable")?.t * 0.9;
-    let fast = life.configuration(early)?.spin();
-    let slow = life.configuration(late)?.spin();
+    let unstable = life.event("unstable")?.t;
+    let (early, late) = (0.5 * unstable, 0.9 * unstable);
+    let [fast, slow] = [life.configuration(early)?, life.configuration(late)?].map(|at| at.spin());
     let slept = kit::simpson([slow, fast], 200, |w| Ok::<_, kit::Error>(1.0 / p.braking(w)?))?;
     let crossed = least_by_growth(p)?;
     let (leans, settles) = (p.slope * (LEVER + p.tip) / LEVER, p.settling(p.spin)?);
@@ -254,8 +250,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         let event = point.event("grips")?;
         Ok([event.t, point.configuration_at(event).tilt()])
     };
-    let ([grips, gripped], [grips_again, gripped_again]) =
-        (grip(p.tolerance)?, grip(0.01 * p.tolerance)?);
+    let [grips, gripped] = grip(p.tolerance)?;
+    let [grips_again, gripped_again] = grip(0.01 * p.tolerance)?;
     claims! { report,
         /// precession of the throw
         precession: p.throw().precession, "rad/s", "the simulated axis" => first.precession(), within 1e-10;
@@ -301,29 +297,22 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 /// Where the motion is known.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let top = || Top::new(p.shape()?, GRAVITY);
-    let kept = |part: [f64; 2]| (part[1] / part[0] - 1.0).abs();
+    let change =
+        |of: &dyn Fn(f64) -> Result<f64>| -> Result<f64> { Ok((of(2.0)? / of(0.0)? - 1.0).abs()) };
     let point = top()?.on(Dry::new(p.friction)?).simulate(&p.throw(), 2.0, p.tolerance)?;
-    let ends = |f: &dyn Fn(&Configuration) -> f64| -> Result<[f64; 2]> {
-        Ok([f(&point.configuration(0.0)?), f(&point.configuration(2.0)?)])
-    };
-    let jellett = ends(&|at| point.top().jellett(at))?;
     let smooth = top()?.simulate(&p.throw(), 2.0, p.tolerance)?;
-    let first = smooth.configuration(0.0)?;
-    let energies = [smooth.top().energy(&first), smooth.top().energy(&smooth.configuration(2.0)?)];
     let rolls = top()?.on(NoSlip).simulate(&p.throw().rolling(), 2.0, p.tolerance)?;
-    let held =
-        [0.0, 2.0].map(|t| rolls.configuration(t).map_or(f64::NAN, |at| rolls.top().energy(&at)));
     // The spins at which a top can sleep, for a tip that shrinks to a point.
     let sharp = p.but(|p| p.tip = 1e-9);
     let notes = 2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL;
     let within = 1e3 * p.tolerance;
     limits! { report,
         /// friction of the tip has no moment about the line from the centre of mass to the contact
-        "sliding, then rolling: change of Jellett's integral": kept(jellett) => 0.0, within within;
+        "sliding, then rolling: change of Jellett's integral": change(&|t| Ok(point.top().jellett(&point.configuration(t)?)))? => 0.0, within within;
         /// nothing rubs
-        "smooth floor: change of the energy": kept(energies) => 0.0, within within;
+        "smooth floor: change of the energy": change(&|t| Ok(smooth.top().energy(&smooth.configuration(t)?)))? => 0.0, within within;
         /// the point that is held does not move
-        "no slip: change of the energy": kept(held) => 0.0, within within;
+        "no slip: change of the energy": change(&|t| Ok(rolls.top().energy(&rolls.configuration(t)?)))? => 0.0, within within;
         /// then the tip is the fixed point of 16.2
         "sharp tip that rolls: its critical spin over that of 16.2": sharp.rolling_spin() / notes => 1.0, within 1e-5;
     }

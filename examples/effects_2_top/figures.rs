@@ -2,11 +2,6 @@
 
 use super::*;
 use kit::draw::Camera;
-use models::tops::Forces;
-
-/// The throw that hops: spin (rad/s) and tilt (rad).
-const FAST: f64 = 250.0;
-const STEEP: f64 = 0.4;
 
 /// Millimetres.
 const MM: f64 = 1e3;
@@ -99,16 +94,14 @@ figures! { p: &Parameters, life = p.life(p.tolerance)?, end = life.end_time();
     /// The tilt at which a tip with dry friction at a point grips, against the coefficient of
     /// friction: simulated dots rise about in proportion, below the straight line of the estimate.
     grips: {
-        let with = |friction| Parameters { friction, ..p.clone() };
         let gripped = |friction| {
             let top = Top::new(p.shape()?, GRAVITY)?.on(Dry::new(friction)?);
             let run = top.simulate(&p.throw(), 5.0, 1e-9)?;
             Ok(run.configuration_at(run.event("grips")?).tilt())
         };
-        let most = 0.08_f64;
-        Sweep::over(r"friction $\mu$", 0.0, most)
+        Sweep::over(r"friction $\mu$", 0.0, 0.08)
             .at([0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07])
-            .exact_and_simulated(Axis::linear(r"tilt $\theta_g$ / rad").range(0.0, 0.4), |mu| with(mu).grip_tilt(), gripped)?
+            .exact_and_simulated(Axis::linear(r"tilt $\theta_g$ / rad").range(0.0, 0.4), |mu| p.but(|p| p.friction = mu).grip_tilt(), gripped)?
     };
 
     /// Paths on the floor seen from above, in the first eight seconds. The contact runs round in
@@ -136,7 +129,7 @@ figures! { p: &Parameters, life = p.life(p.tolerance)?, end = life.end_time();
     /// The normal force over the weight after a fast throw without precession: it swings about
     /// one ever more widely, until the line ends where it would be below zero.
     hops: {
-        let fast = Parameters { spin: FAST, tilt: STEEP, ..p.clone() };
+        let fast = p.but(|p| (p.spin, p.tilt) = (250.0, 0.4));
         let throw = fast.throw().precessing(0.0);
         let run = fast.toy(p.rubbing()?)?.simulate(&throw, 0.5, 1e-10)?;
         let force = sampled(times(0.0, run.end_time(), 900), |t| Ok((t, run.forces(t)?.1.normal / WEIGHT)))?;
@@ -152,17 +145,9 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let columns =
         "t [s], tilt [rad], spin [rad/s], precession [rad/s], slip [m/s], x [m], y [m], N [N]";
     Trajectory::sampled(columns.split(", "), times(0.0, life.end_time(), 2000), |t| {
-        let (at, Forces { normal, .. }) = life.forces(t)?;
-        Ok([
-            t,
-            at.tilt(),
-            at.spin(),
-            at.precession(),
-            at.slip.norm(),
-            at.centre.x(),
-            at.centre.y(),
-            normal,
-        ])
+        let (at, forces) = life.forces(t)?;
+        let (slip, x, y) = (at.slip.norm(), at.centre.x(), at.centre.y());
+        Ok([t, at.tilt(), at.spin(), at.precession(), slip, x, y, forces.normal])
     })
 }
 
@@ -180,48 +165,38 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let part = (u - ACTS[i - 1]) / (ACTS[i] - ACTS[i - 1]);
         (knots[i - 1] + part * (knots[i] - knots[i - 1])).min(end)
     };
-    let ticks = ACTS
-        .into_iter()
-        .zip(knots)
-        .map(|(u, t)| (u, if t < 10.0 { format!("{t:.1}") } else { format!("{t:.0}") }));
+    let told = |t: f64| if t < 10.0 { format!("{t:.1}") } else { format!("{t:.0}") };
+    let ticks = ACTS.into_iter().zip(knots.map(told));
     let line = sampled(times(0.0, ACTS[5], 900), |u| Ok((u, life.configuration(pace(u))?.tilt())))?;
-    let graph = Panel::over_axes(
-        Axis::linear("$t$ / s, each part at its own pace").range(0.0, ACTS[5]).ticks(ticks),
-        Axis::linear("tilt / rad"),
-    )
-    .curve(Curve::new(line, Ink::Body))
-    .low();
+    let time = Axis::linear("$t$ / s, each part at its own pace").range(0.0, ACTS[5]).ticks(ticks);
+    let graph =
+        Panel::over_axes(time, Axis::linear("tilt / rad")).curve(Curve::new(line, Ink::Body)).low();
     MovingPicture::above(graph, 0.0..=ACTS[5], [0.0, 9.0, ACTS[5]], move |u| {
         let t = pace(u);
         let (at, forces) = life.forces(t)?;
         let height = SpaceVector::new(0.0, 0.0, MM * at.centre.z());
+        let tip = height + at.axis * (56.0 * at.spin() / p.spin);
         let contact = seen(&at, at.contact());
         let trail = sampled(times((t - 1.0).max(0.0), t, 120), |t| {
             Ok(seen(&at, life.configuration(t)?.contact()))
         })?;
         let friction = forces.friction * (30.0 / (p.friction * WEIGHT));
+        let ribbon = if t > 0.0 {
+            "On the floor a fading ribbon, the path of its contact in the last second. "
+        } else {
+            ""
+        };
         let alt = format!(
             "The top {t:.1} s after the throw: its axis leans by {:.3} rad and it spins at {:.0} rad/s. \
-             {}Below, the tilt against time.",
+             {ribbon}Below, the tilt against time.",
             at.tilt(),
-            at.spin(),
-            if t > 0.0 {
-                "On the floor a fading ribbon, the path of its contact in the last second. "
-            } else {
-                ""
-            },
+            at.spin()
         );
         let mut scene = view(&p, &at)
             .trail(trail, Ink::Velocity)
             .dot(contact, Ink::Velocity, "", Side::Below)
             .corner(&format!("{t:.1} s"))
-            .vector(
-                height,
-                height + at.axis * (56.0 * at.spin() / p.spin),
-                Ink::Momentum,
-                "$L$",
-                Side::Right,
-            );
+            .vector(height, tip, Ink::Momentum, "$L$", Side::Right);
         if friction.norm() > 4.0 {
             scene = scene.arrow(contact, contact + friction, Ink::Force, "$F$", Side::Below);
         }

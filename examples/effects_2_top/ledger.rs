@@ -8,29 +8,26 @@ use rotation_dynamics::math::exp;
 /// Where the energy goes, part by part; together it is all that is lost. And rules of thumb.
 pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
     let life = p.life(p.tolerance)?;
-    let mut table = Table::new(
-        "phases",
-        "phase, from / s, to / s, spin / rad/s, tilt / rad, sliding / mJ, pivoting / mJ, air / mJ"
-            .split(", "),
-    )?;
-    let names = ["slides", "creeps", "sleeps", "stands", "dies"];
-    let ends = ["creeps", "sleeps", "unstable", "wakes", "falls"];
+    let columns =
+        "phase, from / s, to / s, spin / rad/s, tilt / rad, sliding / mJ, pivoting / mJ, air / mJ";
+    let phases = [
+        ("slides", "creeps"),
+        ("creeps", "sleeps"),
+        ("sleeps", "unstable"),
+        ("stands", "wakes"),
+        ("dies", "falls"),
+    ];
     let (mut from, mut lost) = (0.0, 0.0);
-    for (name, end) in names.into_iter().zip(ends) {
+    let table = Table::of("phases", columns.split(", "), phases, |(name, end)| {
         let to = life.event(end)?.t;
-        let work = works(&life, from, to)?;
+        let (work, at) = (works(&life, from, to)?, life.configuration(to)?);
         lost += work.iter().sum::<f64>();
-        let at = life.configuration(to)?;
-        let cells = [
-            format!("{from:.2}"),
-            format!("{to:.2}"),
-            format!("{:.1}", at.spin()),
-            format!("{:.4}", at.tilt()),
-        ];
-        let cells = cells.into_iter().chain(work.map(|w| format!("{:.3}", -1e3 * w)));
-        table.push([name.to_string()].into_iter().chain(cells))?;
+        let [sliding, pivoting, air] = work.map(|work| format!("{:.3}", -1e3 * work));
+        let [begins, ends] = [from, to].map(|t| format!("{t:.2}"));
         from = to;
-    }
+        let (spin, tilt) = (format!("{:.1}", at.spin()), format!("{:.4}", at.tilt()));
+        Ok([name.to_string(), begins, ends, spin, tilt, sliding, pivoting, air])
+    })?;
     report.add(table)?;
     estimates(p, &life, report)?;
     let energy = |t: f64| -> Result<f64> { Ok(life.top().energy(&life.configuration(t)?)) };
@@ -86,12 +83,8 @@ impl TipFriction for Smoothed {
 pub fn without(p: &Parameters, report: &mut Report) -> Result<()> {
     let columns =
         "left out, mean tilt before 1 s / rad, before 5 s, before 20 s, what becomes of it";
-    let mut table = Table::new("without", columns.split(", "))?;
     let (point, patch) = (Dry::new(p.friction)?, p.rubbing()?);
-    let smoothed = |epsilon| {
-        let coefficient = p.friction;
-        p.toy(Smoothed { coefficient, epsilon })
-    };
+    let smoothed = |epsilon| p.toy(Smoothed { coefficient: p.friction, epsilon });
     let bare = Top::new(p.shape()?, GRAVITY)?.on(patch).sloping(p.slope)?;
     let rows = [
         ("nothing", tilts(&p.toy(patch)?, p)?),
@@ -103,11 +96,10 @@ pub fn without(p: &Parameters, report: &mut Report) -> Result<()> {
         ("the patch: a tanh of 3 mm/s", tilts(&smoothed(3e-3)?, p)?),
     ];
     let ends = rows.each_ref().map(|(_, run)| (run.tilts[2], run.work.derivatives));
-    for (name, run) in rows {
-        let cells = run.tilts.map(|tilt| format!("{tilt:.4}"));
-        table.push([name.to_string()].into_iter().chain(cells).chain([run.fate]))?;
-    }
-    report.add(table)?;
+    report.add(Table::of("without", columns.split(", "), rows, |(name, run)| {
+        let [first, later, last] = run.tilts.map(|tilt| format!("{tilt:.4}"));
+        Ok([name.to_string(), first, later, last, run.fate])
+    })?)?;
     let [all, point, _, smooth, ..] = ends;
     card(p, [all, point, smooth], report)
 }
@@ -126,10 +118,7 @@ fn tilts<F: TipFriction, E: rotation_dynamics::effects::Effect + Clone>(
 ) -> Result<Run> {
     let run = top.simulate(&p.throw(), 20.0, 10.0 * p.tolerance)?;
     // Over half a second, so that nods count little.
-    let tilt = |t: f64| -> Result<f64> {
-        let tilts = sampled(times(t - 0.5, t, 100), |t| Ok(run.configuration(t)?.tilt()))?;
-        Ok(tilts.iter().sum::<f64>() / 101.0)
-    };
+    let tilt = |t: f64| mean(times(t - 0.5, t, 100), |t| Ok(run.configuration(t)?.tilt()));
     let tilts = [tilt(1.0)?, tilt(5.0)?, tilt(20.0)?];
     let grips = run.event("grips").map(|event| (event.t, run.configuration_at(event).tilt()));
     let fate = match (grips, tilts[2] < ASLEEP) {
@@ -186,11 +175,8 @@ fn risen(p: &Parameters, arm: f64) -> Result<f64> {
     let top = Top::new(p.shape()?, GRAVITY)?.on(NoSlip);
     let top = top.resisted_by(RollingResistance::new(arm, 1e-2)?);
     let run = top.simulate(&p.throw().rolling(), 3.0, 1e-10)?;
-    let mean = |from: f64| -> Result<f64> {
-        let tilts = sampled(times(from, from + 0.99, 99), |t| Ok(run.configuration(t)?.tilt()))?;
-        Ok(tilts.iter().sum::<f64>() / 100.0)
-    };
-    Ok(0.5 * (mean(0.0)? - mean(2.0)?))
+    let tilt = |from: f64| mean(times(from, from + 0.99, 99), |t| Ok(run.configuration(t)?.tilt()));
+    Ok(0.5 * (tilt(0.0)? - tilt(2.0)?))
 }
 
 /// Rules of thumb, and what the simulation says.
@@ -200,27 +186,17 @@ fn estimates(p: &Parameters, life: &Life, report: &mut Report) -> Result<()> {
     let upright = p.tilt / p.rise_rate();
     let brake = -p.air()?.axial_torque(p.spin) / AXIAL;
     let notes = 2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL;
-    let when = |name| -> Result<f64> { Ok(life.event(name)?.t) };
-    let mut table = Table::new("estimates", "what, unit, rule of thumb, simulated".split(", "))?;
+    let (sleeps, wakes) = (life.event("sleeps")?.t, life.event("wakes")?.t);
+    let last = life.configuration(wakes)?.spin();
     let rows = [
-        ("to stand upright, by sliding all the way", "s", upright, when("sleeps")?),
+        ("to stand upright, by sliding all the way", "s", upright, sleeps),
         ("tilt at which a point grips", "rad", p.grip_tilt(), grips),
-        ("spin down by the air of the throw alone", "s", p.spin / brake, when("wakes")?),
-        (
-            "spin at which it wakes, sharp tip held",
-            "rad/s",
-            notes,
-            life.configuration(when("wakes")?)?.spin(),
-        ),
-        (
-            "the same, tip that creeps",
-            "rad/s",
-            p.least_spin(),
-            life.configuration(when("wakes")?)?.spin(),
-        ),
+        ("spin down by the air of the throw alone", "s", p.spin / brake, wakes),
+        ("spin at which it wakes, sharp tip held", "rad/s", notes, last),
+        ("the same, tip that creeps", "rad/s", p.least_spin(), last),
     ];
-    for (what, unit, told, simulated) in rows {
-        table.push([what.into(), unit.into(), format!("{told:.3}"), format!("{simulated:.3}")])?;
-    }
-    report.add(table)
+    let columns = ["what", "unit", "rule of thumb", "simulated"];
+    report.add(Table::of("estimates", columns, rows, |(what, unit, told, simulated)| {
+        Ok([what.into(), unit.into(), format!("{told:.3}"), format!("{simulated:.3}")])
+    })?)
 }

@@ -5,7 +5,7 @@ use crate::answers::{confirmed, ledger, refused};
 use core::f64::consts::TAU;
 use pages::effects_2_top::*;
 use rotation_dynamics::math::{cos, log, sin};
-use models::tops::{Dry, NoSlip, Patch, RollingResistance, Shape, Smooth, Throw, TipFriction, Top};
+use models::tops::{Dry, NoSlip, Patch, Shape, Smooth, Throw, TipFriction, Top};
 use support::{Errors, assert_largest};
 
 const G: f64 = 9.80665;
@@ -157,29 +157,11 @@ fn the_axis_of_precession_comes_in() {
     assert!(side(p.spin) > 0.1 && side(1.0001 * p.least_spin()).abs() < 0.02 * side(p.spin));
 }
 
-/// The card against simulations: what rolling resistance and pivoting change, with other steps.
+/// The card against simulations.
 #[test]
 fn the_card_is_right_to_a_factor_of_two() {
-    let p = Parameters::default();
-    let card = ledger(&EXAMPLE, "");
     let mut ratios = Errors::of("told over measured");
-    card.iter().for_each(|[told, measured]| ratios.push(told / measured));
+    ledger(&EXAMPLE, "").iter().for_each(|[told, measured]| ratios.push(told / measured));
     assert_largest!(ratios, 5, @"1");
     ratios.exceed(0.5, 5);
-    let [.., pivots, _, rolling] = card[..] else { panic!("{card:?}") };
-    // A tenth of friction and patch creeps alike and pivots with a hundredth.
-    let firm = Patch::new(0.1 * p.friction, 0.1 * p.patch().unwrap()).unwrap();
-    let slept = |life: Life| life.event("wakes").unwrap().t;
-    let [with, without] = [p.life_on(Patch::new(p.friction, p.patch().unwrap()).unwrap(), 1e-10), p.life_on(firm, 1e-10)];
-    let longer = slept(without.unwrap()) / slept(with.unwrap()) - 1.0;
-    let rolls = top(p.tip, NoSlip).resisted_by(RollingResistance::new(0.01 * p.tip, 1e-2).unwrap());
-    let risen = |t: f64| {
-        let run = rolls.simulate(&p.throw().rolling(), t + 1.0, 1e-12).unwrap();
-        (0..200).map(|i| run.configuration(t + 0.005 * f64::from(i)).unwrap().tilt()).sum::<f64>() / 200.0
-    };
-    let rate = 0.5 * (risen(0.0) - risen(2.0));
-    let mut errors = Errors::of("measured, against other steps");
-    errors.push_at(pivots[1] / longer - 1.0, "pivoting");
-    errors.push_at(rolling[1] / rate - 1.0, "rolling");
-    assert_largest!(errors, 2, @"0.0481");
 }
