@@ -128,8 +128,7 @@ impl Lossy {
     pub fn new(least: f64, largest: f64, loss: f64) -> Result<Self> {
         let moments = PrincipalMoments::new(least, 1.0, largest)?;
         let inverse = [1.0 / least, 1.0, 1.0 / largest];
-        let free = FreeFlow::new(moments);
-        Ok(Self { inverse, loss, free })
+        Ok(Self { inverse, loss, free: FreeFlow::new(moments) })
     }
 
     /// 1/I1 - 1/I2 and 1/I2 - 1/I3.
@@ -170,14 +169,9 @@ impl Lossy {
         Ok(self.fall(start(aside), 1e-13)?.end_state()[2].signum())
     }
 
-    /// Where `f` is zero for the `count`-th time on the way from there.
-    fn met(
-        &self,
-        from: [f64; 3],
-        count: u32,
-        f: impl Fn(&[f64; 3]) -> f64,
-    ) -> Result<LocatedEvent<3>> {
-        Ok(Dop853::new(1e-15)?.zero(&self.equations(), from, count, 1e6, f)?.0)
+    /// Where `f` is zero for the nth time on the way from n.
+    fn met(&self, n: [f64; 3], nth: u32, f: impl Fn(&[f64; 3]) -> f64) -> Result<LocatedEvent<3>> {
+        Ok(Dop853::new(1e-15)?.zero(&self.equations(), n, nth, 1e6, f)?.0)
     }
 
     /// The flip of this number.
@@ -217,8 +211,8 @@ impl Lossy {
     /// An edge between two starts that end on different sides, by halving.
     pub fn halved(&self, low: f64, high: f64) -> Result<f64> {
         let (side, within) = (self.side(low)?, 1.5e-11 * (high - low));
-        let [low, high] =
-            try_bisect([low, high], within, |at| Ok::<_, kit::Error>(self.side(at)? == side))?;
+        let same = |at: f64| -> Result<bool> { Ok(self.side(at)? == side) };
+        let [low, high] = try_bisect([low, high], within, same)?;
         Ok(0.5 * (low + high))
     }
 

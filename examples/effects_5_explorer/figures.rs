@@ -34,19 +34,6 @@ fn sphere() -> View {
     })
 }
 
-/// The two great circles on which the energy is that of the middle axis.
-fn separatrices(body: &Lossy, view: View) -> View {
-    let [one, three] = body.gaps();
-    let lean = atan2(one.sqrt(), three.sqrt());
-    [lean, -lean].into_iter().fold(view, |view, lean| {
-        let point = |turn: f64| {
-            let (s, c) = sincos(turn);
-            on_sphere([s * cos(lean), c, s * sin(lean)])
-        };
-        view.trace(times(0.0, TAU, 90).map(point), Ink::Frame)
-    })
-}
-
 /// A path on the sphere, in so many pieces.
 fn path(run: &Solution<3>, pieces: u32) -> Result<Vec<SpaceVector>> {
     sampled(times(0.0, run.end_time(), pieces), |t| Ok(on_sphere(unit(run.at(t)?))))
@@ -69,18 +56,7 @@ fn strong(body: &Lossy) -> Lossy {
     Lossy { loss, ..*body }
 }
 
-/// Directions about axis 1 on the side of the reader.
-fn grid() -> impl Iterator<Item = [f64; 3]> {
-    times(-0.9, 1.5, 5).flat_map(|turn| {
-        times(0.5, 1.3, 6).map(move |lean| {
-            let ((s, c), (a, b)) = (sincos(lean), sincos(turn));
-            [c, s * b, s * a]
-        })
-    })
-}
-
-figures! { p: &Parameters, body = lossy(p)?,
-    run = shown(p, &body)?;
+figures! { p: &Parameters, body = lossy(p)?, run = shown(p, &body)?;
 
     /// Energy over its least value against the nutation angle, on a logarithmic axis, for a rod
     /// and for a plate of the same momentum. The rod's falls from 3 to 1 as its axis goes from
@@ -119,9 +95,20 @@ figures! { p: &Parameters, body = lossy(p)?,
     /// The sphere of the body with the two great circles of the separatrix. A curve winds
     /// outward about axis 1, from loop to loop, passes through the separatrix near an end of
     /// axis 2 and winds inward to an end of axis 3.
-    spiral: separatrices(&body, sphere())
-        .trace(path(&run, 2400)?, Ink::Momentum)
-        .dot(on_sphere(start(p.aside)), Ink::Momentum, "", Side::Right);
+    spiral: {
+        // On these circles the energy is that of the middle axis.
+        let [one, three] = body.gaps();
+        let lean = atan2(one.sqrt(), three.sqrt());
+        let circle = |lean: f64| times(0.0, TAU, 90).map(move |turn| {
+            let (s, c) = sincos(turn);
+            on_sphere([s * cos(lean), c, s * sin(lean)])
+        });
+        sphere()
+            .trace(circle(lean), Ink::Frame)
+            .trace(circle(-lean), Ink::Frame)
+            .trace(path(&run, 2400)?, Ink::Momentum)
+            .dot(on_sphere(start(p.aside)), Ink::Momentum, "", Side::Right)
+    };
 
     /// The part of L along axis 2 against time, with and without the loss. Without, it goes to
     /// and fro for ever in the same time. With it the flips follow one another more slowly
@@ -162,7 +149,12 @@ figures! { p: &Parameters, body = lossy(p)?,
         let curve = path(&back, 2400)?;
         let turned = curve.iter().map(|n| SpaceVector::new(-n.x(), -n.y(), n.z()));
         let view = sphere().trace(turned, Ink::Momentum).trace(curve.iter().copied(), Ink::Momentum);
-        grid().filter(|n| strong.above(n) > 0.0).try_fold(view, |view, n| {
+        // Directions about axis 1 on the side of the reader.
+        let grid = times(-0.9, 1.5, 5).flat_map(|turn| times(0.5, 1.3, 6).map(move |lean| {
+            let ((s, c), (a, b)) = (sincos(lean), sincos(turn));
+            [c, s * b, s * a]
+        }));
+        grid.filter(|n| strong.above(n) > 0.0).try_fold(view, |view, n| {
             let plus = strong.fall(n, 1e-10)?.end_state()[2] > 0.0;
             let mark = if plus { View::dot } else { View::ring };
             Ok::<_, rotation_dynamics::Error>(mark(view, on_sphere(n), Ink::Body, "", Side::Right))
@@ -247,9 +239,9 @@ fn satellite(view: View, attitude: &Attitude, roll: f64) -> View {
     (0..4).fold(view, |view, k| view.line(whip(0.5 * PI * f64::from(k)), Ink::Ink))
 }
 
-/// In the picture the axis precesses so often while the angle opens.
+/// In the picture the axis precesses so often while the angle opens, and it rolls so many times
+/// slower than it would.
 const TURNS: f64 = 14.0;
-/// And it rolls so many times slower than it would.
 const SLOWED: f64 = 40.0;
 
 /// The satellite from its spin to its tumble, the loss as in so few turns.
@@ -262,17 +254,18 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let axis = Axis::linear(r"$\theta$ / rad").range(0.0, 1.6).step(0.8);
     let graph = Panel::over_axes(r"$t/\tau$", axis).curve(line);
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.62 * end, end], move |x| {
-        let theta = unit_time.angle(x);
-        let phi = TAU * TURNS * x / end;
+        let place = |x: f64| (unit_time.angle(x), TAU * TURNS * x / end);
+        let nose = |x: f64| {
+            let (theta, phi) = place(x);
+            let (s, c) = sincos(theta);
+            SpaceVector::new(s * sin(phi), -s * cos(phi), c)
+        };
+        let (theta, phi) = place(x);
+        let attitude = Attitude::from_euler(EulerAngles { phi, theta, zeta: 0.0 })?;
         // d zeta/d phi = cos(theta) (It - Ia)/Ia, and slowed.
         let lean = |theta: f64| log(tan(0.5 * theta));
         let turned = (lean(theta) - lean(unit_time.nutation)) * unit_time.rate.signum();
         let slower = (sat.transverse / sat.axial - 1.0) / SLOWED;
-        let attitude = Attitude::from_euler(EulerAngles { phi, theta, zeta: 0.0 })?;
-        let nose = |x: f64| {
-            let ((s, c), phi) = (sincos(unit_time.angle(x)), TAU * TURNS * x / end);
-            SpaceVector::new(s * sin(phi), -s * cos(phi), c)
-        };
         let up = SpaceVector::new(0.0, 0.0, 1.0);
         let alt = format!(
             "{x:.1} tau after the start: a long thin satellite with four whips, its axis {:.0} degrees \
