@@ -283,15 +283,13 @@ fn ledgers(p: &Parameters, report: &mut Report) -> Result<()> {
 /// Chapront (2003), arcsec a year.
 const PLANETS: f64 = 0.105_564_03 * 0.917_482;
 
+/// (v/c)^2 of the Earth.
+const SLOWNESS: f64 = SUN / AU / (299_792_458.0 * 299_792_458.0);
+
 /// The rate (3/2) (v/c)^2 n at which an orbit about the Sun turns a gyroscope, forward, arcsec
 /// a year.
 fn geodesic() -> f64 {
-    1.5 * slowness() * yearly(TAU / 365.256_363 / DAY)
-}
-
-/// (v/c)^2 of the Earth.
-fn slowness() -> f64 {
-    SUN / AU / (299_792_458.0 * 299_792_458.0)
+    1.5 * SLOWNESS * yearly(TAU / 365.256_363 / DAY)
 }
 
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -343,13 +341,11 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
             costs 1.5 * sin(i) * sin(i) * moon_part, "arcsec a year", beside "both", included;
         "the Sun narrows the Moon's orbit": "(1/2) (month/year)^2" = 0.5 * ratio * ratio,
             costs 0.5 * ratio * ratio * moon_part, "arcsec a year", beside "both", included;
-        "planets turn the ecliptic": "planets over all" = PLANETS / 50.384_815_07,
-            costs PLANETS, "arcsec a year", beside "both";
-        "geodesic precession": "(3/2) (v/c)^2" = 1.5 * slowness(), costs geodesic(), "arcsec a year", beside "both";
+        "planets turn the ecliptic": "planets over all" = PLANETS / 50.384_815_07, costs PLANETS, "arcsec a year", beside "both";
+        "geodesic precession": "(3/2) (v/c)^2" = 1.5 * SLOWNESS, costs geodesic(), "arcsec a year", beside "both";
         "fluid core and yielding": "part of the nutation of the node" = CORE,
             costs CORE * node[1], "arcsec of the tilt", beside "node_tilt";
-        "two different moments in the equator": "(B - A)/(C - A)" = triaxial,
-            costs quick, "arcsec, twice a day", beside "both";
+        "two different moments in the equator": "(B - A)/(C - A)" = triaxial, costs quick, "arcsec, twice a day", beside "both";
     }
 }
 

@@ -93,8 +93,8 @@ figures! { p: &Parameters, node = nutation::first_order(p)?[0];
         }
         sky::STARS.iter().fold(map, |map, star| {
             // Where the map has room for the name.
-            let left = ["Polaris", "Errai", "Deneb", "Alderamin"].contains(&star.name);
-            map.dot(on_map(star.direction()), Ink::Ink, star.name, if left { Side::Left } else { Side::Right })
+            let left = ["Polaris", "Errai", "Deneb", "Alderamin"].contains(&star.0);
+            map.dot(on_map(sky::direction(star)), Ink::Ink, star.0, if left { Side::Left } else { Side::Right })
         })
     };
 

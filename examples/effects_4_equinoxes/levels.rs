@@ -24,11 +24,8 @@ pub fn full(p: &Parameters) -> Result<(Full, State)> {
 }
 
 /// How it moves in the days of the parameters.
-pub fn turning<'s>(
-    p: &Parameters,
-    (scene, start): &'s (Full, State),
-) -> rotation_dynamics::Result<SolvedMotion<'s>> {
-    scene.solve_along(start, p.days * DAY, ATTITUDE, &Limits::default())
+pub fn turning<'s>(p: &Parameters, (scene, start): &'s (Full, State)) -> Result<SolvedMotion<'s>> {
+    Ok(scene.solve_along(start, p.days * DAY, ATTITUDE, &Limits::default())?)
 }
 // ANCHOR_END: full
 
@@ -75,34 +72,19 @@ pub fn spin_in_closed_form(p: &Parameters) -> Result<f64> {
     Ok(largest(sampled(looks, |t| Ok(behind(t)?.norm() + first.norm()))?))
 }
 
-/// What one ring in place of two leaves out, arcsec: the largest distance in a round of the
-/// node, and the longitude by which it runs ahead in the whole span, in the mean.
-pub fn node_left_out(p: &Parameters) -> Result<[f64; 2]> {
-    let round = nutation::node_round(p);
-    let (rings, one) = over_all(p)?;
-    let lost = |from: f64| -> Result<f64> {
-        let ahead = sampled(times(from, from + round, 200), |t| {
-            Ok(ahead(angles(rings.at(t)?)[0], angles(one.at(t)?)[0]))
-        })?;
-        Ok(ahead.iter().skip(1).sum::<f64>() / 200.0 / ARCSEC)
-    };
-    let drift = lost(WHOLE * YEAR - round)? - lost(0.0)?;
-    Ok([farthest(round, &rings, &one)?, drift * WHOLE / (WHOLE - round / YEAR)])
-}
-
-/// The two rings, and the one ring, which only turns the axis, over the whole span.
-fn over_all(p: &Parameters) -> Result<(Solution<3>, Solution<3>)> {
-    Ok((run(p, &as_rings(p)?, 1, WHOLE * YEAR)?, run(p, &as_one(p)?, 0, WHOLE * YEAR)?))
-}
-
 /// The four levels: what each leaves out and costs, and the largest angle (arcsec) from the one
-/// above it, over so many years. The axis of the full body is so far from the axis alone.
-fn levels(p: &Parameters, figure: f64, turning: Work) -> Result<Table> {
+/// above it, over so many years. The first two are those of [`spin_left_out`], the last two run
+/// over the whole span.
+fn levels(
+    p: &Parameters,
+    (figure, turning): (f64, Work),
+    whole: &Solution<3>,
+    one: &Solution<3>,
+) -> Result<Table> {
     let (days, round, all) = (p.days * DAY, nutation::node_round(p), WHOLE * YEAR);
     let (orbits, rings) = (run(p, &in_orbit(p)?, 3, round)?, run(p, &as_rings(p)?, 1, round)?);
-    let (whole, one) = over_all(p)?;
     let off_rings = farthest(round, &orbits, &rings)?;
-    let off_one = farthest(all, &whole, &one)?;
+    let off_one = farthest(all, whole, one)?;
     let rows = [
         ("full body", "nothing", days, turning, None),
         ("axis alone", "daily turn, wobble", round, orbits.work(), Some([figure, p.days / 365.25])),
@@ -135,7 +117,16 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     // The half axis of the tilt, with the next term, of twice the node.
     let widest = node[1] * (1.0 + 0.25 * tan(p.moon_inclination) * tan(p.obliquity));
     let slow = p.day / (ANOMALISTIC_MONTH * DAY);
-    let [ellipse, drift] = node_left_out(p)?;
+    let (round, all) = (nutation::node_round(p), WHOLE * YEAR);
+    let (rings, one) = (run(p, &as_rings(p)?, 1, all)?, run(p, &as_one(p)?, 0, all)?);
+    // The mean longitude by which one ring is ahead of two in a round of the node from there.
+    let lost = |from: f64| -> Result<f64> {
+        let ahead = sampled(times(from, from + round, 200), |t| {
+            Ok(ahead(angles(rings.at(t)?)[0], angles(one.at(t)?)[0]))
+        })?;
+        Ok(ahead.iter().skip(1).sum::<f64>() / 200.0 / ARCSEC)
+    };
+    let drift = (lost(all - round)? - lost(0.0)?) * WHOLE / (WHOLE - round / YEAR);
     let expected_drift = nutation::crossed(p)? * WHOLE;
     claims! { report,
         /// largest distance of the full body's axis from the axis alone
@@ -143,11 +134,11 @@ pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// largest distance of its angular momentum
         momentum: 1e3 * momentum, "mas", "none, to first order" => 0.0, within expected + 1e9 * p.tolerance;
         /// largest distance of two rings from one ring in a round of the node
-        ellipse: ellipse, "arcsec", "nutation of the node" => widest, within widest - node[1] + 2e-3 * widest + 1e-6;
+        ellipse: farthest(round, &rings, &one)?, "arcsec", "nutation of the node" => widest, within widest - node[1] + 2e-3 * widest + 1e-6;
         /// longitude by which one ring runs ahead of two in 26 000 years
         drift: drift, "arcsec", "product of two nutations" => expected_drift, within 0.05 * expected_drift.abs() + 0.1;
     }?;
-    report.add(levels(p, figure, turning)?)
+    report.add(levels(p, (figure, turning), &rings, &one)?)
 }
 
 /// The accuracy strip: the full body under the Sun's ring, where it can precess steadily.

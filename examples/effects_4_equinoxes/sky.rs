@@ -2,46 +2,39 @@
 
 use super::*;
 
-/// A star of the northern sky: right ascension and declination at J2000, degrees; proper
+/// A star: its name, right ascension (h, min, s) and declination (degrees, min, s) at J2000; proper
 /// motion is left out.
-pub struct Star {
-    pub name: &'static str,
-    pub at: [f64; 2],
-}
-
-const fn star(name: &'static str, [h, m, s]: [f64; 3], [d, am, asec]: [f64; 3]) -> Star {
-    Star { name, at: [15.0 * (h + m / 60.0 + s / 3600.0), d + am / 60.0 + asec / 3600.0] }
-}
+type Star = (&'static str, [f64; 3], [f64; 3]);
 
 /// The stars of the map, among them those that the pole passes.
 pub const STARS: [Star; 8] = [
-    star("Polaris", [2.0, 31.0, 49.1], [89.0, 15.0, 51.0]),
-    star("Thuban", [14.0, 4.0, 23.3], [64.0, 22.0, 33.0]),
-    star("Vega", [18.0, 36.0, 56.3], [38.0, 47.0, 1.0]),
-    star("Errai", [23.0, 39.0, 20.8], [77.0, 37.0, 56.0]),
-    star("Alderamin", [21.0, 18.0, 34.8], [62.0, 35.0, 8.0]),
-    star("Deneb", [20.0, 41.0, 25.9], [45.0, 16.0, 49.0]),
-    star("Kochab", [14.0, 50.0, 42.3], [74.0, 9.0, 20.0]),
-    star("Eltanin", [17.0, 56.0, 36.4], [51.0, 29.0, 20.0]),
+    ("Polaris", [2.0, 31.0, 49.1], [89.0, 15.0, 51.0]),
+    ("Thuban", [14.0, 4.0, 23.3], [64.0, 22.0, 33.0]),
+    ("Vega", [18.0, 36.0, 56.3], [38.0, 47.0, 1.0]),
+    ("Errai", [23.0, 39.0, 20.8], [77.0, 37.0, 56.0]),
+    ("Alderamin", [21.0, 18.0, 34.8], [62.0, 35.0, 8.0]),
+    ("Deneb", [20.0, 41.0, 25.9], [45.0, 16.0, 49.0]),
+    ("Kochab", [14.0, 50.0, 42.3], [74.0, 9.0, 20.0]),
+    ("Eltanin", [17.0, 56.0, 36.4], [51.0, 29.0, 20.0]),
 ];
 
 /// The tilt of J2000, by which equatorial coordinates go over into those of the ecliptic.
 const TILT: f64 = 84_381.406 * ARCSEC;
 
-impl Star {
-    /// Where it is, on the axes of the ecliptic.
-    pub fn direction(&self) -> SpaceVector {
-        let [(sa, ca), (sd, cd)] = self.at.map(|angle| sincos(angle.to_radians()));
-        let (s, c) = sincos(TILT);
-        let (y, z) = (cd * sa, sd);
-        SpaceVector::new(cd * ca, y * c + z * s, z * c - y * s)
-    }
+/// Where a star is, on the axes of the ecliptic.
+pub fn direction((_, ascension, declination): &Star) -> SpaceVector {
+    let whole = |[units, minutes, seconds]: &[f64; 3]| units + minutes / 60.0 + seconds / 3600.0;
+    let degrees = [15.0 * whole(ascension), whole(declination)];
+    let [(sa, ca), (sd, cd)] = degrees.map(|angle| sincos(angle.to_radians()));
+    let (s, c) = sincos(TILT);
+    let (y, z) = (cd * sa, sd);
+    SpaceVector::new(cd * ca, y * c + z * s, z * c - y * s)
 }
 
 /// When the pole is closest to a star (years from the epoch, within half a round of `about`)
 /// and how far it is then (degrees): where it has the star's longitude.
 pub fn closest(p: &Parameters, star: &Star, about: f64) -> [f64; 2] {
-    let at = star.direction();
+    let at = direction(star);
     let round = TAU / rate(p).abs() / YEAR;
     let first = atan2(-at.x(), at.y()) / rate(p) / YEAR;
     let when = first + round * ((about - first) / round).round();
@@ -51,7 +44,7 @@ pub fn closest(p: &Parameters, star: &Star, about: f64) -> [f64; 2] {
 
 /// The same by simulation of the one ring.
 pub fn simulated(p: &Parameters, star: &Star, about: f64) -> Result<[f64; 2]> {
-    let at = star.direction();
+    let at = direction(star);
     let [when, _] = closest(p, star, about);
     let span = if when < 0.0 { when - 100.0 } else { when + 100.0 } * YEAR;
     let path = run(p, &as_one(p)?, 0, span)?;
