@@ -38,12 +38,7 @@ fn paid<E: Effect>(
 // ANCHOR: split
 /// So many steps of a splitting with the resistance in its kick, cut where dry
 /// friction stops the spin.
-fn split<E: Effect>(
-    scene: &Scene<E>,
-    start: &State,
-    end: f64,
-    steps: f64,
-) -> Result<(State, Work)> {
+fn split(scene: &Scene<impl Effect>, start: &State, end: f64, steps: f64) -> Result<(State, Work)> {
     let mut times = scene.effects().break_points();
     times.retain(|t| 0.0 < *t && *t < end);
     times.push(end);
