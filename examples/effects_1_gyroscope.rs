@@ -84,13 +84,9 @@ impl Gyroscope {
     }
 
     /// Its motion until `until` (s) or to the stop at this tilt (rad).
-    pub fn run(
-        &self,
-        stop: Option<f64>,
-        until: f64,
-        step: f64,
-    ) -> rotation_dynamics::Result<GimbalMotion> {
-        GimbalMotion::new(self.gimbals, self.bearings, self.start, stop, until, step)
+    pub fn run(&self, stop: Option<f64>, until: f64, step: f64) -> Result<GimbalMotion> {
+        let Self { gimbals, bearings, start } = *self;
+        Ok(GimbalMotion::new(gimbals, bearings, start, stop, until, step)?)
     }
     // ANCHOR_END: scene
 
