@@ -44,10 +44,10 @@ const RIM: f64 = 0.03;
 const GRAVITY: f64 = 9.80665;
 const WEIGHT: f64 = MASS * GRAVITY;
 
-/// A top of the page, with air and on a floor that slopes.
+/// A top of the page, with air and on a floor that slopes, and its motion.
 type Toy<F> = Top<F, (), ((), DiscDrag)>;
-/// Its motion.
-pub type Life = TopMotion<Patch, (), ((), DiscDrag)>;
+type Motion<F> = TopMotion<F, (), ((), DiscDrag)>;
+pub type Life = Motion<Patch>;
 
 impl Parameters {
     fn shape(&self) -> rotation_dynamics::Result<Shape> {

@@ -11,28 +11,14 @@ fn body(p: &Parameters, centre: SpaceVector, axis: SpaceVector) -> Solid {
     Solid::top(centre, axis, MM * LEVER, MM * p.tip)
 }
 
-/// The top seen from the side, its centre of mass above the middle of the picture.
-fn view(p: &Parameters, at: &Configuration) -> View {
-    let floor = SpaceVector::new(0.0, 0.0, 0.0);
-    let centre = SpaceVector::new(0.0, 0.0, MM * at.centre.z());
-    View::of(SpaceVector::new(0.0, 0.0, 38.0), 66.0)
-        .camera(Camera::new(-0.5, 0.3))
-        .size(340, 270)
-        .ground(floor, 78.0)
-        .solid(body(p, centre, at.axis), Ink::Body)
-}
-
 /// A point of the floor or the body, seen from below the centre of mass.
 fn seen(at: &Configuration, point: SpaceVector) -> SpaceVector {
     (point - SpaceVector::new(at.centre.x(), at.centre.y(), 0.0)) * MM
 }
 
-/// Tilt against time, smoothed by nothing.
-fn tilts<F: TipFriction, E: rotation_dynamics::effects::Effect>(
-    run: &TopMotion<F, (), E>,
-    span: impl IntoIterator<Item = f64>,
-) -> Result<Vec<(f64, f64)>> {
-    sampled(span, |t| Ok((t, run.configuration(t)?.tilt())))
+/// The tilt at these times.
+fn tilt(run: &Motion<impl TipFriction>, at: impl Iterator<Item = f64>, ink: Ink) -> Result<Curve> {
+    Curve::sampled(at, |t| Ok(run.configuration(t)?.tilt()), ink)
 }
 
 figures! { p: &Parameters, life = p.life(p.tolerance)?, end = life.end_time();
@@ -64,7 +50,7 @@ figures! { p: &Parameters, life = p.life(p.tolerance)?, end = life.end_time();
         let span = times(0.0, 1.0, 1400).map(|u| end * u);
         Panel::over_axes(Axis::linear("$t$ / s"), Axis::log("tilt / rad"))
             .level(p.slope * (LEVER + p.tip) / LEVER, Ink::Frame, "")
-            .curve(Curve::new(tilts(&life, span)?, Ink::Body))
+            .curve(tilt(&life, span, Ink::Body)?)
             .upright(life.event("unstable")?.t, Ink::Frame, "")
     };
 
@@ -85,9 +71,9 @@ figures! { p: &Parameters, life = p.life(p.tolerance)?, end = life.end_time();
         let span = || times(0.0, 5.0, 700);
         let grips = point.event("grips")?;
         Panel::over_axes("$t$ / s", Axis::linear("tilt / rad").range(0.0, 1.2 * p.tilt))
-            .curve(Curve::new(tilts(&held, span())?, Ink::Wrong).dashed().label_at("wrong: no slip", 3.4, 1.03 * p.tilt, Side::Above))
-            .curve(Curve::new(tilts(&point, span())?, Ink::Frame).label_at("a point", 3.6, point.configuration(3.6)?.tilt(), Side::Above))
-            .curve(Curve::new(tilts(&life, span())?, Ink::Body).label_at("a patch", 2.4, life.configuration(2.4)?.tilt(), Side::Below))
+            .curve(tilt(&held, span(), Ink::Wrong)?.dashed().label_at("wrong: no slip", 3.4, 1.03 * p.tilt, Side::Above))
+            .curve(tilt(&point, span(), Ink::Frame)?.label_at("a point", 3.6, point.configuration(3.6)?.tilt(), Side::Above))
+            .curve(tilt(&life, span(), Ink::Body)?.label_at("a patch", 2.4, life.configuration(2.4)?.tilt(), Side::Below))
             .ring(grips.t, point.configuration_at(grips).tilt(), Ink::Frame, "grips", Side::AboveRight)
     };
 
@@ -192,7 +178,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             at.tilt(),
             at.spin()
         );
-        let mut scene = view(&p, &at)
+        let mut scene = View::of(SpaceVector::new(0.0, 0.0, 38.0), 66.0)
+            .camera(Camera::new(-0.5, 0.3))
+            .size(340, 270)
+            .ground(SpaceVector::zero(), 78.0)
+            .solid(body(&p, height, at.axis), Ink::Body)
             .trail(trail, Ink::Velocity)
             .dot(contact, Ink::Velocity, "", Side::Below)
             .corner(&format!("{t:.1} s"))

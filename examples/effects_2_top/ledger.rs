@@ -2,8 +2,7 @@
 
 use super::*;
 use models::tops::{Grip, RollingResistance};
-use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::math::exp;
+use rotation_dynamics::effects::Effect;
 
 /// Where the energy goes, part by part; together it is all that is lost. And rules of thumb.
 pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -38,11 +37,7 @@ pub fn phases(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 /// Work (J) of sliding, pivoting and air between two times.
-fn works<F: TipFriction>(
-    life: &TopMotion<F, (), ((), DiscDrag)>,
-    from: f64,
-    to: f64,
-) -> Result<[f64; 3]> {
+fn works(life: &Life, from: f64, to: f64) -> Result<[f64; 3]> {
     let n = 2 * (500.0 + 60.0 * (to - from)) as u32;
     let mut sums = [0.0; 3];
     let h = (to - from) / f64::from(n);
@@ -87,48 +82,39 @@ pub fn without(p: &Parameters, report: &mut Report) -> Result<()> {
     let smoothed = |epsilon| p.toy(Smoothed { coefficient: p.friction, epsilon });
     let bare = Top::new(p.shape()?, GRAVITY)?.on(patch).sloping(p.slope)?;
     let rows = [
-        ("nothing", tilts(&p.toy(patch)?, p)?),
-        ("the patch: dry friction at a point", tilts(&p.toy(point)?, p)?),
-        ("the slip: a tip that never slides", tilts(&p.toy(NoSlip)?, p)?),
-        ("all friction: a smooth floor", tilts(&p.toy(Smooth)?, p)?),
-        ("the air", tilts(&bare, p)?),
-        ("the patch: a tanh of 0.1 m/s", tilts(&smoothed(0.1)?, p)?),
-        ("the patch: a tanh of 3 mm/s", tilts(&smoothed(3e-3)?, p)?),
+        outcome("nothing", &p.toy(patch)?, p)?,
+        outcome("the patch: dry friction at a point", &p.toy(point)?, p)?,
+        outcome("the slip: a tip that never slides", &p.toy(NoSlip)?, p)?,
+        outcome("all friction: a smooth floor", &p.toy(Smooth)?, p)?,
+        outcome("the air", &bare, p)?,
+        outcome("the patch: a tanh of 0.1 m/s", &smoothed(0.1)?, p)?,
+        outcome("the patch: a tanh of 3 mm/s", &smoothed(3e-3)?, p)?,
     ];
-    let ends = rows.each_ref().map(|(_, run)| (run.tilts[2], run.work.derivatives));
-    report.add(Table::of("without", columns.split(", "), rows, |(name, run)| {
-        let [first, later, last] = run.tilts.map(|tilt| format!("{tilt:.4}"));
-        Ok([name.to_string(), first, later, last, run.fate])
-    })?)?;
-    let [all, point, _, smooth, ..] = ends;
+    let [all, point, _, smooth, ..] = rows.each_ref().map(|(_, end)| *end);
+    report.add(Table::of("without", columns.split(", "), rows, |(cells, _)| Ok(cells))?)?;
     card(p, [all, point, smooth], report)
 }
 
-/// A run of 20 s: mean tilts in the half second before 1 s, 5 s and 20 s, what becomes of it, and
-/// its work.
-struct Run {
-    tilts: [f64; 3],
-    fate: String,
-    work: Work,
-}
-
-fn tilts<F: TipFriction, E: rotation_dynamics::effects::Effect + Clone>(
+/// A run of 20 s: its mean tilts in the half second before 1 s, 5 s and 20 s, and what becomes of
+/// it; and once more the last tilt, with the derivatives that the run took.
+fn outcome<F: TipFriction, E: Effect + Clone>(
+    left_out: &str,
     top: &Top<F, (), E>,
     p: &Parameters,
-) -> Result<Run> {
+) -> Result<([String; 5], (f64, u64))> {
     let run = top.simulate(&p.throw(), 20.0, 10.0 * p.tolerance)?;
     // Over half a second, so that nods count little.
     let tilt = |t: f64| mean(times(t - 0.5, t, 100), |t| Ok(run.configuration(t)?.tilt()));
-    let tilts = [tilt(1.0)?, tilt(5.0)?, tilt(20.0)?];
+    let (first, later, last) = (tilt(1.0)?, tilt(5.0)?, tilt(20.0)?);
     let grips = run.event("grips").map(|event| (event.t, run.configuration_at(event).tilt()));
-    let fate = match (grips, tilts[2] < ASLEEP) {
+    let fate = match (grips, last < ASLEEP) {
         (Ok((t, tilt)), _) => format!("grips after {t:.2} s at {tilt:.3} rad and rises no more"),
         (_, true) => "falls asleep".into(),
-        _ if tilts[2] < 0.8 * p.tilt => "creeps up, and is not asleep yet".into(),
+        _ if last < 0.8 * p.tilt => "creeps up, and is not asleep yet".into(),
         _ => "never rises".into(),
     };
-    let work = run.work();
-    Ok(Run { tilts, fate, work })
+    let [first, later, told] = [first, later, last].map(|tilt| format!("{tilt:.4}"));
+    Ok(([left_out.into(), first, later, told, fate], (last, run.work().derivatives)))
 }
 
 /// The card: what acts, and what it costs to leave it out of the whole life. After 20 s the tilt
