@@ -215,16 +215,9 @@ fn tries() -> Result<Table> {
     ];
     let columns = "run, air, bearing, pivot, buoyancy, the Earth turns";
     Table::of("tries", columns.split(", "), runs, |(run, p)| {
-        let (rotor, q) = (gyroscope(&p), question(&p)?);
-        let errors = [
-            q.error_without(rotor.air()?)?,
-            q.error_without(rotor.dry()?)?,
-            q.error_without(rotor.pivot())?,
-            q.error_without(rotor.buoyancy())?,
-            q.error_without(on_the_earth())?,
-        ];
-        let told = errors.map(|(error, _)| format!("{} rad", short(error, 2)));
-        Ok([run.to_owned()].into_iter().chain(told))
+        let acting = digits::acting(&question(&p)?, &gyroscope(&p), "bearing")?;
+        let told = acting.iter().take(5).map(|(_, (error, _))| format!("{} rad", short(*error, 2)));
+        Ok([run.to_owned()].into_iter().chain(told).collect::<Vec<_>>())
     })
 }
 

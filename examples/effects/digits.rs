@@ -71,17 +71,19 @@ fn on_the_desk(names: [&'static str; 2], spinner: &Spinner, dry: &'static str) -
     let (scene, start) = spinner.scene()?;
     let q = Question::new(scene, start, 10.0).of_axis();
     let exact = scene.exact(&start)?.try_attitude(q.end)?;
-    let mut left_out = vec![
+    Case::of(names, &q, Some(exact), acting(&q, spinner, dry)?)
+}
+
+/// What acts on a spinner beside its weight.
+pub fn acting(q: &Question<Weight>, spinner: &Spinner, dry: &'static str) -> Result<Vec<LeftOut>> {
+    Ok(vec![
         ("air", q.error_without(spinner.air()?)?),
         (dry, q.error_without(spinner.dry()?)?),
+        ("pivot", q.error_without(spinner.pivot())?),
         ("buoyancy", q.error_without(spinner.buoyancy())?),
         ("turning Earth", q.error_without(on_the_earth())?),
         ("weaker above", q.error_without(gradient()?)?),
-    ];
-    if spinner.pivot > 0.0 {
-        left_out.push(("pivot", q.error_without(spinner.pivot())?));
-    }
-    Case::of(names, &q, Some(exact), left_out)
+    ])
 }
 
 /// The book of the page on three different moments: half a kilogram, 21 by 14 by 2.5 cm,

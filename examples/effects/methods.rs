@@ -27,10 +27,8 @@ fn paid<E: Effect>(
     let steps = |level| split(scene, start, end, 10.0 * pow(1.15, level));
     let split = splits.then(|| least(&exact, steps)).flatten();
     let run = Some(solved.run.torques()).filter(|torques| *torques > 0);
-    let [run, dop853, split] = [run, dop853, split].map(|evaluations| match evaluations {
-        Some(evaluations) => evaluations.to_string(),
-        None => "-".to_owned(),
-    });
+    let told = |evaluations: Option<u64>| evaluations.map_or("-".to_owned(), |n| n.to_string());
+    let [run, dop853, split] = [run, dop853, split].map(told);
     let [kind, name, chosen] = [kind, name, solved.method].map(str::to_owned);
     Ok([kind, name, chosen, run, dop853, split])
 }

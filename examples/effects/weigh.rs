@@ -82,7 +82,8 @@ impl<E: Effect + Clone> Question<E> {
     }
     // ANCHOR_END: weigh
 
-    /// The same, and how it is known: predicted where that can be believed, else simulated.
+    /// What leaving it out costs, and how that is known: predicted where the response is linear, else
+    /// simulated.
     pub fn error_without(&self, effect: impl Effect) -> kit::Result<(f64, &'static str)> {
         let predicted = self.predicted(&effect)?;
         match predicted.linear {
