@@ -225,8 +225,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         quality: quality, "-", "complex root for core and mantle" => complex, within first * quality, in "Fading":
             2.0 * quality => "the energy goes as the square";
         /// the part of the wobble that is left after a circuit, at this quality
-        left_over: exp(-PI / quality), "-",
-        "simulated with both effects" => faded(p, quality)?, within 5e-3 / (quality * quality), in "Fading":
+        left_over: exp(-PI / quality), "-", "simulated with both effects" => faded(p, quality)?,
+        within 5e-3 / (quality * quality), in "Fading":
             exp(-2.0 * PI / quality) => "that is the energy";
         /// time in which it fades to 1/e
         fading: quality * whole / (PI * year), "yr", "complex root for core and mantle" => complex * whole / (PI * year),
@@ -246,8 +246,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The ledger: one effect after the other.
 fn ledger(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (columns, days) =
-        ("step, k/k_s, first order, exact, simulated, to the observed", p.day / DAY);
+    let days = p.day / DAY;
+    let columns = "step, k/k_s, first order, exact, simulated, to the observed";
     report.add(Table::of("ledger", columns.split(", "), LEDGER, |step| {
         let (exact, simulated) = (step.period(p)? * days, step.simulated(p, 1e-10)? * days);
         let off = (exact - simulated).abs().max(1e-3);

@@ -58,12 +58,10 @@ impl Dice {
 /// A wobble that weather and water keep up. Lengths in seconds of arc, times in days.
 pub struct Excited {
     /// rate and decay of the free wobble, 1/d
-    rate: Plane,
+    pub rate: Plane,
     /// the monthly pushes, root mean square of each component
     pub push: f64,
-    wobble: f64,
-    annual: f64,
-    seed: f64,
+    p: Parameters,
     /// each month's push, and where the pole is at its beginning, without the yearly part
     months: Vec<[Plane; 2]>,
 }
@@ -82,8 +80,7 @@ impl Excited {
         let kept = 1.0 - exp(-2.0 * rate[1] * MONTH);
         let [x, y] = difference([1.0, 0.0], month);
         let push = p.wobble * (0.5 * kept / (x * x + y * y)).sqrt();
-        let (wobble, annual, seed) = (p.wobble, p.annual, p.seed);
-        let mut excited = Self { rate, push, wobble, annual, seed, months: Vec::new() };
+        let mut excited = Self { rate, push, p: p.clone(), months: Vec::new() };
         let (mut dice, mut at) = (Dice::new(p.seed), [p.wobble, 0.0]);
         for _ in 0..MONTHS {
             let pushed = dice.pair().map(|x| x * push);
@@ -103,7 +100,7 @@ impl Excited {
     /// The pole of rotation after so many days.
     pub fn at(&self, t: f64) -> Plane {
         let (s, c) = sincos(TAU * t / YEAR);
-        sum(self.wobbling(t), [self.annual * c, self.annual * s])
+        sum(self.wobbling(t), [self.p.annual * c, self.p.annual * s])
     }
 
     /// The same without its yearly part.
@@ -114,17 +111,6 @@ impl Excited {
     }
     // ANCHOR_END: excited
 
-    /// The distance of the pole if nobody pushes, without its yearly part.
-    pub fn unpushed(&self, t: f64) -> f64 {
-        self.wobble * exp(-self.rate[1] * t)
-    }
-
-    /// Without pushes and without loss: the free wobble and the year.
-    pub fn beating(&self, t: f64) -> Plane {
-        let ((s, c), (u, v)) = (sincos(self.rate[0] * t), sincos(TAU * t / YEAR));
-        [self.wobble * c + self.annual * v, self.wobble * s + self.annual * u]
-    }
-
     /// The equation m' = i sigma (m - e), pushed to a place e that the year and the months
     /// move, stepped.
     pub fn stepped(&self, end: f64) -> Result<Plane> {
@@ -132,7 +118,7 @@ impl Excited {
         let yearly = TAU / YEAR;
         // i sigma e makes the yearly part of the pole go round with the year.
         let forced = difference([0.0, yearly], [-decay, rate]);
-        let mut state = [self.wobble + self.annual, 0.0];
+        let mut state = [self.p.wobble + self.p.annual, 0.0];
         for (month, &[push, _]) in self.months.iter().enumerate() {
             let from = month as f64 * MONTH;
             if from >= end {
@@ -140,10 +126,10 @@ impl Excited {
             }
             let law = ode(move |t, m: &[f64; 2]| {
                 let (s, c) = sincos(yearly * (from + t));
-                let year = times_complex(forced, [self.annual * c, self.annual * s]);
+                let year = times_complex(forced, [self.p.annual * c, self.p.annual * s]);
                 sum(times_complex([-decay, rate], difference(*m, push)), year)
             });
-            let law = law.scaled(|_| [self.wobble; 2]);
+            let law = law.scaled(|_| [self.p.wobble; 2]);
             state = after((end - from).min(MONTH), &law, &state, 1e-13)?;
         }
         Ok(state)
@@ -159,15 +145,15 @@ impl Excited {
             let v = rates(m);
             (m[0] + m[2]) * (v[0] + v[2]) + (m[1] + m[3]) * (v[1] + v[3])
         };
-        let start = [self.wobble, 0.0, self.annual, 0.0];
+        let start = [self.p.wobble, 0.0, self.p.annual, 0.0];
         let (back, _) = Dop853::new(1e-13)?.zero(&law, start, 2, 1e5, outward)?;
         Ok(back.t / YEAR)
     }
 
     /// The size of the wobble, root mean square, under pushes for a thousand fading times.
     pub fn kept_up(&self) -> f64 {
-        let mut dice = Dice::new(self.seed + 1.0);
-        let (mut m, mut squares) = ([self.wobble, 0.0], 0.0);
+        let mut dice = Dice::new(self.p.seed + 1.0);
+        let (mut m, mut squares) = ([self.p.wobble, 0.0], 0.0);
         let months = (1000.0 / (self.rate[1] * MONTH)) as usize;
         for _ in 0..months {
             m = self.pushed(m, dice.pair().map(|x| x * self.push), MONTH);

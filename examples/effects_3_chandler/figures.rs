@@ -73,14 +73,14 @@ figures! { p: &Parameters, excited = Excited::new(p)?;
     /// off the figure axis. Inside the mantle a flattened fluid core. A dashed outline, turned
     /// a part of the way towards the axis of rotation, shows the bulge that has followed.
     parts: {
-        let (tilt, end) = (0.4, |v: [(f64, f64); 2]| v[1]);
+        let [_, tip] = through(0.4, 0.0, 1.5);
         Sketch::within((-1.6, 1.7), (-1.2, 1.6))
             .body(ellipse(1.3, 0.92, 0.0), Ink::Body, 0.12)
             .curve(Curve::new(ellipse(1.3, 0.92, 0.16), Ink::Body).dashed())
             .body(ellipse(0.66, 0.5, 0.0), Ink::Frame, 0.25)
             .guide(through(0.0, -1.1, 1.3))
-            .arrow((0.0, 0.0), end(through(tilt, 0.0, 1.5)), Ink::Velocity, "", Side::Right)
-            .text(end(through(tilt, 0.0, 1.5)), r"$\Omega$", Ink::Velocity, Side::Right)
+            .arrow((0.0, 0.0), tip, Ink::Velocity, "", Side::Right)
+            .text(tip, r"$\Omega$", Ink::Velocity, Side::Right)
             .text((0.0, 1.3), "$z$", Ink::Body, Side::Above)
             .text((0.32, -0.16), "core", Ink::Frame, Side::Centre)
             .text((-0.97, 0.0), "mantle", Ink::Body, Side::Centre)
@@ -108,7 +108,8 @@ figures! { p: &Parameters, excited = Excited::new(p)?;
     /// good year whose size swells and shrinks twice. Dashed, the same without pushes.
     beat: {
         let pushed = over_years(13.0, 600, |t| excited.at(t)[0], Ink::Velocity);
-        let free = over_years(13.0, 600, |t| excited.beating(t)[0], Ink::Frame);
+        let free = |t| p.wobble * cos(excited.rate[0] * t) + p.annual * cos(TAU * t / YEAR);
+        let free = over_years(13.0, 600, free, Ink::Frame);
         Panel::over_axes("years", "towards Greenwich / arcsec").curve(free.dashed()).curve(pushed)
     };
 
@@ -116,12 +117,13 @@ figures! { p: &Parameters, excited = Excited::new(p)?;
     /// than a hundredth; with them it goes up and down, irregularly, about its usual size.
     fading: {
         let size = |t| { let [x, y] = excited.wobbling(t); hypot(x, y) };
-        let alone = over_years(150.0, 150, |t| excited.unpushed(t), Ink::Ink);
+        let unpushed = |t| p.wobble * exp(-excited.rate[1] * t);
+        let alone = over_years(150.0, 150, unpushed, Ink::Ink);
         let top = times(0.0, 150.0 * YEAR, 900).map(size).fold(p.wobble, f64::max);
         Panel::over_axes("years", Axis::linear("free wobble / arcsec").range(0.0, 1.05 * top))
             .level(p.wobble, Ink::Frame, "")
             .curve(over_years(150.0, 900, size, Ink::Velocity).thin())
-            .curve(alone.label_at("left alone", 40.0, excited.unpushed(40.0 * YEAR), Side::Below))
+            .curve(alone.label_at("left alone", 40.0, unpushed(40.0 * YEAR), Side::Below))
     };
 }
 
