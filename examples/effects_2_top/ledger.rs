@@ -167,8 +167,7 @@ fn risen(p: &Parameters, arm: f64) -> Result<f64> {
 
 /// Rules of thumb, and what the simulation says.
 fn estimates(p: &Parameters, life: &Life, report: &mut Report) -> Result<()> {
-    let point = p.toy(Dry::new(p.friction)?)?.simulate(&p.throw(), 5.0, p.tolerance)?;
-    let grips = point.configuration_at(point.event("grips")?).tilt();
+    let grips = report.claim("gripped").map_or(f64::NAN, |claim| claim.value);
     let upright = p.tilt / p.rise_rate();
     let brake = -p.air()?.axial_torque(p.spin) / AXIAL;
     let notes = 2.0 * ((ACROSS + MASS * LEVER * LEVER) * WEIGHT * LEVER).sqrt() / AXIAL;
