@@ -489,7 +489,7 @@ fn prices(p: &Parameters) -> Result<Table> {
     })
 }
 
-/// Strips: the satellite to ten times the tangent, by the library's methods.
+/// Strips: the satellite until the tangent is e^2 times as large, by the library's methods.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     report.add(averaging(p)?)?;
     report.add(prices(p)?)?;
