@@ -149,7 +149,7 @@ fn a_printed_bound_holds_for_the_printed_value() {
         });
     }
     assert!(!WHOLE || seen > 800, "{seen} claims");
-    assert!(2 * damaged > seen, "the twin misses {damaged} of {seen}");
+    assert!(!WHOLE || 2 * damaged > seen, "the twin is seen in {damaged} of {seen}");
 }
 
 /// A wrong answer that counts as right is never told its hint.
@@ -274,5 +274,5 @@ fn labels_in_figures_are_whole_apart_and_clear_of_lines() {
     let [[onto, all_onto], [on_line, all_on_line], [primes, all_primes]] = twins;
     assert_eq!((onto, primes), (all_onto, all_primes), "a label on another, a prime on its letter");
     // A label on a line that a body hides is not found.
-    assert!(10 * on_line > 9 * all_on_line, "{on_line} of {all_on_line} labels on a line");
+    assert!(!WHOLE || 10 * on_line > 9 * all_on_line, "{on_line} of {all_on_line} labels on a line");
 }
