@@ -11,41 +11,54 @@ pub struct Fit {
     pub at: Unknowns,
     /// The scatter of one component of the attitude, rad.
     pub scatter: f64,
-    pub covariance: [[f64; 8]; 8],
+    /// The columns of scatter R^-1: the covariance is their product with themselves.
+    pub spread: [Unknowns; 8],
 }
 
 impl Fit {
-    /// The standard deviation of one unknown.
-    pub fn deviation(&self, i: usize) -> f64 {
-        self.covariance[i][i].sqrt()
+    /// The standard deviation of a quantity with these slopes, to first order.
+    fn deviation_of(&self, slope: impl Fn(usize) -> f64) -> f64 {
+        let along = |column: &Unknowns| (0..8).map(|i| slope(i) * column[i]).sum::<f64>();
+        let squares = self.spread.iter().map(|column| along(column) * along(column));
+        squares.sum::<f64>().sqrt()
     }
 
-    /// The standard deviation of a function of the unknowns, to first order.
-    pub fn deviation_of(&self, f: impl Fn(&Unknowns) -> Result<f64>) -> Result<f64> {
-        let mut slope = [0.0; 8];
-        for (i, slope) in slope.iter_mut().enumerate() {
-            *slope = difference(&self.at, i, |at| Ok(vec![f(at)?]))?[0];
-        }
-        let sum: f64 =
-            (0..64).map(|k| slope[k / 8] * self.covariance[k / 8][k % 8] * slope[k % 8]).sum();
-        Ok(sum.sqrt())
+    /// That of one unknown.
+    pub fn deviation(&self, unknown: usize) -> f64 {
+        self.deviation_of(|i| f64::from(i == unknown))
+    }
+
+    /// Those of the two periods, s.
+    pub fn deviations_of_periods(&self) -> Result<[f64; 2]> {
+        let slopes = slopes(&self.at, |at| Ok(start(at)?.periods()?.to_vec()))?;
+        Ok([0, 1].map(|which| self.deviation_of(|i| slopes[i][which])))
+    }
+
+    /// Each unknown beside the published one, with two opinions on its error.
+    pub fn table(&self) -> Result<Table> {
+        let columns =
+            ["quantity", "published", "fitted", "by the curvature", "by leaving a day out"];
+        let (guess, loose) = (unknowns()?, jackknife(&observed()?.0, self.at)?);
+        let rows = "turn about X, deg;turn about Y, deg;turn about Z, deg;rate about x, deg/d;\
+            rate about y, deg/d;rate about the long axis, deg/d;moment about x;moment about y";
+        Table::of("fit", columns, rows.split(';').enumerate(), |(i, name)| {
+            let unit = if name.contains("deg") { 1.0_f64.to_degrees() } else { 1.0 };
+            let cells = [guess[i], self.at[i], self.deviation(i), loose[i]];
+            let cells = cells.map(|value| format!("{:.2}", value * unit));
+            Ok([[name.to_string()].as_slice(), &cells].concat())
+        })
     }
 }
 
-/// The derivative of a vector by unknown `i`.
-fn difference(
-    at: &Unknowns,
-    i: usize,
-    f: impl Fn(&Unknowns) -> Result<Vec<f64>>,
-) -> Result<Vec<f64>> {
+/// The derivatives of a vector by each of the unknowns.
+fn slopes(at: &Unknowns, f: impl Fn(&Unknowns) -> Result<Vec<f64>>) -> Result<Vec<Vec<f64>>> {
     const H: f64 = 1e-5;
-    let shifted = |h: f64| {
-        let mut there = *at;
-        there[i] += h;
-        f(&there)
+    let slope = |i: usize| {
+        let shifted = |h: f64| f(&at.but(|at| at[i] += h));
+        let (right, left) = (shifted(H)?, shifted(-H)?);
+        Ok(right.iter().zip(left).map(|(r, l)| (r - l) / (2.0 * H)).collect())
     };
-    let (right, left) = (shifted(H)?, shifted(-H)?);
-    Ok(right.iter().zip(left).map(|(r, l)| (r - l) / (2.0 * H)).collect())
+    (0..8).map(slope).collect()
 }
 
 // ANCHOR: gauss
@@ -56,19 +69,19 @@ pub fn least_squares(
 ) -> Result<Fit> {
     let mut at = start;
     for _ in 0..60 {
-        let mut rest = residuals(&at)?;
-        let mut columns = Vec::new();
-        for i in 0..8 {
-            columns.push(difference(&at, i, &residuals)?);
-        }
+        let (mut columns, rest) = (slopes(&at, &residuals)?, residuals(&at)?);
         let (squares, count) = (dot(&rest, &rest), rest.len());
-        let (r, step) = solved(&mut columns, &mut rest);
+        columns.push(rest);
+        let r = orthogonal(columns);
+        let step = solved_upwards(&r, r.map(|row| row[8]));
         for (unknown, step) in at.iter_mut().zip(step) {
             *unknown -= step;
         }
         if largest(step) < 1e-9 {
             let scatter = (squares / (count - 8) as f64).sqrt();
-            return Ok(Fit { at, scatter, covariance: covariance(&r, scatter) });
+            let unit = |j: usize| core::array::from_fn(|i| scatter * f64::from(i == j));
+            let spread = core::array::from_fn(|j| solved_upwards(&r, unit(j)));
+            return Ok(Fit { at, scatter, spread });
         }
     }
     Err(kit::Error::Text {
@@ -78,81 +91,75 @@ pub fn least_squares(
 }
 // ANCHOR_END: gauss
 
-/// The triangle R of the columns (Gram and Schmidt, one at a time) and R^-1 Q^T rest.
-fn solved(columns: &mut [Vec<f64>], rest: &mut [f64]) -> ([[f64; 8]; 8], Unknowns) {
-    let (mut r, mut step) = ([[0.0; 8]; 8], [0.0; 8]);
-    for i in 0..8 {
+/// The triangle R of eight columns, made orthogonal one after the other (Gram and Schmidt), and
+/// beside it the components of the ninth along them.
+fn orthogonal(mut columns: Vec<Vec<f64>>) -> [[f64; 9]; 8] {
+    let mut r = [[0.0; 9]; 8];
+    for (i, row) in r.iter_mut().enumerate() {
         let (done, others) = columns.split_at_mut(i + 1);
-        let column = &mut done[i];
-        r[i][i] = dot(column, column).sqrt();
-        column.iter_mut().for_each(|x| *x /= r[i][i]);
-        for (j, other) in others.iter_mut().enumerate() {
-            r[i][i + 1 + j] = taken_off(column, other);
+        let unit = &mut done[i];
+        row[i] = dot(unit, unit).sqrt();
+        unit.iter_mut().for_each(|x| *x /= row[i]);
+        for (along, other) in row[i + 1..].iter_mut().zip(others) {
+            *along = dot(unit, other);
+            other.iter_mut().zip(&*unit).for_each(|(x, u)| *x -= *along * u);
         }
-        step[i] = taken_off(column, rest);
     }
-    solved_upwards(&r, &mut step);
-    (r, step)
+    r
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// The component of `from` along the unit vector, which is taken off.
-fn taken_off(unit: &[f64], from: &mut [f64]) -> f64 {
-    let along = dot(unit, from);
-    from.iter_mut().zip(unit).for_each(|(x, u)| *x -= along * u);
-    along
-}
-
-/// scatter^2 (R^T R)^-1.
-fn covariance(r: &[[f64; 8]; 8], scatter: f64) -> [[f64; 8]; 8] {
-    let columns: [Unknowns; 8] = core::array::from_fn(|j| {
-        let mut column = [0.0; 8];
-        column[j] = 1.0;
-        solved_upwards(r, &mut column);
-        column
-    });
-    let entry = |i: usize, j: usize| columns.iter().map(|c| c[i] * c[j]).sum::<f64>();
-    core::array::from_fn(|i| core::array::from_fn(|j| scatter * scatter * entry(i, j)))
-}
-
-/// R^-1 of a vector, in its place.
-fn solved_upwards(r: &[[f64; 8]; 8], vector: &mut Unknowns) {
+/// R^-1 of a vector.
+fn solved_upwards(r: &[[f64; 9]; 8], mut vector: Unknowns) -> Unknowns {
     for i in (0..8).rev() {
         let known: f64 = (i + 1..8).map(|j| r[i][j] * vector[j]).sum();
         vector[i] = (vector[i] - known) / r[i][i];
     }
+    vector
 }
 
 /// The middle of the measured days of December, s after the epoch.
-pub const MIDDLE: f64 = 30.0 * DAY;
+const MIDDLE: f64 = 30.0 * DAY;
 
-/// The unknowns of a start at the epoch.
-pub fn unknowns(start: &Start) -> Result<Unknowns> {
-    let [x, y, z] = (start.motion()?.angular_velocity(MIDDLE) * DAY).to_array();
-    let [a, b, _] = start.moments;
+/// The published state in that middle, whatever the parameters are: the fit begins there.
+fn middle() -> Result<Start> {
+    Start::of(numbers(&Parameters::default()))?.at(MIDDLE)
+}
+
+/// Its unknowns.
+pub fn unknowns() -> Result<Unknowns> {
+    let Start { moments: [a, b, _], angular_velocity, .. } = middle()?;
+    let [x, y, z] = (angular_velocity * DAY).to_array();
     Ok([0.0, 0.0, 0.0, x, y, z, a, b])
 }
 
-/// The start in the middle that they stand for; small turns are counted from `reference`.
-pub fn start(at: &Unknowns, reference: &Attitude) -> Result<Start> {
-    let [a, b, c, x, y, z, moment_x, moment_y] = *at;
-    let attitude = reference.turned_in_space(SpaceVector::new(a, b, c))?;
-    let angular_velocity = BodyVector::new(x, y, z) / DAY;
-    Ok(Start { moments: [moment_x, moment_y, 1.0], attitude, angular_velocity })
+/// The free motion closest to December.
+pub fn best() -> Result<Fit> {
+    fitted(&observed()?.0, unknowns()?, in_closed_form)
+}
+
+/// The start in the middle that they stand for; small turns are counted from [`middle`].
+pub fn start([a, b, c, x, y, z, moment_x, moment_y]: &Unknowns) -> Result<Start> {
+    let middle = middle()?;
+    Ok(Start {
+        moments: [*moment_x, *moment_y, 1.0],
+        attitude: middle.attitude.turned_in_space(SpaceVector::new(*a, *b, *c))?,
+        angular_velocity: BodyVector::new(*x, *y, *z) / DAY,
+        ..middle
+    })
 }
 
 /// The scatter of each unknown when one day after the other is left out (the jackknife).
-pub fn jackknife(days: &[Observed], from: &Start, guess: Unknowns) -> Result<Unknowns> {
+pub fn jackknife(days: &[Observed], guess: Unknowns) -> Result<Unknowns> {
     let n = days.len() as f64;
-    let mut all = Vec::new();
-    for out in 0..days.len() {
-        let mut left = days.to_vec();
-        left.remove(out);
-        all.push(fitted(&left, from, guess, in_closed_form)?.at);
-    }
+    let without = |out: usize| {
+        let left = [&days[..out], &days[out + 1..]].concat();
+        Ok(fitted(&left, guess, in_closed_form)?.at)
+    };
+    let all = (0..days.len()).map(without).collect::<Result<Vec<Unknowns>>>()?;
     Ok(core::array::from_fn(|i| {
         let mean = all.iter().map(|at| at[i]).sum::<f64>() / n;
         let squares: f64 = all.iter().map(|at| (at[i] - mean) * (at[i] - mean)).sum();

@@ -13,36 +13,34 @@ pub struct Observed {
     pub angular_velocity: BodyVector,
 }
 
-const DATA: &str = include_str!("toutatis.csv");
-
-/// The measured days, in order; the last is the one of 2008.
-pub fn observed() -> Result<Vec<Observed>> {
-    let rows = DATA.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit()));
-    rows.map(|row| {
+/// The measured days of December 1992, in order, and the one of 2008.
+pub fn observed() -> Result<(Vec<Observed>, Observed)> {
+    let data = include_str!("toutatis.csv");
+    let rows = data.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit()));
+    let day = |row: &'static str| {
         let mut cells = row.split(',');
         let date = cells.next().unwrap_or("");
         let mut number =
             || cells.next().and_then(|cell| cell.trim().parse().ok()).unwrap_or(f64::NAN);
-        let [alpha, beta, gamma, x, y, z] = [0; 6].map(|_| number());
-        Ok(Observed {
-            date,
-            t: seconds(date) - seconds(EPOCH),
-            attitude: attitude([alpha, beta, gamma])?,
-            angular_velocity: rates([x, y, z]),
-        })
-    })
-    .collect()
+        let (attitude, angular_velocity) = turning([0; 6].map(|_| number()))?;
+        Ok(Observed { date, t: since_epoch(date), attitude, angular_velocity })
+    };
+    let mut days = rows.map(day).collect::<Result<Vec<_>>>()?;
+    let none = kit::Error::Text { text: "toutatis.csv".into(), allowed: "a row a day" };
+    let last = days.pop().ok_or(none)?;
+    Ok((days, last))
 }
 
-/// The attitude of three angles z-x'-z'', degrees.
-pub fn attitude(degrees: [f64; 3]) -> rotation_dynamics::Result<Attitude> {
-    let [phi, theta, zeta] = degrees.map(f64::to_radians);
-    Attitude::from_euler(EulerAngles { phi, theta, zeta })
+/// The attitude of three angles z-x'-z'', degrees; and rates, degrees a day, as rad/s.
+pub fn turning(numbers: [f64; 6]) -> rotation_dynamics::Result<(Attitude, BodyVector)> {
+    let [phi, theta, zeta, x, y, z] = numbers.map(f64::to_radians);
+    let rates = [x, y, z].map(|rate| rate / DAY);
+    Ok((Attitude::from_euler(EulerAngles { phi, theta, zeta })?, BodyVector::from_array(rates)))
 }
 
-/// Degrees a day as rad/s.
-pub fn rates(degrees: [f64; 3]) -> BodyVector {
-    BodyVector::from_array(degrees.map(|rate| rate.to_radians() / DAY))
+/// Seconds since the epoch.
+pub fn since_epoch(date: &str) -> f64 {
+    seconds(date) - seconds(EPOCH)
 }
 
 /// Seconds since the year 0 of a date like `1992-11-09T17:49:47`.

@@ -2,13 +2,14 @@
 
 use super::*;
 use rotation_dynamics::accuracy::{Resolution, Variables};
-use rotation_dynamics::body::State;
 use rotation_dynamics::integrators::Method;
 
 /// G M of the Earth and of the Sun, m^3/s^2; the astronomical unit, m.
 pub const EARTH: f64 = 3.986_004_418e14;
-pub const SUN: f64 = 1.327_124_400_18e20;
+const SUN: f64 = 1.327_124_400_18e20;
 pub const AU: f64 = 1.495_978_707e11;
+/// The asteroid's orbit of November 2008: half of its long axis (m), its eccentricity.
+pub const ORBIT: [f64; 2] = [2.5321 * AU, 0.6288];
 
 /// The orbit of an attracting body, as it is seen from the asteroid.
 #[derive(Debug, Clone, Copy)]
@@ -23,20 +24,20 @@ pub struct Path {
 }
 
 impl Path {
-    /// The Earth goes past in the plane of the ecliptic; at the closest it has this longitude, rad.
-    pub fn flyby(closest: f64, speed: f64, longitude: f64, when: f64) -> Self {
+    /// The Earth goes past in the plane of the ecliptic.
+    pub fn flyby(p: &Parameters, closest: f64, date: &str) -> Self {
         Self {
             attracts: EARTH,
-            eccentricity: 1.0 + closest * speed * speed / EARTH,
+            eccentricity: 1.0 + closest * p.speed * p.speed / EARTH,
             closest,
-            when,
-            angles: [0.0, 0.0, longitude],
+            when: since_epoch(date),
+            angles: [0.0, 0.0, p.longitude],
         }
     }
 
     /// The Sun, by the elements of the asteroid's orbit of November 2008.
     pub fn orbit() -> Self {
-        let (axis, eccentricity) = (2.5321 * AU, 0.6288);
+        let [axis, eccentricity] = ORBIT;
         let mean_motion = (SUN / (axis * axis * axis)).sqrt();
         let since = 5.1220_f64.to_radians() / mean_motion;
         // Node, inclination, argument of the perihelion; the Sun is on the other side.
@@ -45,9 +46,14 @@ impl Path {
             attracts: SUN,
             eccentricity,
             closest: axis * (1.0 - eccentricity),
-            when: seconds("2008-11-27T00:00:00") - seconds(EPOCH) - since,
+            when: since_epoch("2008-11-27T00:00:00") - since,
             angles: [node, inclination, argument + PI],
         }
+    }
+
+    /// When its tide is put in, if it is a flyby.
+    pub fn span(&self) -> [f64; 2] {
+        [self.when - HALF, self.when + HALF]
     }
 
     /// Where the attracting body is seen from the asteroid, m.
@@ -56,13 +62,27 @@ impl Path {
     }
 }
 
+/// What a tide adds to the slopes of the rates, by [`tumbling`].
+fn pulled([a, b, c]: [f64; 3], tide: OrbitingBody) -> impl Fn(f64, &[f64; 8]) -> [f64; 3] {
+    move |t, &[_, _, _, w, x, y, z, _]| {
+        let (v, strength) = tide.pull(t * DAY);
+        // The direction on the body's axes: v + 2 (v x u) w + 2 (v x u) x u.
+        let u = SpaceVector::new(x, y, z);
+        let across = v.cross(&u) * 2.0;
+        let [l, m, n] = (v + across * w + across.cross(&u)).to_array();
+        let pull = 3.0 * strength * (DAY * DAY);
+        [pull * (c - b) * m * n / a, pull * (a - c) * n * l / b, pull * (b - a) * l * m / c]
+    }
+}
+
 /// How long before and after the closest the tide of a flyby is put in.
 pub const HALF: f64 = 20.0 * DAY;
 
-/// What a flyby changes.
+/// What a tide changes.
 #[derive(Debug, Clone, Copy)]
 pub struct Changed {
-    /// The state after it, and without it.
+    /// The state at the time t after it, and without it.
+    pub t: f64,
     pub after: State,
     pub free: State,
     /// What it cost to find out.
@@ -71,39 +91,42 @@ pub struct Changed {
 
 impl Changed {
     pub fn by(start: &Start, path: Path, tolerance: f64) -> Result<Self> {
-        let (begin, motion) = (path.when - HALF, start.motion()?);
+        let ([begin, t], motion) = (path.span(), start.motion()?);
         let scene = Scene::new(start.body()?).with(tide(path, begin)?);
         let solved = scene.solve(&motion.state(begin), 2.0 * HALF, tolerance)?;
-        Ok(Self { after: solved.state, work: solved.work, free: motion.state(path.when + HALF) })
+        Ok(Self { t, after: solved.state, work: solved.work, free: motion.state(t) })
     }
 
-    /// The same by Euler's equations: less sure, and five times faster.
-    pub fn simulated(start: &Start, path: Path) -> Result<Self> {
-        let span = [path.when - HALF, path.when + HALF];
-        let (attitude, momentum, work) = simulated_under(start, path, span, 1e-11)?;
-        Ok(Self {
-            after: State::new(attitude, momentum)?,
-            work,
-            free: start.motion()?.state(span[1]),
-        })
+    /// The same over this span by Euler's equations, another method in other variables: less sure,
+    /// and five times faster.
+    pub fn simulated(start: &Start, path: Path, [begin, t]: [f64; 2], step: f64) -> Result<Self> {
+        let ([a, b, c], tide) = (start.moments, pulled(start.moments, tide(path, begin)?));
+        let (there, work) = simulated(&start.at(begin)?, tide, t - begin, step)?;
+        let (attitude, [p, q, r, ..]) = (turned(there)?, there);
+        let momentum = attitude.to_space(BodyVector::new(a * p, b * q, c * r) / DAY);
+        Ok(Self { t, after: State::new(attitude, momentum)?, work, free: start.motion()?.state(t) })
     }
 
     /// The change of L over L.
     pub fn momentum(&self) -> f64 {
-        (self.after.angular_momentum - self.free.angular_momentum).norm()
-            / self.free.angular_momentum.norm()
+        let free = self.free.angular_momentum;
+        (self.after.angular_momentum - free).norm() / free.norm()
     }
 
-    /// The free motion that goes on from here.
-    pub fn onward(&self, start: &Start) -> rotation_dynamics::Result<FreeBody> {
-        let rates = start.body()?.angular_velocity(&self.after);
-        FreeBody::new(start.body()?.moments(), self.after.attitude, rates)
+    /// By how much the attitude is another one, degrees.
+    pub fn attitude(&self) -> f64 {
+        self.after.attitude.angle_to(&self.free.attitude).to_degrees()
     }
 
     /// The attitude at the end, if nothing else happens.
-    pub fn in_2008(&self, start: &Start, path: Path, end: f64) -> Result<Attitude> {
-        Ok(self.onward(start)?.attitude(end - path.when - HALF))
+    pub fn in_2008(&self, start: &Start, end: f64) -> Result<Attitude> {
+        Ok(onward(&start.body()?, &self.after)?.attitude(end - self.t))
     }
+}
+
+/// The free motion that goes on from here.
+pub fn onward(body: &RigidBody, from: &State) -> rotation_dynamics::Result<FreeBody> {
+    FreeBody::new(body.moments(), from.attitude, body.angular_velocity(from))
 }
 
 /// The number of a tide: 3 (n/omega)^2 times the larger difference of moments over the larger.
@@ -136,14 +159,11 @@ pub fn by_kicks(start: &Start, path: Path, [from, to]: [f64; 2], end: f64) -> Re
     let middles = (0..pieces as u32).map(|k| f64::from(k) + 0.5);
     let mut turn = SpaceVector::zero();
     for at in middles.flat_map(|middle| [middle - aside, middle + aside]) {
-        let (t, state) = (from + at * piece, motion.state(from + at * piece));
+        let (t, mut state) = (from + at * piece, motion.state(from + at * piece));
         let torque = tide.torque(t, &body, &state);
         if torque.norm() > 0.0 {
-            let kick = torque * (small / torque.norm());
-            let kicked = State::new(state.attitude, state.angular_momentum + kick)?;
-            let rates = body.angular_velocity(&kicked);
-            let onward = FreeBody::new(body.moments(), kicked.attitude, rates)?;
-            let there = turn_between(&free, &onward.attitude(end - t));
+            state.angular_momentum += torque * (small / torque.norm());
+            let there = turn_between(&free, &onward(&body, &state)?.attitude(end - t));
             turn += there * (torque.norm() / small * 0.5 * piece);
         }
     }
