@@ -1,13 +1,11 @@
 //! Euler's equations stepped along the tangent: energy grows, and the book flips that never
 //! would.
 
-use super::{Naive, Parameters, Tumble, box_moments, euler, small_motions};
+use super::*;
 use core::iter::successors;
-use kit::{Report, Result, times};
+use rotation_dynamics::integrators::Rk4;
 use rotation_dynamics::integrators::foils::SemiImplicitEuler;
-use rotation_dynamics::integrators::{Integrator, Ode, Rk4};
 use rotation_dynamics::math::DoubleDouble;
-use rotation_dynamics::scene::Scene;
 
 /// How far the book's L is off its middle axis, towards the largest: 0.57 rad from that.
 pub const NAIVE_TILT: f64 = 1.0;
@@ -28,14 +26,19 @@ pub fn book() -> Tumble {
 }
 
 /// L^2 - 2 E I2: positive about the largest axis, negative about the least.
-pub fn side(moments: [f64; 3], rates: [f64; 3]) -> f64 {
+fn side(moments: [f64; 3], rates: [f64; 3]) -> f64 {
     let term = |i: usize| moments[i] * (moments[i] - moments[1]) * rates[i] * rates[i];
     term(0) + term(2)
 }
 
-/// Twice the energy.
-fn energy(moments: [f64; 3], rates: [f64; 3]) -> f64 {
-    (0..3).map(|i| moments[i] * rates[i] * rates[i]).sum()
+/// Twice the energy of the book.
+fn energy(rates: [f64; 3]) -> f64 {
+    (0..3).map(|i| book().moments[i] * rates[i] * rates[i]).sum()
+}
+
+/// How many steps of a run are on one side.
+fn kept<S>(run: impl Iterator<Item = S>, inside: impl Fn(&S) -> bool) -> f64 {
+    run.take_while(inside).take(100_000).count() as f64
 }
 
 /// When the run at so many steps a second leaves the polhodes about the largest axis: when `side`
@@ -52,9 +55,7 @@ fn crossing(steps: f64) -> f64 {
         let x = growth * q / steps;
         Some([u * (1.0 + x), v * (1.0 - x), q + slope * (v * v - u * u) / steps])
     };
-    let run = successors(Some(start), next);
-    let kept = run.take_while(|[u, v, _]| u * v > 0.0).take(100_000);
-    kept.count() as f64 / steps
+    kept(successors(Some(start), next), |[u, v, _]| u * v > 0.0) / steps
 }
 
 /// The same in double-double, with the rates about the first two axes and `side` itself, which
@@ -71,36 +72,22 @@ fn crossing_by_side(steps: f64) -> f64 {
         let [to_p, to_q] = [(i2 - i3) / i1 * q * r, (i3 - i1) / i2 * r * p];
         Some([p + to_p / steps, q + to_q / steps, side * (1.0 - shrinks * q.square())])
     };
-    let run = successors(Some(start), next);
-    let kept = run.take_while(|[.., side]| *side > 0.0).take(100_000);
-    kept.count() as f64 / steps
-}
-
-/// When doubles that form the difference see its sign change: rounding decides.
-fn crossing_rounded(steps: f64) -> f64 {
-    let moments = book().moments;
-    let run = Naive::of_the_page(steps);
-    let kept = run.take_while(|rates| side(moments, *rates) > 0.0).take(100_000);
-    (kept.count() as f64 + 1.0) / steps
+    kept(successors(Some(start), next), |[.., side]| *side > 0.0) / steps
 }
 
 /// The same method in the library's foil: the rates after so many steps.
-fn after_of_the_foil(steps: f64, count: u64) -> rotation_dynamics::Result<[f64; 3]> {
-    let tumble = book();
-    let scene = Scene::new(tumble.body()?);
+fn after_of_the_foil(steps: f64, count: u64) -> Result<[f64; 3]> {
+    let (tumble, scene) = (book(), Scene::new(book().body()?));
     let start = tumble.free_body()?.state(0.0);
-    let end = count as f64 / steps;
-    let (end, _) = SemiImplicitEuler::new(count)?.advance(&scene, 0.0, &start, end)?;
+    let (end, _) =
+        SemiImplicitEuler::new(count)?.advance(&scene, 0.0, &start, count as f64 / steps)?;
     Ok(scene.body().angular_velocity(&end).to_array())
 }
 
 /// The step in which the foil crosses, near this time.
 fn crossing_of_the_foil(steps: f64, near: f64) -> Result<f64> {
-    let crossed = |count| {
-        Ok::<_, rotation_dynamics::Error>(
-            side(book().moments, after_of_the_foil(steps, count)?) <= 0.0,
-        )
-    };
+    let crossed =
+        |count| Ok::<_, kit::Error>(side(book().moments, after_of_the_foil(steps, count)?) <= 0.0);
     // Its products are rounded in another order: a few steps to either side.
     let first = (near * steps) as u64 - 5;
     for count in first..first + 10 {
@@ -116,44 +103,40 @@ fn crossing_of_the_foil(steps: f64, near: f64) -> Result<f64> {
 fn gain() -> Result<f64> {
     let (tumble, count) = (book(), 200_u32);
     let law = euler(tumble.moments);
-    let whole = tumble.between_flips()?;
-    let mut sum = 0.0;
     // A periodic function: equal weights.
-    for t in times(0.0, whole, count).skip(1) {
-        sum += energy(tumble.moments, law.derivative(0.0, &tumble.rates(t)?));
-    }
-    Ok(sum / f64::from(count) / energy(tumble.moments, tumble.start))
+    let each = sampled(times(0.0, tumble.between_flips()?, count).skip(1), |t| {
+        Ok(energy(law.derivative(0.0, &tumble.rates(t)?)))
+    })?;
+    Ok(each.iter().sum::<f64>() / f64::from(count) / energy(tumble.start))
 }
 
 /// The same, measured over half a period of the rates with short steps.
 fn gain_measured() -> Result<f64> {
-    let tumble = book();
-    let (whole, count) = (tumble.between_flips()?, 100_000);
+    let (whole, count) = (book().between_flips()?, 100_000);
     let mut run = Naive::of_the_page(count as f64 / whole);
     let step = run.step;
     let end = run.nth(count - 1).unwrap_or([f64::NAN; 3]);
-    let grown = energy(tumble.moments, end) / energy(tumble.moments, tumble.start) - 1.0;
-    Ok(grown / (whole * step))
+    Ok((energy(end) / energy(book().start) - 1.0) / (whole * step))
 }
 
 /// The part of its energy that RK4 loses on the same motion in half a minute.
-fn lost_by_rk4(steps: u32) -> Result<f64> {
-    let (tumble, time) = (book(), 30.0);
-    let method = Rk4::new(u64::from(steps) * 30)?;
-    let (end, _) = method.advance(&euler(tumble.moments), 0.0, &tumble.start, time)?;
-    Ok(1.0 - energy(tumble.moments, end) / energy(tumble.moments, tumble.start))
+fn lost_by_rk4(steps: u64) -> Result<f64> {
+    let (tumble, method) = (book(), Rk4::new(steps * 30)?);
+    let (end, _) = method.advance(&euler(tumble.moments), 0.0, &tumble.start, 30.0)?;
+    Ok(1.0 - energy(end) / energy(tumble.start))
 }
 
-/// Adds what the page says of the naive solver.
-pub fn claims(report: &mut Report) -> Result<()> {
+/// What the page says of the naive solver.
+pub fn claims(_: &Parameters, report: &mut Report) -> Result<()> {
     let [coarse, fine] = [60.0, 240.0].map(crossing);
-    let rounded = crossing_rounded(240.0);
-    let gain = gain()?;
-    let grown = |rates| energy(book().moments, rates) / energy(book().moments, book().start);
+    // When doubles that form the difference see its sign change: rounding decides.
+    let ours = |rates: &[f64; 3]| side(book().moments, *rates) > 0.0;
+    let rounded = (kept(Naive::of_the_page(240.0), ours) + 1.0) / 240.0;
+    let (gain, lost) = (gain()?, lost_by_rk4(60)?);
+    let grown = |rates| energy(rates) / energy(book().start);
     let naive = Naive::of_the_page(60.0).nth(119).unwrap_or([f64::NAN; 3]);
     let foil = after_of_the_foil(60.0, 120)?;
-    let lost = lost_by_rk4(60)?;
-    kit::claims! { report,
+    claims! { report,
         /// RK4: part of the energy lost in half a minute, sixty steps a second
         rk4_loss: lost, "-", "32 times that of half the step" => 32.0 * lost_by_rk4(120)?, within 0.05 * lost;
         /// naive: growth of the energy over the step

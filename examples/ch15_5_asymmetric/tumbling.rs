@@ -1,12 +1,7 @@
 //! The book as it tumbles, beside the tip of L on the momentum sphere of the body.
 
-use super::{Parameters, Tumble, tumble, unit};
-use core::f64::consts::TAU;
-use kit::draw::{Axis, Camera, Curve, Ink, Panel, Side, Solid, Stack, View};
-use kit::{MovingPicture, Result, sampled, times};
-use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::math::{atan2, cos, sin, sincos};
+use super::*;
+use kit::draw::Camera;
 
 /// Azimuth and elevation of the eye: the middle axis of the sphere points to the reader.
 const EYE: (f64, f64) = (0.4, 0.34);
@@ -27,22 +22,17 @@ pub fn tip(tumble: &Tumble, t: f64) -> Result<[f64; 3]> {
     Ok(tumble.carried(tumble.rates(t)?).map(|l| l / size))
 }
 
-/// The two great circles of the separatrix.
-pub fn separatrices([i1, i2, i3]: [f64; 3]) -> [Vec<SpaceVector>; 2] {
+/// The three axes on the sphere of the body, and in ink the two great circles of the separatrix.
+pub fn sphere(view: View, [i1, i2, i3]: [f64; 3]) -> View {
     let lean = atan2((i2 / i1 - 1.0).sqrt(), (1.0 - i2 / i3).sqrt());
-    [lean, -lean].map(|lean| {
-        let point = |turn: f64| {
+    let circle = |lean: f64| {
+        times(0.0, TAU, 90).map(move |turn| {
             let (s, c) = sincos(turn);
             on_sphere([s * cos(lean), c, s * sin(lean)])
-        };
-        times(0.0, TAU, 90).map(point).collect()
-    })
-}
-
-/// The three axes on the sphere of the body, and the separatrix in ink.
-pub fn sphere(view: View, separatrices: [Vec<SpaceVector>; 2]) -> View {
+        })
+    };
+    let view = view.trace(circle(lean), Ink::Ink).trace(circle(-lean), Ink::Ink);
     let axes = [(0, "$1$", Side::Above), (1, "$2$", Side::BelowLeft), (2, "$3$", Side::Right)];
-    let view = separatrices.into_iter().fold(view, |view, curve| view.trace(curve, Ink::Ink));
     axes.into_iter().fold(view, |view, (axis, label, side)| {
         let out = on_sphere(unit(axis).to_array());
         view.arrow(out, out * 1.3, Ink::Body, label, side)
@@ -78,7 +68,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         .curve(Curve::new(along, Ink::Momentum));
     let polhode = sampled(times(0.0, 2.0 * flips, 160), |t| Ok(on_sphere(tip(&tumble, t)?)))?;
     let aside = SpaceVector::new(sin(EYE.0), -cos(EYE.0), 0.0) * 2.35;
-    let draw = move |t: f64| {
+    MovingPicture::above(graph, 0.0..=end, [0.0, 0.5 * flips, flips], move |t| {
         let (now, attitude) = (tip(&tumble, t)?, motion.attitude(t));
         let axis = attitude.to_space(unit(1));
         let alt = format!(
@@ -86,11 +76,10 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
              degrees from it; beside it L as an arrow in the sphere of the body, its tip on a \
              path that runs close to the separatrix and passes close by both ends of axis 2; below, \
              the component of L along axis 2.",
-            rotation_dynamics::math::acos(now[1].clamp(-1.0, 1.0)).to_degrees()
+            acos(now[1].clamp(-1.0, 1.0)).to_degrees()
         );
-        let view =
-            View::new("scene", &alt).camera(camera()).around(aside * 0.5, 1.42).size(340, 200);
-        let view = sphere(view.ball(Ink::Body), separatrices(tumble.moments))
+        let view = View::of(aside * 0.5, 1.42).camera(camera()).size(340, 200).ball(Ink::Body);
+        let view = sphere(view, tumble.moments)
             .trace(polhode.iter().copied(), Ink::Momentum)
             .arrow(SpaceVector::zero(), on_sphere(now), Ink::Momentum, "", Side::Right)
             .spot(on_sphere(now), Ink::Momentum);
@@ -99,7 +88,6 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             .arrow(aside, aside + axis * 0.95, Ink::Body, "", Side::Right)
             // Beside L, also where the axis lies along it.
             .text(aside * 0.95 + axis * 0.9, "$2$", Ink::Body, Side::Right);
-        Stack::frame(&alt, view, &graph, t)
-    };
-    MovingPicture::new(0.0..=end, [0.0, 0.5 * flips, flips], draw)
+        Ok((alt, view))
+    })
 }

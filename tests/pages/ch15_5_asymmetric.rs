@@ -9,199 +9,151 @@ use rotation_dynamics::effects::Torque;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, Integrator, Ode};
-use rotation_dynamics::math::{DoubleDouble, atan2, exp, log};
+use rotation_dynamics::math::{DoubleDouble, atan2, exp};
 use rotation_dynamics::scene::Scene;
 use std::f64::consts::TAU;
-use std::ops::{Add, Div, Mul, Sub};
 use support::{Errors, assert_largest, derivative};
 
-/// Doubles, or pairs of them.
-trait Number:
-    Copy + PartialOrd + From<f64> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
-{
-}
-impl Number for f64 {}
-impl Number for DoubleDouble {}
+const BODIES: [[f64; 3]; 4] = [[1.0, 2.0, 2.5], [0.3, 0.5, 0.79], [2.0, 2.1, 4.0], [1.0, 5.0, 5.1]];
 
-/// Bodies and starts of both kinds, near and far from the middle axis.
-fn tumbles() -> Vec<Tumble> {
-    let bodies = [[1.0, 2.0, 2.5], [0.3, 0.5, 0.79], [2.0, 2.1, 4.0], [1.0, 5.0, 5.1]];
+/// These bodies with starts of both kinds, near and far from the middle axis.
+fn tumbles() -> impl Iterator<Item = Tumble> {
     let starts = [(0.003, 0), (0.8, 0), (0.003, 2), (0.8, 2), (1.4, 0), (1.4, 2)];
-    let every = bodies.into_iter().flat_map(|moments| starts.map(|(aside, about)| (moments, aside, about)));
-    every.map(|(moments, aside, about)| Tumble::new(moments, 1.5, aside, about)).collect()
+    let of = move |moments| starts.map(|(aside, about)| Tumble::new(moments, 1.5, aside, about));
+    BODIES.into_iter().flat_map(of)
+}
+
+/// All of them at these times.
+fn at<const N: usize>(times: [f64; N]) -> impl Iterator<Item = (Tumble, f64)> {
+    tumbles().flat_map(move |tumble| times.map(|t| (tumble, t)))
+}
+
+/// What is measured in each case: errors, the last of them of a damaged twin.
+fn measured_in<C, const N: usize>(cases: impl IntoIterator<Item = C>, errors: impl Fn(C) -> [f64; N]) -> [Errors; N] {
+    let mut all = std::array::from_fn(|k| Errors::of(format!("error {k}")));
+    for case in cases {
+        all.iter_mut().zip(errors(case)).for_each(|(all, error)| all.push(error));
+    }
+    all
 }
 
 fn sum(terms: impl Fn(usize) -> f64) -> f64 {
     terms(0) + terms(1) + terms(2)
 }
 
+/// Twice the energy.
+fn energy(i: [f64; 3], w: [f64; 3]) -> f64 {
+    sum(|k| i[k] * w[k] * w[k])
+}
+
 /// Equation (1) says that L stands still in space: so do the slopes of the rates of the
-/// library's motion, whose L keeps its bits.
+/// library's motion, whose L keeps its bits. The twin has the other sign.
 #[test]
 fn eulers_equations_are_a_momentum_at_rest() {
-    let (mut right, mut wrong) = (Errors::of("slope of a rate"), Errors::of("with the other sign"));
-    for tumble in tumbles() {
+    let [right, wrong] = measured_in(at([0.2, 1.1, 3.7]), |(tumble, t)| {
         let motion = tumble.free_body().unwrap();
-        for t in [0.2, 1.1, 3.7] {
-            let rates = |by: f64| motion.angular_velocity(t + by).to_array();
-            let law = euler(tumble.moments).derivative(t, &rates(0.0));
-            let found = [0, 1, 2].map(|i| derivative(|by| rates(by)[i], 0.0, 2e-3));
-            let apart = |sign: f64| sum(|i| (found[i] - sign * law[i]).abs());
-            right.push(apart(1.0));
-            wrong.push(apart(-1.0));
-        }
-    }
+        let rates = |by: f64| motion.angular_velocity(t + by).to_array();
+        let law = euler(tumble.moments).derivative(t, &rates(0.0));
+        let found = [0, 1, 2].map(|i| derivative(|by| rates(by)[i], 0.0, 2e-3));
+        [1.0, -1.0].map(|sign| sum(|i| (found[i] - sign * law[i]).abs()))
+    });
     assert_largest!(right, 72, @"1.35e-9");
     wrong.exceed(4e-4, 72);
 }
 
-/// The tip of L stays on the sphere and on the ellipsoid; the twin leaves one of them.
+/// The tip of L stays on the sphere and on the ellipsoid; the twin, with I1 and I2 exchanged,
+/// leaves one of them.
 #[test]
 fn the_tip_stays_on_sphere_and_ellipsoid() {
-    let (mut kept, mut damaged) = (Errors::of("L^2 and 2 E, relative"), Errors::of("I1 and I2 exchanged"));
-    for tumble in tumbles() {
+    let [kept, damaged] = measured_in(at([0.4, 2.0, 7.0]), |(tumble, t)| {
         let i = tumble.moments;
-        let size = |w: [f64; 3]| [sum(|k| i[k] * i[k] * w[k] * w[k]), sum(|k| i[k] * w[k] * w[k])];
-        let [l, e] = size(tumble.start);
-        for t in [0.4, 2.0, 7.0] {
-            let [p, q, r] = tumble.rates(t).unwrap();
-            let [now, then] = [size([p, q, r]), size([q, p, r])];
-            kept.push((now[0] / l - 1.0).abs() + (now[1] / e - 1.0).abs());
-            damaged.push((then[0] / l - 1.0).abs() + (then[1] / e - 1.0).abs());
-        }
-    }
+        let size = |w: [f64; 3]| [sum(|k| i[k] * i[k] * w[k] * w[k]), energy(i, w)];
+        let ([l, e], [p, q, r]) = (size(tumble.start), tumble.rates(t).unwrap());
+        [[p, q, r], [q, p, r]].map(size).map(|[now_l, now_e]| (now_l / l - 1.0).abs() + (now_e / e - 1.0).abs())
+    });
     assert_largest!(kept, 72, @"6.66e-16");
     damaged.exceed(1e-3, 72);
 }
 
 /// The page's rates by elliptic functions, the library's, and those of Euler's equations in
-/// steps, through two flips.
+/// steps, through two flips. The twin is half a period late.
 #[test]
 fn three_routes_give_one_motion() {
-    let (mut library, mut steps) = (Errors::of("library"), Errors::of("stepped"));
-    let mut damaged = Errors::of("half a period later");
-    for tumble in tumbles() {
+    let [library, steps, damaged] = measured_in(at([0.31, 0.5, 1.2, 1.9]), |(tumble, part)| {
         let (motion, flips) = (tumble.free_body().unwrap(), tumble.between_flips().unwrap());
         let method = Dop853::new(1e-15).unwrap();
         let run = method.solve(&euler(tumble.moments), 0.0, &tumble.start, 2.0 * flips, &[]).unwrap();
-        for t in [0.31, 0.5, 1.2, 1.9].map(|part| part * flips) {
-            let ours = tumble.rates(t).unwrap();
-            let apart = |other: [f64; 3]| sum(|i| (ours[i] - other[i]).abs()) / 1.5;
-            library.push(apart(motion.angular_velocity(t).to_array()));
-            steps.push(apart(run.at(t).unwrap()));
-            damaged.push(apart(tumble.rates(t + flips).unwrap()));
-        }
-    }
+        let (t, rates) = (part * flips, |t| tumble.rates(t).unwrap());
+        let others = [motion.angular_velocity(t).to_array(), run.at(t).unwrap(), rates(t + flips)];
+        others.map(|other| sum(|i| (rates(t)[i] - other[i]).abs()) / 1.5)
+    });
     assert_largest!(library, 96, @"1.41e-15");
     assert_largest!(steps, 96, @"5.72e-13");
     damaged.exceed(1e-3, 96);
 }
 
-/// Equations (4) and (5): growth about the middle axis, sway about the others.
-#[test]
-fn small_errors_grow_about_the_middle_axis_only() {
-    let (mut errors, mut damaged) = (Errors::of("rates"), Errors::of("axes exchanged"));
-    for moments in [[1.0, 2.0, 2.5], [0.3, 0.5, 0.79], [2.0, 2.1, 4.0], [1.0, 5.0, 5.1]] {
-        let (said, found) = (small_motions(moments, 1.5), small_motions_measured(moments, 1.5).unwrap());
-        for i in 0..3 {
-            errors.add(found[i], said[i], said[i]);
-            damaged.add(found[(i + 1) % 3], said[i], said[i]);
-        }
-    }
-    assert_largest!(errors, 12, @"7.89e-10");
-    damaged.exceed(1e-3, 12);
-}
-
 /// Poinsot: the ellipsoid's lowest point stays on its plane, the plane is tangent there, and
-/// the two curves run through the point of contact at the same speed: no slipping.
+/// the two curves run through the point of contact at the same speed: no slipping. The twin is a
+/// body at rest.
 #[test]
 fn the_ellipsoid_rolls_on_its_plane() {
-    let (mut height, mut arcs) = (Errors::of("height of the contact"), Errors::of("difference of the velocities"));
-    let mut damaged = Errors::of("against the body at rest");
-    for tumble in tumbles() {
+    let [height, arcs, damaged] = measured_in(at([0.3, 1.3, 4.4]), |(tumble, t)| {
         let motion = tumble.free_body().unwrap();
-        for t in [0.3, 1.3, 4.4] {
-            let at = |by: f64| motion.kinematics(t + by);
-            let contact = |by: f64| at(by).attitude.to_space(at(by).angular_velocity);
-            let up = motion.angular_momentum() / tumble.momentum();
-            height.push(contact(0.0).dot(&up) / tumble.height() - 1.0);
-            let speed = |v: &dyn Fn(f64) -> [f64; 3]| [0, 1, 2].map(|i| derivative(|by| v(by)[i], 0.0, 2e-3));
-            let on_plane = SpaceVector::from_array(speed(&|by| contact(by).to_array()));
-            let on_body = BodyVector::from_array(speed(&|by| at(by).angular_velocity.to_array()));
-            arcs.push((at(0.0).attitude.to_space(on_body) - on_plane).norm());
-            damaged.push((SpaceVector::from_array(on_body.to_array()) - on_plane).norm());
-            // The normal of the ellipsoid at Omega is I Omega, which is L.
-            let normal = at(0.0).attitude.to_space(motion.body_momentum(at(0.0).angular_velocity));
-            height.push(normal.cross(&up).norm() / normal.norm());
-        }
-    }
-    assert_largest!(height, 144, @"1.33e-15");
+        let at = |by: f64| motion.kinematics(t + by);
+        let contact = |by: f64| at(by).attitude.to_space(at(by).angular_velocity);
+        let up = motion.angular_momentum() / tumble.momentum();
+        let speed = |v: &dyn Fn(f64) -> [f64; 3]| [0, 1, 2].map(|i| derivative(|by| v(by)[i], 0.0, 2e-3));
+        let on_plane = SpaceVector::from_array(speed(&|by| contact(by).to_array()));
+        let on_body = BodyVector::from_array(speed(&|by| at(by).angular_velocity.to_array()));
+        // The normal of the ellipsoid at Omega is I Omega, which is L.
+        let normal = at(0.0).attitude.to_space(motion.body_momentum(at(0.0).angular_velocity));
+        let off = contact(0.0).dot(&up) / tumble.height() - 1.0;
+        [
+            off.abs().max(normal.cross(&up).norm() / normal.norm()),
+            (at(0.0).attitude.to_space(on_body) - on_plane).norm(),
+            (SpaceVector::from_array(on_body.to_array()) - on_plane).norm(),
+        ]
+    });
+    assert_largest!(height, 72, @"1.33e-15");
     assert_largest!(arcs, 72, @"1.08e-9");
     damaged.exceed(1e-4, 72);
 }
 
-/// On the separatrix the rate about the middle axis is -Omega tanh(lambda t) about a flip.
+/// On the separatrix the rate about the middle axis is -Omega tanh(lambda t) about a flip; the twin
+/// flips half as fast.
 #[test]
 fn the_separatrix_is_a_hyperbolic_tangent() {
-    let (mut errors, mut damaged) = (Errors::of("tanh"), Errors::of("tanh of half of it"));
-    for moments in [[1.0, 2.0, 2.5], [0.3, 0.5, 0.79], [2.0, 2.1, 4.0]] {
+    let cases = BODIES[..3].iter().flat_map(|moments| [-3.0, -1.0, 0.5, 2.0].map(|x| (*moments, x)));
+    let [errors, damaged] = measured_in(cases, |(moments, x)| {
         let tumble = Tumble::new(moments, 1.0, 1e-8, 2);
         let (flip, growth) = (0.5 * tumble.between_flips().unwrap(), small_motions(moments, 1.0)[1]);
-        for x in [-3.0, -1.0, 0.5, 2.0] {
-            let tanh = |x: f64| (exp(2.0 * x) - 1.0) / (exp(2.0 * x) + 1.0);
-            let rate = tumble.rates(flip + x / growth).unwrap()[1];
-            errors.push(rate + tanh(x));
-            damaged.push(rate + tanh(0.5 * x));
-        }
-    }
+        let tanh = |x: f64| (exp(2.0 * x) - 1.0) / (exp(2.0 * x) + 1.0);
+        let rate = tumble.rates(flip + x / growth).unwrap()[1];
+        [rate + tanh(x), rate + tanh(0.5 * x)]
+    });
     assert_largest!(errors, 12, @"3.44e-15");
     damaged.exceed(0.05, 12);
 }
 
-/// Between flips near the axis: (2/lambda) ln(4/k'), so a tenth of the angle is 2 ln 10/lambda.
-#[test]
-fn the_wait_is_a_logarithm() {
-    let mut errors = Errors::of("what is left over, over the square of the angle and its logarithm");
-    let mut damaged = Errors::of("with ln(2/k')");
-    for about in [0, 2] {
-        for aside in [1e-2, 1e-3, 1e-4] {
-            let tumble = Tumble::new([1.0, 2.0, 2.5], 1.0, aside, about);
-            let wait = tumble.pace() * tumble.between_flips().unwrap();
-            let by = |top: f64| wait - 2.0 * log(top / tumble.complement().sqrt());
-            errors.push(by(4.0) / (aside * aside * -log(aside)));
-            damaged.push(by(2.0));
-        }
-    }
-    assert_largest!(errors, 6, @"2.83");
-    damaged.exceed(1.0, 6);
-}
-
 /// Montgomery: in a period of the rates the body turns about L by 2 E T/L less the solid angle
-/// that the tip of L goes round in the body, up to whole turns.
+/// that the tip of L goes round in the body, up to whole turns. The twin leaves that angle out.
 #[test]
 fn the_turn_is_energy_and_solid_angle() {
-    let (mut errors, mut damaged) = (Errors::of("turn, modulo a whole one"), Errors::of("without the solid angle"));
-    for tumble in tumbles() {
-        let period = 2.0 * tumble.between_flips().unwrap();
-        let (count, a) = (4000_u32, tumble.about);
+    let [errors, damaged] = measured_in(tumbles(), |tumble| {
+        let (period, count, a) = (2.0 * tumble.between_flips().unwrap(), 4000_u32, tumble.about);
         let tip = |k: u32| {
             let l = tumble.carried(tumble.rates(period * f64::from(k) / f64::from(count)).unwrap());
             [l[a], l[(a + 1) % 3], l[(a + 2) % 3]].map(|x| x / tumble.momentum())
         };
         // Of a curve about the axis the area is the integral of (1 - cos) over the azimuth.
-        let area: f64 = (0..count)
-            .map(|k| {
-                let ([_, x, y], [_, u, v]) = (tip(k), tip(k + 1));
-                let height = 0.5 * (tip(k)[0].abs() + tip(k + 1)[0].abs());
-                (1.0 - height) * atan2(x * v - y * u, x * u + y * v)
-            })
-            .sum();
-        let turned = tumble.free_body().unwrap().precession_per_period();
-        let dynamic = tumble.height() * period;
-        let off = |angle: f64| (angle / TAU - (angle / TAU).round()) * TAU;
-        errors.push(off(turned - dynamic + area));
-        damaged.push(off(turned - dynamic).abs());
-    }
+        let piece = |k: u32| {
+            let ([h, x, y], [g, u, v]) = (tip(k), tip(k + 1));
+            (1.0 - 0.5 * (h.abs() + g.abs())) * atan2(x * v - y * u, x * u + y * v)
+        };
+        let area: f64 = (0..count).map(piece).sum();
+        let turned = tumble.free_body().unwrap().precession_per_period() - tumble.height() * period;
+        [turned + area, turned].map(|angle| (angle / TAU - (angle / TAU).round()) * TAU)
+    });
     assert_largest!(errors, 24, @"4.74e-5");
     damaged.exceed(1e-3, 24);
 }
@@ -209,16 +161,14 @@ fn the_turn_is_energy_and_solid_angle() {
 /// A step along the tangent adds its own square to the energy, to round-off.
 #[test]
 fn the_naive_step_adds_the_square_of_its_slope() {
-    let mut errors = Errors::of("gain less prediction, over the energy");
-    for tumble in tumbles() {
-        let i = tumble.moments;
-        let twice = |w: [f64; 3]| sum(|k| i[k] * w[k] * w[k]);
+    let [errors] = measured_in(tumbles(), |tumble| {
+        let (i, whole) = (tumble.moments, energy(tumble.moments, tumble.start));
         let mut run = Naive { moments: i, rates: tumble.start, step: 0.05 };
         let slope = euler(i).derivative(0.0, &run.rates);
-        let gain = twice(run.next().unwrap()) - twice(tumble.start);
-        errors.push((gain - 0.05 * 0.05 * twice(slope)) / twice(tumble.start));
+        let gain = energy(i, run.next().unwrap()) - whole;
         assert!(gain > 0.0);
-    }
+        [(gain - 0.05 * 0.05 * energy(i, slope)) / whole]
+    });
     assert_largest!(errors, 24, @"1.48e-16");
     // And it ends with a book that turns over: the true one never does.
     let book = Tumble::new(Naive::of_the_page(60.0).moments, 12.0, NAIVE_TILT, 2);
@@ -227,81 +177,70 @@ fn the_naive_step_adds_the_square_of_its_slope() {
     assert!(Naive::of_the_page(60.0).take(260).any(|rates| rates[2] < 0.0));
 }
 
-/// L^2 - 2 E I2, and the sum of its terms' sizes.
-fn difference<T: Number>(moments: [f64; 3], [p, _, r]: [T; 3]) -> [T; 2] {
-    let [i1, i2, i3] = moments.map(T::from);
-    let (least, largest) = (i1 * (i2 - i1) * p * p, i3 * (i3 - i2) * r * r);
-    [largest - least, largest + least]
-}
-
-/// Equation (12), to round-off; the twin leaves a moment out.
+/// Equation (12), to round-off; the twin has I2 instead of I1.
 #[test]
 fn a_naive_step_multiplies_the_difference() {
-    let (mut errors, mut damaged) = (Errors::of("difference after a step"), Errors::of("over I2 I3"));
-    for tumble in tumbles() {
+    let [errors, damaged] = measured_in(tumbles(), |tumble| {
         let [i1, i2, i3] = tumble.moments;
+        let terms = |[p, _, r]: [f64; 3]| [i3 * (i3 - i2) * r * r, i1 * (i2 - i1) * p * p];
         let mut run = Naive { moments: tumble.moments, rates: tumble.start, step: 0.05 };
         // A step away from the start, where one of the rates is zero.
         let before = run.next().unwrap();
-        let [was, size] = difference(tumble.moments, before);
-        let [is, _] = difference(tumble.moments, run.next().unwrap());
+        let ([largest, least], [later, less]) = (terms(before), terms(run.next().unwrap()));
+        let (was, is) = (largest - least, later - less);
         let by = |other: f64| 1.0 - (i2 - i1) * (i3 - i2) / (other * i3) * (0.05 * before[1]).powi(2);
-        errors.push((is - by(i1) * was) / size);
-        damaged.push((is - by(i2) * was) / was);
-    }
+        [(is - by(i1) * was) / (largest + least), (is - by(i2) * was) / was]
+    });
     assert_largest!(errors, 24, @"3.34e-16");
     damaged.exceed(1e-7, 24);
 }
 
-/// The step in which the plain recursion (1) crosses in these numbers, at 240 steps a second.
-fn plain_crossing<T: Number>() -> u32 {
-    let run = Naive::of_the_page(240.0);
-    let ([i1, i2, i3], mut rates) = (run.moments.map(T::from), run.rates.map(T::from));
-    let crossed = (1..10_000).find(|_| {
-        let ([p, q, r], h) = (rates, T::from(1.0) / T::from(240.0));
-        let slopes = [(i2 - i3) / i1 * q * r, (i3 - i1) / i2 * r * p, (i1 - i2) / i3 * p * q];
-        rates = [0, 1, 2].map(|i| rates[i] + h * slopes[i]);
-        difference(run.moments, rates)[0] <= T::from(0.0)
-    });
-    crossed.expect("it crosses")
-}
-
-/// With 120 and with 200 digits (mpmath) the plain recursion crosses in step 4311, where the
+/// With 120 and with 200 digits (mpmath) the plain recursion (1) crosses in step 4311, where the
 /// difference over 2 E I2 goes from 5.0e-64 to -7.0e-64. So does the page's; doubles, and pairs of
 /// them, cross before, at their own rounding.
 #[test]
 fn rounding_does_not_decide_when_it_crosses() {
-    assert_eq!((240.0 * value(&EXAMPLE, "naive_crosses_later")).round(), 4311.0);
-    let (rounded, in_pairs) = (plain_crossing::<f64>(), plain_crossing::<DoubleDouble>());
-    assert!(4150 < rounded && rounded < 4200, "{rounded}");
-    assert!(4250 < in_pairs && in_pairs < 4300, "{in_pairs}");
+    let step = |key| (240.0 * value(&EXAMPLE, key)).round();
+    let (exact, rounded) = (step("naive_crosses_later"), step("naive_rounded"));
+    let run = Naive::of_the_page(240.0);
+    let ([i1, i2, i3], mut rates) = (run.moments.map(DoubleDouble::from), run.rates.map(DoubleDouble::from));
+    let in_pairs = (1..10_000).find(|_| {
+        let [p, q, r] = rates;
+        let slopes = [(i2 - i3) / i1 * q * r, (i3 - i1) / i2 * r * p, (i1 - i2) / i3 * p * q];
+        rates = [0, 1, 2].map(|i| rates[i] + slopes[i] / 240.0);
+        i3 * (i3 - i2) * rates[2].square() <= i1 * (i2 - i1) * rates[0].square()
+    });
+    assert_eq!(exact, 4311.0);
+    assert!(4150.0 < rounded && rounded < 4200.0, "{rounded}");
+    assert!(in_pairs.is_some_and(|step| 4250 < step && step < 4300), "{in_pairs:?}");
 }
 
-/// A naive step after which the length of L is brought back.
-fn restored(run: &mut Naive) {
-    let size = |run: &Naive| sum(|i| run.moments[i] * run.moments[i] * run.rates[i] * run.rates[i]).sqrt();
-    let whole = size(run);
+/// A naive step after which the length of L is brought back; then 2 E I2/L^2 - 1, which is above 0
+/// about the least axis and below 0 about the largest.
+fn restored(run: &mut Naive) -> f64 {
+    let whole = from_separatrix(run)[0].sqrt();
     run.next();
-    let by = whole / size(run);
+    let by = whole / from_separatrix(run)[0].sqrt();
     run.rates = run.rates.map(|rate| rate * by);
+    from_separatrix(run)[1]
 }
 
-/// 2 E I2/L^2 - 1: above 0 about the least axis, below 0 about the largest.
-fn from_separatrix(run: &Naive) -> f64 {
-    let (i, w) = (run.moments, run.rates);
-    sum(|k| i[k] * i[1] * w[k] * w[k]) / sum(|k| i[k] * i[k] * w[k] * w[k]) - 1.0
+/// L^2, and 2 E I2/L^2 - 1.
+fn from_separatrix(Naive { moments: i, rates: w, .. }: &Naive) -> [f64; 2] {
+    let square = sum(|k| i[k] * i[k] * w[k] * w[k]);
+    [square, sum(|k| i[k] * i[1] * w[k] * w[k]) / square - 1.0]
 }
 
-/// From polhodes about either stable axis the naive steps lead to the separatrix.
+/// From polhodes about either stable axis the naive steps lead to the separatrix: the distance from
+/// it after 6000 steps over that before.
 #[test]
 fn the_naive_path_leads_to_the_separatrix() {
-    let mut shrunk = Errors::of("distance after 6000 steps over that before");
-    for tumble in tumbles().into_iter().filter(|tumble| tumble.complement() > 0.1) {
-        let mut run = Naive { moments: tumble.moments, rates: tumble.start, step: 0.1 };
-        let before = from_separatrix(&run);
-        (0..6000).for_each(|_| restored(&mut run));
-        shrunk.push(from_separatrix(&run) / before);
-    }
+    let far = tumbles().filter(|tumble| tumble.complement() > 0.1);
+    let [shrunk] = measured_in(far, |Tumble { moments, start, .. }| {
+        let mut run = Naive { moments, rates: start, step: 0.1 };
+        let [_, before] = from_separatrix(&run);
+        [(0..6000).map(|_| restored(&mut run)).last().unwrap() / before]
+    });
     assert_largest!(shrunk, 16, @"0.524");
 }
 
@@ -309,28 +248,25 @@ fn the_naive_path_leads_to_the_separatrix() {
 /// tell the two apart; then the book turns over, at a time that is a matter of rounding.
 #[test]
 fn a_restored_length_does_not_save_the_book() {
-    let (mut crossed, mut flipped) = (Errors::of("steps to the separatrix, to a rounding"), Errors::of("steps to the cover"));
-    for off in [0.0, 1e-15, 1e-12, -1e-9, 1e-6, 1e-3, 0.01, -0.01] {
-        let moments = Naive::of_the_page(60.0).moments;
+    let moments = Naive::of_the_page(60.0).moments;
+    let [crossed, flipped] = measured_in([0.0, 1e-15, 1e-12, -1e-9, 1e-6, 1e-3, 0.01, -0.01], |off| {
         let Tumble { start, .. } = Tumble::new(moments, 12.0, NAIVE_TILT + off, 2);
         let mut run = Naive { moments, rates: start, step: 1.0 / 60.0 };
-        let mut until = |down: &dyn Fn(&Naive) -> bool| {
-            let steps = (1..20_000).find(|_| {
-                restored(&mut run);
-                down(&run)
-            });
-            f64::from(steps.unwrap())
-        };
-        let first = until(&|run| from_separatrix(run) >= 0.0);
-        crossed.push(first);
-        flipped.push(first + until(&|run| run.rates[2] < 0.0));
-    }
+        let first = (1..20_000).find(|_| restored(&mut run) >= 0.0).unwrap();
+        let more = (1..20_000).find(|_| {
+            restored(&mut run);
+            run.rates[2] < 0.0
+        });
+        [first, first + more.unwrap()].map(f64::from)
+    });
     // Without it: 252 steps.
     crossed.exceed(2430.0, 8);
     assert_largest!(crossed, 8, @"2.45e3");
     flipped.exceed(2600.0, 8);
 }
 
+/// Among the numbers that are confirmed are the growth about the middle axis and the sway about the
+/// others, (4) and (5), of each body, and the wait near that axis, (8), of each throw.
 #[test]
 fn every_throw_is_confirmed() {
     let asides = [2e-6, 0.01, 0.5, 1.5];
@@ -394,12 +330,11 @@ fn what_the_card_measures() {
     let start = body.state(Attitude::IDENTITY, BodyVector::from_array(ours.start)).unwrap();
     let scene = Scene::new(body).with(pressed);
     let (end, _) = Dop853::new(1e-12).unwrap().advance(&scene, 0.0, &start, wait(p.aside)).unwrap();
-    let mut errors = Errors::of("measured over another route, less one");
-    errors.push(thrown[1] / (wait(p.aside) - wait(p.aside + 0.0175)) - 1.0);
-    errors.push(air[1] / (1.0 - end.angular_momentum.norm() / start.angular_momentum.norm()) - 1.0);
+    let part = end.angular_momentum.norm() / start.angular_momentum.norm();
+    let later = wait(p.aside) - wait(p.aside + 0.0175);
+    let [errors] = measured_in([thrown[1] / later, air[1] / (1.0 - part)], |ratio| [ratio - 1.0]);
     assert_largest!(errors, 2, @"3.74e-9");
-    let mut errors = Errors::of("gravity: simulated over the sum, less one");
-    errors.push(twisted[1] / twisted[0] - 1.0);
+    let [errors] = measured_in([twisted], |[predicted, turned]| [turned / predicted - 1.0]);
     assert_largest!(errors, 1, @"7.49e-6");
     // What the table of the flips tells: there L is across the middle axis, and as long as it says.
     let told = ["1", "2", "3", "4"].map(|flip| {
@@ -416,10 +351,13 @@ fn what_the_card_measures() {
     let waits = [1, 2, 3].map(|k| (told[k][0] - told[k - 1][0]) * told[k][1] / wait(p.aside));
     assert!(1.05 < waits[0] && 1.05 * waits[0] < waits[1] && 1.05 * waits[1] < waits[2], "{waits:?}");
     // The start nearer to the axis, a plate that turns about its middle edge all the time.
-    let mut damaged = Errors::of("other laws");
-    damaged.push(thrown[1] / (wait(p.aside - 0.0175) - wait(p.aside)) - 1.0);
     let drag = 0.25 * 1.204 * 1.2 * p.width * p.rate * p.rate * (0.5 * p.length).powi(4);
-    damaged.push(air[1] / (drag * wait(p.aside) / ours.momentum()) - 1.0);
-    damaged.push(twisted[1] / (1.5 * 9.80665 / 6.371e6 * (i3 - i1) / ours.momentum() * wait(p.aside)) - 1.0);
+    let gradient = 1.5 * 9.80665 / 6.371e6 * (i3 - i1);
+    let others = [
+        thrown[1] / (wait(p.aside - 0.0175) - wait(p.aside)),
+        air[1] / (drag * wait(p.aside) / ours.momentum()),
+        twisted[1] / (gradient / ours.momentum() * wait(p.aside)),
+    ];
+    let [damaged] = measured_in(others, |ratio| [ratio - 1.0]);
     damaged.exceed(0.1, 3);
 }
