@@ -1,20 +1,15 @@
 //! The two cones that roll on each other: as stills, and as they move.
 
-use super::{LINE, Parameters, Top, top};
-use kit::draw::{Axis, Curve, Ink, Panel, Side, Solid, Stack, View};
-use kit::{MovingPicture, Result, sampled, times};
-use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::math::{cos, hypot, sin};
+use super::*;
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 const ORIGIN: SpaceVector = SpaceVector::zero();
 
 /// The cones at the time t: that of the body about its axis, that of space about L, and the
 /// line on which they touch.
-pub fn view(name: &str, alt: &str, top: Top, t: f64) -> Result<View> {
+pub fn view(top: Top, t: f64) -> Result<View> {
     let reach = if top.tilt() > top.lean() { 0.86 } else { 0.94 };
-    let view = View::new(name, alt).around(UP * 0.72, reach).size(340, 300);
+    let view = View::of(UP * 0.72, reach);
     // The line OP lies on the face, a hair above it.
     let (attitude, alpha) = (top.attitude(t)?, top.lean());
     let centre = attitude.axis() * (cos(alpha) + 0.006);
@@ -33,7 +28,7 @@ fn rolling(view: View, top: Top, t: f64, long: f64) -> Result<View> {
     let cone = if top.tilt() > alpha { Solid::cone } else { Solid::funnel };
     // Long enough to come out of the cones.
     let (out, up) = (1.3 * long, 1.5 * long);
-    let path = sampled(times(0.0, top.round(), 90), |t| Ok(top.axis(t)? * out))?;
+    let path = sampled(times(0.0, top.round(), 90), |t| Ok(top.attitude(t)?.axis() * out))?;
     let beside = |v: SpaceVector| if v.y() < 0.0 { Side::Left } else { Side::Right };
     let space = Solid::cone(UP * (long * cos(between)), ORIGIN, long * sin(between));
     Ok(view
@@ -88,7 +83,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let graph = Panel::over_axes("$t$ / s", counted)
         .curve(line(1.0, Ink::Ink).dashed().label("axis"))
         .curve(line(turns, Ink::Body).label("line $OP$"));
-    let draw = move |t: f64| {
+    MovingPicture::above(graph, 0.0..=end, [0.0, 0.18 * round, 0.6 * round], move |t| {
         let alt = format!(
             "A can seen through. A green cone about its axis z rolls on a grey cone about the upright L; \
              they touch along the angular velocity. After {t:.2} s the axis has gone round L {:.2} \
@@ -97,7 +92,6 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             turns * t / round
         );
         let can = can(View::of(UP * 0.5, 1.36).size(340, 320), &p, &top.attitude(t)?);
-        Stack::frame(&alt, rolling(can, top, t, SIDE)?, &graph, t)
-    };
-    MovingPicture::new(0.0..=end, [0.0, 0.18 * round, 0.6 * round], draw)
+        Ok((alt, rolling(can, top, t, SIDE)?))
+    })
 }
