@@ -7,21 +7,20 @@ mod figures;
 #[path = "ch15_5_earth/yielding.rs"]
 pub mod yielding;
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 use equinoxes::{ARCSEC, MOON, OBLIQUITY, SUN, YEAR};
-use kit::interval::from_to;
-use kit::{Report, Result, Table, Trajectory, supported_digits, times};
+use kit::prelude::*;
+use kit::supported_digits;
 use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::body::RigidBody;
 use rotation_dynamics::exact::free_body::FreeBody;
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Dop853, ode};
-use rotation_dynamics::math::{atan2, hypot, round_even, sin, tan};
+use rotation_dynamics::math::round_even;
 use rotation_dynamics::scene::Scene;
 
-kit::parameters! {
+parameters! {
     /// The Earth of the notes, as a rigid body with two equal moments.
     pub struct Parameters {
         /// moment of inertia about an axis in the equator, over M R^2
@@ -102,19 +101,8 @@ pub fn turns(motion: &FreeBody, end: f64, towards: BodyVector) -> f64 {
 pub const FIGURE_AXIS: BodyVector = BodyVector::new(0.0, 0.0, 1.0);
 const ON_THE_EQUATOR: BodyVector = BodyVector::new(1.0, 0.0, 0.0);
 
-/// Every number of the page.
-fn report(p: &Parameters) -> Result<Report> {
-    let about = "The Earth turns freely about an axis that is not quite its own.";
-    let mut report = Report::new("The wobble of the Earth", about)?;
-    wobble(p, &mut report)?;
-    yielding::claims(p, &mut report)?;
-    equinoxes::claims(p, &mut report)?;
-    limits(p, &mut report)?;
-    effects(p, &mut report)?;
-    report.add(tries()?)?;
-    strip(p, &mut report)?;
-    Ok(report)
-}
+/// The day of the clock, s.
+const DAY: f64 = 86_400.0;
 
 fn wobble(p: &Parameters, report: &mut Report) -> Result<()> {
     let (f, motion) = (flattening(p)?, motion(p)?);
@@ -126,34 +114,28 @@ fn wobble(p: &Parameters, report: &mut Report) -> Result<()> {
     let figure = motion.attitude(end).to_space(FIGURE_AXIS);
     let between = |u: &SpaceVector, v: &SpaceVector| atan2(u.cross(v).norm(), u.dot(v));
     let apart = atan2(f * tan(alpha(p)), 1.0 + f + tan(alpha(p)) * tan(alpha(p)));
-    kit::claims! { report,
+    claims! { report,
         /// angle between the figure axis and the angular velocity
         alpha: alpha(p) / ARCSEC, "arcsec",
-        "along the motion" => between(&figure, &omega) / ARCSEC, within 1e-9 * alpha(p) / ARCSEC,
-        in "The angles":
+        "along the motion" => between(&figure, &omega) / ARCSEC, within 1e-9 * alpha(p) / ARCSEC, in "The angles":
             alpha(p).to_degrees() => "a second of arc is a 3600th of a degree";
         /// angle between the angular momentum and the angular velocity
         apart: 1e3 * apart / ARCSEC, "mas",
-        "along the motion" => 1e3 * between(&l, &omega) / ARCSEC, within 2e-12 / ARCSEC,
-        in "The angles":
+        "along the motion" => 1e3 * between(&l, &omega) / ARCSEC, within 2e-12 / ARCSEC, in "The angles":
             1e3 * alpha(p) / ARCSEC => "that is from the figure axis";
         /// spin over the daily turn, Omega_S/Omega_z
-        ratio: -f, "-", "Euler's equations, stepped" => -1.0 / stepped, within 1e-11 * f,
-        in "The rates":
+        ratio: -f, "-", "Euler's equations, stepped" => -1.0 / stepped, within 1e-11 * f, in "The rates":
             f => "for a flat body spin and precession have opposite signs",
             (p.a - p.c) / p.c => "divide by the moment across the axis";
         /// precession over the daily turn, Omega_P/Omega_z
-        precession: precession, "-", "turns counted along the motion" => axis / free, within 1e-9,
-        in "The rates":
+        precession: precession, "-", "turns counted along the motion" => axis / free, within 1e-9, in "The rates":
             1.0 - f => "Omega_S is negative; Omega_z is the sum of the two";
         /// a circuit of the pole of rotation round the figure axis, in turns of the Earth
-        free_period: free, "-", "located event" => stepped, within 1e-10 * free,
-        in "The periods":
+        free_period: free, "-", "located event" => stepped, within 1e-10 * free, in "The periods":
             free + 1.0 => "that is how often the figure axis goes round";
         /// the same in solar days
-        free_period_solar: free * p.day / 86_400.0, "d",
-        "located event" => stepped * p.day / 86_400.0, within 1e-10 * free,
-        in "The periods":
+        free_period_solar: free * p.day / DAY, "d",
+        "located event" => stepped * p.day / DAY, within 1e-10 * free, in "The periods":
             free => "these are sidereal days";
         /// turns of the line OP in a free period
         line_turns: free * (precession - f), "-", "turns counted along the motion" => line, within 1e-9 * free;
@@ -161,26 +143,23 @@ fn wobble(p: &Parameters, report: &mut Report) -> Result<()> {
         axis_turns: free * precession, "-", "turns counted along the motion" => axis, within 1e-9 * free;
         /// one turn of the figure axis about L
         axis_period: p.day / precession, "s",
-        "turns counted along the motion" => free * p.day / axis, within 1e-9 * p.day,
-        in "The periods":
+        "turns counted along the motion" => free * p.day / axis, within 1e-9 * p.day, in "The periods":
             free * p.day => "that is the circuit in the body",
             p.day => "the figure axis goes round a little faster than the body";
         /// by how much of a turn OP lags behind in one turn of the figure axis
-        lag: f / precession, "-", "turns counted along the motion" => 1.0 - line / axis, within 1e-9,
-        in "The rates":
+        lag: f / precession, "-", "turns counted along the motion" => 1.0 - line / axis, within 1e-9, in "The rates":
             f => "that is for one turn of OP";
     }
 }
 
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
-    let thin = motion(&Parameters { a: 0.2, c: 0.4, wander: 1e3, ..*p })?;
-    let end = 100.0 * p.day;
-    let round = flattening(&Parameters { a: 0.4 / 1.001, c: 0.4, ..*p })?;
-    let love = |k: f64| yielding::period(&Parameters { love: k, ..*p });
+    let thin = motion(&p.but(|p| (p.a, p.c, p.wander) = (0.2, 0.4, 1e3)))?;
+    let round = flattening(&p.but(|p| (p.a, p.c) = (0.4 / 1.001, 0.4)))?;
+    let love = |k: f64| yielding::period(&p.but(|p| p.love = k));
     let k_s = yielding::fluid_love_number(p);
-    kit::limits! { report,
+    limits! { report,
         /// a flat disc wobbles twice as fast as it turns
-        "C = 2 A: Omega_P/Omega_z": turns(&thin, end, FIGURE_AXIS) / 100.0 => 2.0, within 1e-7;
+        "C = 2 A: Omega_P/Omega_z": turns(&thin, 100.0 * p.day, FIGURE_AXIS) / 100.0 => 2.0, within 1e-7;
         /// nearly a sphere: the axis stays with the body for a thousand days
         "C = 1.001 A: free period": circuit(round, 1e-6, 1e-14)? => 1000.0, within 1e-8;
         /// a mantle that does not yield
@@ -191,42 +170,35 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 /// The runs that the page asks the reader to predict, each number beside its second route.
-fn tries() -> Result<Table> {
+fn tries(_: &Parameters, report: &mut Report) -> Result<()> {
     let columns = ["run", "free period", "Omega_P/Omega_z", "if it yields"];
-    let mut table = Table::new("tries", columns)?;
-    let [ours, mut disc, mut soft, mut far] = [(); 4].map(|()| Parameters::default());
-    (disc.a, disc.c) = (0.2, 0.4);
-    soft.love = 0.9;
-    far.wander = 1e5;
+    let ours = Parameters::default();
     let runs = [
-        ("as it is", ours),
-        ("a flat disc", disc),
-        ("nearly fluid", soft),
-        ("poles far apart", far),
+        ("as it is", ours.clone()),
+        ("a flat disc", ours.but(|p| (p.a, p.c) = (0.2, 0.4))),
+        ("nearly fluid", ours.but(|p| p.love = 0.9)),
+        ("poles far apart", ours.but(|p| p.wander = 1e5)),
     ];
-    for (name, p) in runs {
+    report.add(Table::of("tries", columns, runs, |(name, p)| {
         let (f, tilt) = (flattening(&p)?, tan(alpha(&p)));
-        let axis = f * turns(&motion(&p)?, p.day / f, FIGURE_AXIS);
         let routes = [
             (1.0 / f, circuit(f, alpha(&p), 1e-14)?, 1e-4),
-            (hypot(1.0 + f, tilt), axis, 1e-6),
+            (hypot(1.0 + f, tilt), f * turns(&motion(&p)?, p.day / f, FIGURE_AXIS), 1e-6),
             (yielding::period(&p)?, yielding::simulated(&p, 1e-12)?, 1e-2),
         ];
         let cells =
             routes.map(|(x, other, least)| supported_digits(x, (x - other).abs().max(least)));
-        table.push([vec![name.to_string()], cells.to_vec()].concat())?;
-    }
-    Ok(table)
+        Ok([[name.to_string()].as_slice(), &cells].concat())
+    })?)
 }
 
 /// The card of effects. What the literature gives is named on the page.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (f, rigid) = (flattening(p)?, p.day / flattening(p)? / 86_400.0);
+    let (f, rigid) = (flattening(p)?, p.day / flattening(p)? / DAY);
     let kappa = p.love / yielding::fluid_love_number(p);
-    let mean = TAU / (YEAR * 86_400.0);
-    let lunisolar = (SUN.rate(f)? + MOON.rate(f)?).abs();
-    let yielded = (yielding::period(p)? - 1.0 / f) * p.day / 86_400.0;
-    let day = 86_400.0 / ARCSEC;
+    let mean = TAU / (YEAR * DAY);
+    let lunisolar = (SUN.rate(f) + MOON.rate(f)).abs();
+    let yielded = (yielding::period(p)? - 1.0 / f) * p.day / DAY;
     // Two different moments: both off the mean by half of 0.0067 (C - A),
     // as the gravity of the Earth has it (4 J22 = 7.26e-6 beside J2 = 1.083e-3).
     let apart = |part: f64| -> Result<f64> {
@@ -237,26 +209,22 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     };
     // None of what is no body.
     let unequal = apart(0.00335).ok().zip(apart(0.0).ok());
-    kit::effect_card! { report,
-        "yielding of the mantle":
-            "k_2/k_s" = kappa, costs yielded, "d of the period", included;
+    effect_card! { report,
+        "yielding of the mantle": "k_2/k_s" = kappa, costs yielded, "d of the period", included;
         "fluid core": "1 - A_m/A" = 0.11, costs -0.11 * rigid, "d of the period";
-        "tide of the pole in the oceans":
-            "k_ocean/k_s" = 0.05, costs 30.0, "d of the period";
+        "tide of the pole in the oceans": "k_ocean/k_s" = 0.05, costs 30.0, "d of the period";
         "two different moments in the equator":
             "(B - A)/(C - A)" = 0.0067, costs 0.5 * 0.00335 * 0.00335 * rigid, "d of the period",
             measured unequal.map(|(with, without)| (with / without - 1.0) * rigid), within 1e-9 * rigid;
-        "torque of Sun and Moon":
-            "psi'/(f Omega)" = lunisolar / (f * spin(p)),
-            costs lunisolar * sin(OBLIQUITY) * day, "arcsec of the axis in a day";
-        "yearly winds, snow and water":
-            "rate of the year/|Omega_S|" = mean / (f * spin(p)),
+        "torque of Sun and Moon": "psi'/(f Omega)" = lunisolar / (f * spin(p)),
+            costs lunisolar * sin(OBLIQUITY) * (DAY / ARCSEC), "arcsec of the axis in a day";
+        "yearly winds, snow and water": "rate of the year/|Omega_S|" = mean / (f * spin(p)),
             costs 0.1, "arcsec of the pole";
     }
 }
 
 /// The attitude after one free period, by closed form and by stepping.
-fn strip(p: &Parameters, report: &mut Report) -> Result<()> {
+fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let motion = motion(p)?;
     let body = RigidBody::new(PrincipalMoments::symmetric(p.a, p.c)?);
     let start = body.state(motion.attitude(0.0), motion.angular_velocity(0.0))?;
@@ -271,13 +239,15 @@ fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (motion, end) = (motion(p)?, p.day / flattening(p)?);
     let row = |t: f64| {
         let w = motion.angular_velocity(t);
-        Ok([t / 86_400.0, p.radius * w.x() / w.z(), p.radius * w.y() / w.z()])
+        Ok([t / DAY, p.radius * w.x() / w.z(), p.radius * w.y() / w.z()])
     };
     let columns = ["t [d]", "x [m]", "y [m]"];
     Trajectory::sampled(columns, times(0.0, end, 400), row)
 }
 
-kit::example! {
+example! {
     ch15_5_earth: "Section 15.5: the free wobble of the Earth, how it yields, and the precession of the equinoxes";
-    report, figures::figures, trajectory, figures::moving_picture
+    "The wobble of the Earth", "The Earth turns freely about an axis that is not quite its own.",
+    [wobble, yielding::claims, equinoxes::claims, limits, effects, tries, accuracy];
+    figures::figures, trajectory, figures::moving_picture
 }

@@ -1,16 +1,9 @@
 //! The precession of the equinoxes: the torque of Sun and Moon on the bulge.
 
-use super::{Parameters, flattening, spin};
-use core::f64::consts::{PI, TAU};
-use kit::{Report, Result};
+use super::*;
 use rotation_dynamics::accuracy::Limits;
-use rotation_dynamics::attitude::Attitude;
-use rotation_dynamics::body::{RigidBody, State};
+use rotation_dynamics::body::State;
 use rotation_dynamics::effects::GravityGradient;
-use rotation_dynamics::frame::{BodyVector, SpaceVector};
-use rotation_dynamics::inertia::PrincipalMoments;
-use rotation_dynamics::math::{atan2, cos, hypot, sin, sincos};
-use rotation_dynamics::scene::Scene;
 
 /// One second of arc, rad.
 pub const ARCSEC: f64 = PI / 648_000.0;
@@ -35,27 +28,27 @@ pub const MOON: Attractor = Attractor { period: 27.321_661, mass: 0.012_150_5 };
 impl Attractor {
     /// sqrt(G m/r^3) of what attracts: the mean motion if it has all of the mass, 1/s.
     pub fn mean_motion(&self) -> f64 {
-        TAU / (self.period * 86_400.0) * self.mass.sqrt()
+        TAU / (self.period * DAY) * self.mass.sqrt()
     }
 
     /// The rate at which the equinox goes round for this flattening, rad/s, the Earth turning once
     /// in a sidereal day of 86164.0905 s.
-    pub fn rate(&self, flattening: f64) -> Result<f64> {
+    pub fn rate(&self, flattening: f64) -> f64 {
         let (n, h) = (self.mean_motion(), flattening / (1.0 + flattening));
-        Ok(-1.5 * n * n / (TAU / SIDEREAL_DAY) * h * cos(OBLIQUITY))
+        -1.5 * n * n / (TAU / SIDEREAL_DAY) * h * cos(OBLIQUITY)
     }
 
     /// The same from the torque 3 n^2 r x I r, averaged over a circle of directions r.
     fn averaged(&self, p: &Parameters) -> f64 {
         let (s, c) = sincos(OBLIQUITY);
         let axis = SpaceVector::new(0.0, -s, c);
-        let mean = (0..12).map(|k| {
+        let mut torque = SpaceVector::zero();
+        for k in 0..12 {
             let (y, x) = sincos(TAU * f64::from(k) / 12.0);
             let r = SpaceVector::new(x, y, 0.0);
             // I r = A r + (C - A)(e r) e; r x r is nothing.
-            r.cross(&axis) * ((p.c - p.a) * axis.dot(&r) / 12.0)
-        });
-        let torque = mean.fold(SpaceVector::zero(), |sum, part| sum + part);
+            torque += r.cross(&axis) * ((p.c - p.a) * axis.dot(&r) / 12.0);
+        }
         // The torque turns L = C Omega e about Z.
         let n = self.mean_motion();
         3.0 * n * n * torque.x() / (p.c * spin(p) * s)
@@ -83,29 +76,27 @@ pub fn year(p: &Parameters, times: &[f64], tolerance: f64) -> Result<Vec<[f64; 2
 }
 // ANCHOR_END: sun
 
-/// The precession that goes with the Sun's place on its circle besides the mean one: what the
-/// torque, which is greatest at the solstices, has over its mean, rad.
-pub fn ripple(p: &Parameters, t: f64) -> Result<f64> {
+/// The precession that goes with the Sun's place on its circle besides the mean one of this rate: what
+/// the torque, which is greatest at the solstices, has over its mean, rad.
+pub fn ripple(rate: f64, t: f64) -> f64 {
     let n = SUN.mean_motion();
-    Ok(-SUN.rate(flattening(p)?)? / (2.0 * n) * sin(2.0 * n * t))
+    -rate / (2.0 * n) * sin(2.0 * n * t)
 }
 
 pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let f = flattening(p)?;
     // The formula has the sidereal day of the Earth; another day scales it.
     let other = p.day / SIDEREAL_DAY;
-    let yearly = |rate: f64| rate * YEAR * 86_400.0 / ARCSEC;
-    let [sun, moon] = [yearly(SUN.rate(f)? * other), yearly(MOON.rate(f)? * other)];
-    let [by_sun, by_moon] = [yearly(SUN.averaged(p)), yearly(MOON.averaged(p))];
+    let yearly = |rate: f64| rate * YEAR * DAY / ARCSEC;
+    let [sun, moon] = [SUN, MOON].map(|body| yearly(body.rate(f) * other));
+    let [by_sun, by_moon] = [SUN, MOON].map(|body| yearly(body.averaged(p)));
     let round = |rate: f64| TAU / ARCSEC / rate.abs();
-    kit::claims! { report,
+    claims! { report,
         /// precession of the equinoxes by the Sun, a year
-        sun: sun, "arcsec", "torque averaged over the orbit" => by_sun, within 1e-11,
-        in "The precession of the equinoxes":
+        sun: sun, "arcsec", "torque averaged over the orbit" => by_sun, within 1e-11, in "The precession of the equinoxes":
             2.0 * sun => "the mean of a square of a cosine is one half";
         /// by the Moon
-        moon: moon, "arcsec", "torque averaged over the orbit" => by_moon, within 1e-11,
-        in "The precession of the equinoxes":
+        moon: moon, "arcsec", "torque averaged over the orbit" => by_moon, within 1e-11, in "The precession of the equinoxes":
             moon / MOON.mass => "the Moon has an 81st of the Earth's mass";
         /// one round of the equinoxes
         great_year: round(sun + moon), "a", "torque averaged over the orbit" => round(by_sun + by_moon), within 1e-8,

@@ -1,11 +1,6 @@
 //! An Earth that yields: its bulge follows the pole in part.
 
-use super::{Parameters, alpha, flattening};
-use core::f64::consts::TAU;
-use kit::interval::from_to;
-use kit::{Report, Result};
-use rotation_dynamics::integrators::{Dop853, ode};
-use rotation_dynamics::math::tan;
+use super::*;
 
 /// The dynamical form factor J_2 and G M (m^3/s^2) of the Earth, and its radius at the equator (m).
 const J2: f64 = 1.082_63e-3;
@@ -65,36 +60,28 @@ pub fn simulated(p: &Parameters, step: f64) -> Result<f64> {
 
 pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (k_s, elastic) = (fluid_love_number(p), period(p)?);
-    let days = p.day / 86_400.0;
+    let days = p.day / DAY;
+    let simulated = simulated(p, 1e-13)?;
     // The formula is that of a small wobble.
     let bound = (1e-8 + alpha(p) * alpha(p)) * elastic;
     // The notes' own (C - A)/(M R^2), whatever the parameters are.
     let fluid = 1.084e-3 / J2;
     // The Love number for which the circuit takes the 433 days that are observed.
-    let early = |k: f64| -> Result<bool> {
-        Ok(period(&Parameters { love: k, ..*p })? * days - 433.0 < 0.0)
-    };
+    let early = |k: f64| Ok::<_, kit::Error>(period(&p.but(|p| p.love = k))? * days - 433.0 < 0.0);
     let free = 1.0 / flattening(p)?;
     let needed = (433.0 / days - free) / (433.0 / days + 1.0) * k_s;
-    kit::claims! { report,
+    claims! { report,
         /// Love number of a fluid Earth with this bulge
-        k_s: k_s, "-", "the notes' C - A instead of J_2" => k_s * fluid, within 2e-3 * k_s.max(1.0),
-        in "An Earth that yields":
+        k_s: k_s, "-", "the notes' C - A instead of J_2" => k_s * fluid, within 2e-3 * k_s.max(1.0), in "An Earth that yields":
             3.0 * k_s => "the potential of the rotation has a third in it";
         /// circuit of the pole of a mantle that yields, in turns of the Earth
-        elastic_period: elastic, "-", "simulated with its tensor" => simulated(p, 1e-13)?, within bound,
-        in "An Earth that yields":
+        elastic_period: elastic, "-", "simulated with its tensor" => simulated, within bound, in "An Earth that yields":
             free => "that is the rigid Earth",
             free * (1.0 - p.love / k_s) => "what yields calls the pole back less strongly";
         /// the same in solar days
-        elastic_period_solar: elastic * days, "d",
-        "simulated with its tensor" => simulated(p, 1e-13)? * days, within bound;
-    }?;
-    if free * days > 433.0 {
-        return Ok(());
-    }
-    kit::claims! { report,
+        elastic_period_solar: elastic * days, "d", "simulated with its tensor" => simulated * days, within bound;
         /// Love number that gives 433 days
-        love_needed: needed, "-", "bisection of the period" => kit::try_bisect([0.0, 0.999_999 * k_s], 0.0, early)?[1], within 1e-12;
+        love_needed: needed, "-", "bisection of the period" => try_bisect([0.0, 0.999_999 * k_s], 0.0, early)?[1],
+        within 1e-12, if free * days <= 433.0;
     }
 }
