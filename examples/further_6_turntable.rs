@@ -7,8 +7,8 @@ pub mod rolling;
 
 use core::f64::consts::PI;
 use kit::prelude::*;
-use rolling::{Ball, Moving, STILL, Surface, at};
-use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Work, after, ode, size_or};
+use rolling::{Ball, Found, Moving, STILL, Surface, at};
+use rotation_dynamics::integrators::{after, ode, size_or};
 
 parameters! {
     /// A ball on a table of the laboratory, and a golf ball in its hole.
@@ -44,7 +44,6 @@ parameters! {
     }
 }
 
-// ANCHOR: law
 /// The rate of the circle over that of the table.
 pub fn share(shape: f64) -> f64 {
     shape / (1.0 + shape)
@@ -56,7 +55,6 @@ pub fn centre(ball: &Ball, at: &Moving) -> SpaceVector {
     let rolled = at.spin - up * at.spin.z();
     (rolled * ball.radius + up.cross(&at.velocity) / ball.shape) / ball.rate
 }
-// ANCHOR_END: law
 
 /// The exponents of a ball with rolling resistance, `x + i y = A exp(l1 t) + B exp(l2 t)`: that of
 /// the middle of the circle, and that of the circle, as real and imaginary part, 1/s.
@@ -72,8 +70,8 @@ pub fn exponents(rate: f64, shape: f64, loss: f64) -> [[f64; 2]; 2] {
     [[scale * y, sense * scale * x], [x, sense * y]]
 }
 
-/// A ball in a cylinder: height, turning about the axis at the rate `orbit`, no spin about the
-/// normal at the start, where it comes from above with the velocity `drop`.
+/// The height of a ball in a cylinder that turns about the axis at the rate `orbit`, without spin
+/// about the normal at the start, where it comes from above with the velocity `drop`.
 #[derive(Debug, Clone, Copy)]
 pub struct Bobbing {
     /// Angular frequency.
@@ -87,47 +85,35 @@ pub struct Bobbing {
     pub friction: f64,
 }
 
-impl Bobbing {
-    pub fn new(p: &Parameters) -> Self {
-        let (k, g) = (p.shape, p.gravity);
-        let rate = p.orbit.abs() * share(k).sqrt();
-        let below = g / (k * p.orbit * p.orbit);
-        let middle = -below;
-        let amplitude = hypot(below, p.drop / rate);
-        let lowest = (PI - atan2(p.drop, below * rate)) / rate;
-        let friction = 1.0 + rate * rate * amplitude / g;
-        Self { rate, middle, amplitude, lowest, friction }
-    }
-}
-
-/// A ball on this surface, which turns at this rate.
-#[rustfmt::skip]
-fn ball_on(surface: Surface, rate: f64, radius: f64, p: &Parameters) -> Ball {
-    let gravity = SpaceVector::new(0.0, 0.0, -p.gravity);
-    Ball { surface, rate, radius, shape: p.shape, mu: p.friction, gravity, loss: 0.0 }
+pub fn bobbing(p: &Parameters) -> Bobbing {
+    let rate = p.orbit.abs() * share(p.shape).sqrt();
+    let below = p.gravity / (p.shape * p.orbit * p.orbit);
+    let amplitude = hypot(below, p.drop / rate);
+    let lowest = (PI - atan2(p.drop, below * rate)) / rate;
+    let friction = 1.0 + rate * rate * amplitude / p.gravity;
+    Bobbing { rate, middle: -below, amplitude, lowest, friction }
 }
 
 /// The ball on the level table, rolling at the place and with the velocity of the parameters.
 pub fn on_table(p: &Parameters) -> (Ball, Moving) {
-    let ball = ball_on(Surface::Table { edge: p.table }, p.rate, p.radius, p);
+    let &Parameters { table: edge, rate, radius, shape, friction: mu, gravity, .. } = p;
+    let (surface, gravity) = (Surface::Table { edge }, SpaceVector::new(0.0, 0.0, -gravity));
+    let ball = Ball { surface, rate, radius, shape, mu, gravity, loss: 0.0 };
     (ball, thrown(&ball, [p.place, 0.0], [0.0, p.velocity]))
 }
 
 /// The same, if it runs round a circle.
 fn circling(p: &Parameters) -> Result<(Ball, Moving)> {
-    allowed! {
-        "size of the table's rate": p.rate.abs(), above(0.0), "on a table at rest it rolls straight on";
-        "size of the velocity": p.velocity.abs(), above(0.0), "it rolls on the spot, as the table passes below it";
-        "place over the radius of the table": (p.place / p.table).abs(), from_to(0.0, 1.0), "it starts beside the table";
-    }?;
     let (ball, start) = on_table(p);
     let nu = (share(p.shape) * p.rate).abs();
     let slope = p.gravity * sin(p.tilt).abs().max(1e-3) / (p.shape * p.rate.abs());
     let (turn, passed) = (2.0 * PI / nu, 100.0 * (p.place / p.radius).abs());
-    let few = from_to(0.0, 1e4).because("more of them take too long to simulate");
-    few.check("radians that the ball turns in a turn of its circle", turn * start.spin.norm())?;
-    few.check("radians that it turns in that time on the slope", turn * slope / p.radius)?;
     allowed! {
+        "size of the table's rate": p.rate.abs(), above(0.0), "on a table at rest it rolls straight on";
+        "size of the velocity": p.velocity.abs(), above(0.0), "it rolls on the spot, as the table passes below it";
+        "place over the radius of the table": (p.place / p.table).abs(), from_to(0.0, 1.0), "it starts beside the table";
+        "radians that the ball turns in a turn of its circle": turn * start.spin.norm(), from_to(0.0, 1e4), "more of them take too long to simulate";
+        "radians that it turns in that time on the slope": turn * slope / p.radius, from_to(0.0, 1e4), "more of them take too long to simulate";
         "radians that it turns while the table turns by 100 of them": passed, from_to(0.0, 3e4), "more of them take too long to simulate";
         "loss over the rate on the circle": p.loss / nu, from_to(0.0, 50.0), "braked more strongly, it is carried by the table";
     }?;
@@ -142,8 +128,7 @@ pub fn thrown(ball: &Ball, [x, y]: [f64; 2], [vx, vy]: [f64; 2]) -> Moving {
 
 /// Put down there without velocity and without spin.
 pub fn dead(ball: &Ball, place: [f64; 2]) -> Moving {
-    let spin = SpaceVector::zero();
-    Moving { spin, ..thrown(ball, place, [0.0; 2]) }
+    Moving { spin: SpaceVector::zero(), ..thrown(ball, place, [0.0; 2]) }
 }
 
 /// The same table with its right side, along x, lowered by the tilt.
@@ -154,40 +139,28 @@ pub fn tilted(ball: Ball, p: &Parameters) -> Ball {
 
 /// The ball in the cylinder, which turns at the rate `turning`.
 pub fn in_hole(p: &Parameters, turning: f64) -> Result<(Ball, Moving)> {
-    let distance = p.hole - p.golf;
-    let ratio = "(radius of the cylinder - that of the ball)/(that of the ball)";
-    let fits =
-        from_to(1e-3, 1e3).because("below 0 it does not fit in; far above, the wall is a plane");
-    fits.check(ratio, distance / p.golf)?;
-    let pressed =
-        above(0.0).because("a ball that does not go round is not pressed to the wall, and falls");
-    pressed.check("size of the orbit", p.orbit.abs())?;
-    let bobbing = Bobbing::new(p);
+    let (distance, bobbing) = (p.hole - p.golf, bobbing(p));
     let spin = p.orbit.abs() * (bobbing.amplitude - bobbing.middle) / p.golf;
-    let few = from_to(0.0, 3e4).because("more of them take too long to simulate");
-    few.check(
-        "radians that the ball turns as it goes down and up",
-        2.0 * PI / bobbing.rate * spin,
-    )?;
-    let ball = ball_on(Surface::Wall { distance }, turning, p.golf, p);
+    let turned = 2.0 * PI / bobbing.rate * spin;
+    allowed! {
+        "(radius of the cylinder - that of the ball)/(that of the ball)": distance / p.golf, from_to(1e-3, 1e3), "below 0 it does not fit in; far above, the wall is a plane";
+        "size of the orbit": p.orbit.abs(), above(0.0), "a ball that does not go round is not pressed to the wall, and falls";
+        "radians that the ball turns as it goes down and up": turned, from_to(0.0, 3e4), "more of them take too long to simulate";
+    }?;
+    let surface = Surface::Wall { distance };
+    let ball = Ball { surface, rate: turning, radius: p.golf, ..on_table(p).0 };
     let velocity = SpaceVector::new(0.0, distance * p.orbit, -p.drop);
-    let start = ball.rolling(SpaceVector::new(distance, 0.0, 0.0), velocity, 0.0);
-    Ok((ball, start))
+    Ok((ball, ball.rolling(SpaceVector::new(distance, 0.0, 0.0), velocity, 0.0)))
 }
 
 /// The distance from the axis, or the speed along the table.
-fn level(v: SpaceVector) -> f64 {
+pub fn level(v: SpaceVector) -> f64 {
     hypot(v.x(), v.y())
 }
 
 /// Turning point `n` of the circle, where the velocity along x is zero again.
-fn turning(
-    ball: Ball,
-    start: Moving,
-    n: u32,
-    step: f64,
-) -> rotation_dynamics::Result<(LocatedEvent<13>, Work)> {
-    Dop853::new(step)?.zero(&ball.rolls(), start.numbers(), n, 1e9, |y| y[3])
+fn turning(ball: Ball, start: &Moving, n: u32, step: f64) -> Found {
+    ball.zero(start, n, 1e9, step, |y| y[3])
 }
 
 /// The real part of exponent `n`, simulated: a ball that starts so that the other is not there.
@@ -195,18 +168,7 @@ fn measured(ball: Ball, [re, im]: [f64; 2], step: f64) -> Result<f64> {
     let start = thrown(&ball, [0.1, 0.0], [0.1 * re, 0.1 * im]);
     // The slower an exponent, the fewer of its digits are above the error of a step.
     let time = (2.0 / hypot(re, im)).min(100.0 / (share(ball.shape) * ball.rate).abs());
-    let end = Moving::of(&after(time, &ball.rolls(), &start.numbers(), step)?);
-    Ok(log(level(end.place) / 0.1) / time)
-}
-
-/// Wrong: Lagrange's equation after rolling was put into the kinetic energy, `[x, y, x', y']`.
-fn naive(rate: f64, shape: f64) -> impl Ode<4> {
-    let nu = share(shape) * rate;
-    ode(move |_, &[x, y, vx, vy]: &[f64; 4]| {
-        let [ax, ay] = [rate * x - 2.0 * vy, rate * y + 2.0 * vx];
-        [vx, vy, nu * ax, nu * ay]
-    })
-    .scaled(size_or([1.0; 4]))
+    Ok(log(level(ball.later(&start, time, step)?.place) / 0.1) / time)
 }
 
 fn circle(p: &Parameters, report: &mut Report) -> Result<()> {
@@ -214,10 +176,9 @@ fn circle(p: &Parameters, report: &mut Report) -> Result<()> {
         (circling(p)?, p.gravity, p.shape, p.velocity, p.tolerance);
     let (turns, bound) = (share(k) * p.rate, 1e3 * p.tolerance);
     let nu = turns.abs();
-    let half = turning(ball, start, 1, step)?.0;
-    let whole = turning(ball, start, 2, step)?.0;
-    let (radius, size) = (v.abs() / nu, (p.place).abs() + v.abs() / nu);
-    let held = ball.forces(&start).1;
+    let (half, whole) = (turning(ball, &start, 1, step)?.0, turning(ball, &start, 2, step)?.0);
+    let (radius, held) = (v.abs() / nu, ball.forces(&start).1);
+    let size = p.place.abs() + radius;
     // Which way the friction bends its path.
     let sense = (-v * held.x()).signum();
     // Carried by the table, and let go.
@@ -228,15 +189,10 @@ fn circle(p: &Parameters, report: &mut Report) -> Result<()> {
     let wide = ball.without_edge();
     let until = 2.0 * (p.rate * p.place).abs() / (p.friction * g);
     // If it turns often before it rolls, that is not followed.
-    let caught = match until * p.rate.abs() * (1.0 + p.place.abs() / p.radius) < 1e5 {
-        true => {
-            let slid = wide.run(&dead(&wide, [p.place, 0.0]), until, step)?;
-            slid.transition("rolls").ok().map(|rolls| Moving::of(&rolls.after))
-        }
-        false => None,
-    };
-    let [far, quick] =
-        caught.as_ref().map_or([f64::NAN; 2], |at| [at.place, at.velocity].map(level));
+    let few = until * p.rate.abs() * (1.0 + p.place.abs() / p.radius) < 1e5;
+    let slid = when(few, || wide.run(&dead(&wide, [p.place, 0.0]), until, step))?;
+    let caught = slid.and_then(|run| Some(Moving::of(&run.transition("rolls").ok()?.after)));
+    let [far, quick] = caught.map_or([f64::NAN; 2], |at| [at.place, at.velocity].map(level));
     claims! { report,
         /// angular velocity on the circle
         nu: turns, "rad/s", "located event" => sense * 2.0 * PI / whole.t, within bound * nu, in "On the table":
@@ -267,7 +223,7 @@ fn tilt_and_loss(p: &Parameters, report: &mut Report) -> Result<()> {
         (circling(p)?, p.gravity, p.shape, p.velocity, p.tolerance);
     let (nu, bound) = (share(k) * p.rate.abs(), 1e3 * p.tolerance);
     let (sloping, drift) = (tilted(ball, p), g * sin(p.tilt) / (k * p.rate));
-    let turn = after(2.0 * PI / nu, &sloping.rolls(), &start.numbers(), step)?;
+    let moved = sloping.later(&start, 2.0 * PI / nu, step)?.place - start.place;
     let lossy = Ball { loss: p.loss, ..ball.without_edge() };
     let [shrinks, grows] = exponents(p.rate, k, p.loss);
     // The acceleration of a circle about the axis that grows is grows^2 times its radius.
@@ -278,28 +234,24 @@ fn tilt_and_loss(p: &Parameters, report: &mut Report) -> Result<()> {
     let end = 10.0 * (1.0 - part) / grows[0];
     let followed = grows[0] > 1e-6 * nu && p.rate.abs() * slips / p.radius * end < 1e5;
     let near = thrown(&lossy, [part * slips, 0.0], grows.map(|x| part * slips * x));
-    let let_go = match followed {
-        false => f64::NAN,
-        true => {
-            let start = near.numbers();
-            let grip = |y: &[f64; 13]| lossy.grip(y);
-            let slips = Dop853::new(step)?.zero(&lossy.rolls(), start, 1, end, grip)?.0;
-            level(Moving::of(&slips.state).place)
-        }
-    };
-    // The wrong equation.
-    let wrong = nu / k.sqrt();
+    let let_go = when(followed, || lossy.zero(&near, 1, end, step, |y| lossy.grip(y)))?;
+    let let_go = let_go.map_or(f64::NAN, |(event, _)| level(Moving::of(&event.state).place));
+    // Wrong: Lagrange's equation after rolling was put into the kinetic energy.
+    let (wrong, rate) = (nu / k.sqrt(), p.rate);
+    let naive = ode(move |_, &[x, y, vx, vy]: &[f64; 4]| {
+        [vx, vy, share(k) * rate * (rate * x - 2.0 * vy), share(k) * rate * (rate * y + 2.0 * vx)]
+    })
+    .scaled(size_or([1.0; 4]));
     let away = |t: f64| -> Result<f64> {
-        let [x, y, ..] =
-            after(t / wrong, &naive(p.rate, k), &[1.0, 0.0, 0.0, 0.1 * p.rate], 1e-14)?;
+        let [x, y, ..] = after(t / wrong, &naive, &[1.0, 0.0, 0.0, 0.1 * rate], 1e-14)?;
         Ok(log(hypot(x, y)))
     };
     claims! { report,
         /// tilted: velocity of the drift, across the slope
-        drift: drift, "m/s", "simulated" => (turn[1] - start.place.y()) * nu / (2.0 * PI), within bound * (drift.abs() + v.abs()), in "The tilted table":
+        drift: drift, "m/s", "simulated" => moved.y() * nu / (2.0 * PI), within bound * (drift.abs() + v.abs()), in "The tilted table":
             drift * k / (1.0 + k) => "in the drift nothing accelerates";
         /// tilted: drift down the slope
-        downhill: 0.0, "m/s", "simulated" => (turn[0] - start.place.x()) * nu / (2.0 * PI), within bound * (drift.abs() + v.abs());
+        downhill: 0.0, "m/s", "simulated" => moved.x() * nu / (2.0 * PI), within bound * (drift.abs() + v.abs());
         /// rolling resistance: the circle grows at the rate
         grows: grows[0], "1/s", "simulated" => measured(lossy, grows, step)?, within 10.0 * bound * nu;
         /// its middle comes to the axis at the rate
@@ -312,10 +264,9 @@ fn tilt_and_loss(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 fn cylinder(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (bobbing, (golf, start)) = (Bobbing::new(p), in_hole(p, 0.0)?);
+    let (bobbing, (golf, start)) = (bobbing(p), in_hole(p, 0.0)?);
     let (k, g, bound) = (p.shape, p.gravity, 1e4 * p.tolerance);
-    let method = Dop853::new(p.tolerance)?;
-    let extreme = |n| method.zero(&golf.rolls(), start.numbers(), n, 1e9, |y| y[5]);
+    let extreme = |n| golf.zero(&start, n, 1e9, p.tolerance, |y| y[5]);
     // Thrown upward, it is highest first.
     let first = if p.drop < 0.0 { 2 } else { 1 };
     let (low, after_it) = (extreme(first)?.0, extreme(first + 2)?.0);
@@ -347,16 +298,15 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let (ball, _) = on_table(p);
     let slow = thrown(&ball, [0.01 * p.radius, 0.0], [0.0, 1e-3 * p.rate * p.radius]);
     let rate = |shape| -> Result<f64> {
-        let ball = Ball { shape, ..ball };
-        Ok(2.0 * PI / (turning(ball, slow, 2, 1e-12)?.0.t * p.rate.abs()))
+        Ok(2.0 * PI / (turning(Ball { shape, ..ball }, &slow, 2, 1e-12)?.0.t * p.rate.abs()))
     };
-    let still = thrown(&ball, [p.place, 0.0], [0.0; 2]).numbers();
-    let rests = after(100.0 / p.rate.abs(), &ball.rolls(), &still, 1e-12)?;
+    let still = thrown(&ball, [p.place, 0.0], [0.0; 2]);
+    let rests = ball.later(&still, 100.0 / p.rate.abs(), 1e-12)?.place - still.place;
     let size = if p.place == 0.0 { p.radius } else { p.place.abs() };
     let [middle, circle] = exponents(1.0, p.shape, 1e-9 * (1.0 + p.shape));
     let (golf, start) = in_hole(p, 0.0)?;
-    let hanging = golf.rolling(start.place, SpaceVector::zero(), 0.0).numbers();
-    let falls = after(0.1, &golf.rolls(), &hanging, 1e-12)?[5];
+    let hanging = golf.rolling(start.place, SpaceVector::zero(), 0.0);
+    let falls = golf.later(&hanging, 0.1, 1e-12)?.velocity.z();
     limits! { report,
         /// a thin shell, k = 2/3
         "k = 2/3: nu/Omega": rate(2.0 / 3.0)? => 0.4, within 1e-11;
@@ -365,7 +315,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         /// too hard to turn: it goes around as the table does
         "k = 1e9: nu/Omega": rate(1e9)? => 1.0, within 1e-8;
         /// v = 0: it rolls on the spot, as the table passes below it
-        "v = 0: way/place": hypot(rests[0] - p.place, rests[1]) / size => 0.0, within 1e-12;
+        "v = 0: way/place": level(rests) / size => 0.0, within 1e-12;
         /// small rolling resistance c: the middle comes in with c/k
         "c = 1e-9 (1 + k): shrinks k/c": -1e9 * middle[0] * share(p.shape) => 1.0, within 1e-7;
         /// and the circle grows with c/(k (1 + k))
@@ -377,21 +327,18 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
 
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (nu, k, v) = (share(p.shape) * p.rate.abs(), p.shape, p.velocity.abs());
-    let turn = 2.0 * PI / nu;
-    let lossy = p.loss / (1.0 + k);
+    let (turn, lossy) = (2.0 * PI / nu, p.loss / (1.0 + k));
     let air = 3.0 * 1.204 * 0.47 * v / (8.0 * 7850.0 * p.radius);
-    let (level, earth) = (1e-3 * p.gravity / (k * p.rate.abs()), 7.292e-5 / nu);
+    let (slant, earth) = (1e-3 * p.gravity / (k * p.rate.abs()), 7.292e-5 / nu);
     let ((ball, start), step) = (on_table(p), p.tolerance.min(1e-9));
     let sloping = tilted(ball, &p.but(|p| p.tilt = 1e-3));
-    let [x, y, ..] = after(turn, &sloping.rolls(), &start.numbers(), step)?;
-    let drifted = hypot(x - start.place.x(), y - start.place.y());
+    let drifted = level(sloping.later(&start, turn, step)?.place - start.place);
     let rolling = Ball { loss: p.loss, ..ball.without_edge() };
     let grows = exponents(p.rate, k, p.loss)[1];
-    let noise = 1e4 * step;
-    let slips = nu * v / (p.friction * p.gravity);
+    let (noise, slips) = (1e4 * step, nu * v / (p.friction * p.gravity));
     effect_card! { report,
         "slipping": "nu v/(mu g)" = slips, costs f64::from(slips > 1.0), "of the circle", included;
-        "table not level, by 1 mrad": "g epsilon/(k Omega v)" = level / v, costs turn * level, "m of drift a turn",
+        "table not level, by 1 mrad": "g epsilon/(k Omega v)" = slant / v, costs turn * slant, "m of drift a turn",
             measured drifted, within noise * (p.place.abs() + v / nu);
         "rolling resistance": "c/((1 + k) nu)" = lossy / nu, costs turn * grows[0], "of the radius a turn",
             measured turn * measured(rolling, grows, step)?, within noise;
@@ -405,7 +352,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let ((ball, start), nu) = (on_table(p), share(p.shape) * p.rate);
     let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15];
-    let turn = move |step| turning(ball, start, 2, step);
+    let turn = move |step| turning(ball, &start, 2, step);
     report.dial_of_return(asked, turn, 2.0 * PI / nu.abs(), p.place)?;
     let (c, r) = (p.place - p.velocity / nu, p.velocity / nu);
     report.set_closed_form(ClosedForm::new(move |part| {

@@ -25,40 +25,9 @@ fn path(run: &Run<Touch, 13>, count: u32) -> Result<Vec<(f64, f64)>> {
     })
 }
 
-/// The default table and ball.
-fn plain() -> (Ball, f64) {
-    let p = Parameters::default();
-    (on_table(&p).0, share(p.shape) * p.rate)
-}
-
-/// Over k, for the rate of the circle.
-fn shapes() -> Sweep {
-    Sweep::over("$k$", 0.0, 1.0).at([0.05, 0.2, 0.4, 2.0 / 3.0, 0.85])
-}
-
-/// A ball inside an upright cylinder that is cut open, seen from the side.
-fn cup(distance: f64, radius: f64, (high, low): (f64, f64)) -> View {
-    let ring = |z: f64| {
-        times(0.0, 2.0 * PI, 80).map(move |a| {
-            let r = distance + radius;
-            SpaceVector::new(r * cos(a), r * sin(a), z)
-        })
-    };
-    let side = |a: f64| {
-        [high, low].map(|z| {
-            SpaceVector::new((distance + radius) * cos(a), (distance + radius) * sin(a), z)
-        })
-    };
-    View::of(SpaceVector::new(0.0, 0.0, 0.5 * (high + low)), 0.6 * (high - low) + 0.3 * distance)
-        .line(ring(high), Ink::Ink)
-        .line(ring(low), Ink::Frame)
-        .line(side(0.6 + 0.5 * PI), Ink::Ink)
-        .line(side(0.6 - 0.5 * PI), Ink::Ink)
-}
-
-figures! { p: &Parameters;
-    /// A round table turns about an upright axis through its middle with the angular velocity
-    /// Omega. A ball of radius a rolls on it with the velocity v.
+figures! { p: &Parameters, usual = Parameters::default(), ball = on_table(&usual).0, nu = share(usual.shape) * usual.rate;
+    /// A round table turns about an upright axis through its middle with the angular velocity Omega. A ball of radius a rolls
+    /// on it with the velocity v.
     setup: {
         let (up, ball) = (SpaceVector::new(0.0, 0.0, 1.0), SpaceVector::new(0.25, 0.5, 0.14));
         let ring = times(0.4, 2.2, 30).map(|a| SpaceVector::new(0.16 * cos(a), 0.16 * sin(a), 0.5));
@@ -71,12 +40,10 @@ figures! { p: &Parameters;
             .text(ball + up * 0.14, "$a$, $m$", Ink::Body, Side::Above)
     };
 
-    /// From above: a table that turns to the left. A ball thrown from the right runs round a small circle beside
-    /// the axis. One that lay still on the table and is let go runs round a large circle about
-    /// a point on the other side of the axis, nearly to the rim. One put down without spin runs
-    /// round a circle about the axis.
+    /// From above: a table that turns to the left. A ball thrown from the right runs round a small circle beside the axis. One
+    /// that lay still on the table and is let go runs round a large circle about a point on the other side of the axis, nearly
+    /// to the rim. One put down without spin runs round a circle about the axis.
     circles: {
-        let (ball, nu) = plain();
         let turn = |start: Moving| path(&ball.run(&start, 2.0 * PI / nu, 1e-10)?, 200);
         let lying = thrown(&ball, [0.04, 0.0], [0.0, 0.4]);
         above(0.3)
@@ -90,20 +57,21 @@ figures! { p: &Parameters;
             .text((0.03, -0.11), "put down", Ink::Body, Side::BelowRight)
     };
 
-    /// Rate of the circle over that of the table, against k: it rises from zero, ever more
-    /// slowly, to one half at k = 1. The simulated dots lie on the line.
+    /// Rate of the circle over that of the table, against k: it rises from zero, ever more slowly, to one half at k = 1. The
+    /// simulated dots lie on the line.
     rates: {
         let simulated = |shape| {
-            let (ball, start) = on_table(&Parameters { shape, ..Parameters::default() });
-            Ok(0.2 * PI / turning(ball, start, 2, 1e-10)?.0.t)
+            let (ball, start) = on_table(&usual.but(|p| p.shape = shape));
+            Ok(0.2 * PI / turning(ball, &start, 2, 1e-10)?.0.t)
         };
-        shapes().exact_and_simulated(Axis::linear(r"$\nu/\Omega$").range(0.0, 0.6), share, simulated)?
+        Sweep::over("$k$", 0.0, 1.0).at([0.05, 0.2, 0.4, 2.0 / 3.0, 0.85])
+            .exact_and_simulated(Axis::linear(r"$\nu/\Omega$").range(0.0, 0.6), share, simulated)?
     };
 
-    /// From above: a table whose right side is low. The ball runs in loops that move up the
-    /// picture, across the slope; the dots of a charge in crossed fields lie on its path.
+    /// From above: a table whose right side is low. The ball runs in loops that move up the picture, across the slope; the dots
+    /// of a charge in crossed fields lie on its path.
     drift: {
-        let ((ball, nu), p) = (plain(), Parameters { tilt: 0.015, ..Parameters::default() });
+        let p = usual.but(|p| p.tilt = 0.015);
         let (sloping, end) = (tilted(ball, &p), 5.9 * PI / nu);
         let start = thrown(&ball, [0.08, -0.16], [0.0, 0.2]);
         let along = p.gravity * sin(p.tilt) / 1.4;
@@ -121,11 +89,10 @@ figures! { p: &Parameters;
             .text((0.19, 0.11), "downhill", Ink::Force, Side::Below)
     };
 
-    /// From above: a ball that loses by rolling. Its path is a spiral that begins as a small
-    /// circle beside the axis and ends as a large one about it; near the rim the ball slips and its path becomes straighter. A dashed curve is
-    /// the way of the middle of the circle: it runs in to the axis.
+    /// From above: a ball that loses by rolling. Its path is a spiral that begins as a small circle beside the axis and ends as
+    /// a large one about it; near the rim the ball slips and its path becomes straighter. A dashed curve is the way of the
+    /// middle of the circle: it runs in to the axis.
     spiral: {
-        let (ball, _) = plain();
         let lossy = Ball { loss: 0.15, ..ball };
         let run = lossy.run(&thrown(&ball, [0.15, 0.0], [0.0, 0.13]), 1e3, 1e-10)?;
         let middle = sampled(times(0.0, run.end_time(), 200), |t| {
@@ -140,27 +107,33 @@ figures! { p: &Parameters;
             .dot(from, Ink::Ink, "$C$", Side::Below)
     };
 
-    /// A ball of radius a inside an upright cylinder, with its middle at the distance b from
-    /// the axis, runs around with the angular velocity W and touches the wall.
+    /// A ball of radius a inside an upright cylinder, with its middle at the distance b from the axis, runs around with the
+    /// angular velocity W and touches the wall.
     cylinder: {
         let ((b, a), up) = ((0.6, 0.32), SpaceVector::new(0.0, 0.0, 1.0));
-        let ball = SpaceVector::new(b * cos(2.1), b * sin(2.1), 0.05);
-        let around = times(-0.7, 1.0, 20).map(|t| SpaceVector::new(b * cos(t), b * sin(t), -0.75));
-        cup(b, a, (0.75, -0.75))
+        let on = |r: f64, angle: f64, z: f64| SpaceVector::new(r * cos(angle), r * sin(angle), z);
+        let ring = |z: f64| times(0.0, 2.0 * PI, 80).map(move |angle| on(b + a, angle, z));
+        let side = |angle: f64| [0.75, -0.75].map(|z| on(b + a, angle, z));
+        let ball = on(b, 2.1, 0.05);
+        View::of(SpaceVector::zero(), 0.6 * 1.5 + 0.3 * b)
+            .line(ring(0.75), Ink::Ink)
+            .line(ring(-0.75), Ink::Frame)
+            .line(side(0.6 + 0.5 * PI), Ink::Ink)
+            .line(side(0.6 - 0.5 * PI), Ink::Ink)
             .dashed([up * -0.9, up * 0.9], Ink::Frame)
             .solid(Solid::ball(ball, a), Ink::Body)
             .dashed([up * 0.05, ball], Ink::Frame)
             .text(ball * 0.22 + up * 0.04, "$b$", Ink::Frame, Side::Below)
-            .turn(around, Ink::Velocity)
-            .text(SpaceVector::new(b * cos(0.3), b * sin(0.3), -0.75), "$W$", Ink::Velocity, Side::Above)
+            .turn(times(-0.7, 1.0, 20).map(|angle| on(b, angle, -0.75)), Ink::Velocity)
+            .text(on(b, 0.3, -0.75), "$W$", Ink::Velocity, Side::Above)
     };
 
-    /// Height against turns about the axis. With enough friction the ball goes down and up
-    /// and comes back to its first height, again and again, once in nearly two turns. With two thirds of the
-    /// friction that this needs it sinks to more than twice the depth and stays near there. Dotted: a fall.
+    /// Height against turns about the axis. With enough friction the ball goes down and up and comes back to its first height,
+    /// again and again, once in nearly two turns. With two thirds of the friction that this needs it sinks to more than twice
+    /// the depth and stays near there. Dotted: a fall.
     heights: {
-        let (ball, start) = in_hole(&Parameters { drop: 0.0, ..*p }, 0.0)?;
-        let need = Bobbing::new(&Parameters { drop: 0.0, ..*p });
+        let let_in = p.but(|p| p.drop = 0.0);
+        let ((ball, start), need) = (in_hole(&let_in, 0.0)?, bobbing(&let_in));
         let push = p.orbit * p.orbit * (p.hole - p.golf) / p.gravity;
         let (turns, end) = (2.0 * PI / p.orbit.abs(), 8.0 * PI / p.orbit.abs());
         let height = |part: f64| {

@@ -6,7 +6,7 @@
 use rotation_dynamics::Result;
 use rotation_dynamics::attitude::Attitude;
 use rotation_dynamics::frame::SpaceVector;
-use rotation_dynamics::integrators::{Dop853, Ode, ode, size_or};
+use rotation_dynamics::integrators::{Dop853, LocatedEvent, Ode, Work, after, ode, size_or};
 use rotation_dynamics::math::hypot;
 use rotation_dynamics::planar::{Condition, Next, Phased, Run, simulate};
 
@@ -52,20 +52,21 @@ pub enum Touch {
 
 /// The state as numbers.
 pub type Y = [f64; 13];
+/// An event, and the work until then.
+pub type Found = Result<(LocatedEvent<13>, Work)>;
 
 impl Moving {
-    #[rustfmt::skip]
     pub fn of(y: &Y) -> Self {
-        let vector = |i: usize| SpaceVector::new(y[i], y[i + 1], y[i + 2]);
-        let quaternion = [y[9], y[10], y[11], y[12]];
-        Self { place: vector(0), velocity: vector(3), spin: vector(6), quaternion }
+        let [place, velocity, spin] = [0, 3, 6].map(|i| SpaceVector::new(y[i], y[i + 1], y[i + 2]));
+        Self { place, velocity, spin, quaternion: [y[9], y[10], y[11], y[12]] }
     }
 
     pub fn numbers(&self) -> Y {
         let vectors = [self.place, self.velocity, self.spin].map(SpaceVector::to_array);
-        let [[x, y, z], [vx, vy, vz], [wx, wy, wz]] = vectors;
-        let [q0, q1, q2, q3] = self.quaternion;
-        [x, y, z, vx, vy, vz, wx, wy, wz, q0, q1, q2, q3]
+        core::array::from_fn(|i| match i {
+            0..9 => vectors[i / 3][i % 3],
+            _ => self.quaternion[i - 9],
+        })
     }
 
     /// The attitude, from the body's axes to those of space.
@@ -145,28 +146,24 @@ impl Ball {
     }
     // ANCHOR_END: contact
 
-    /// With this place and velocity, rolling, with the component `normal` of the angular velocity along
-    /// the normal.
-    #[rustfmt::skip]
+    /// With this place and velocity, rolling, with the component `normal` of the angular velocity
+    /// along the normal.
     pub fn rolling(&self, place: SpaceVector, velocity: SpaceVector, normal: f64) -> Moving {
         let (spin, quaternion) = (SpaceVector::zero(), [1.0, 0.0, 0.0, 0.0]);
         let still = Moving { place, velocity, spin, quaternion };
-        let rolling = self.slipping(&still, SpaceVector::zero());
         let [n, _] = self.normal(&still);
-        Moving { spin: rolling.spin + n * normal, ..still }
+        Moving { spin: self.slipping(&still, spin).spin + n * normal, ..still }
     }
 
     /// With another slip.
     fn slipping(&self, at: &Moving, slip: SpaceVector) -> Moving {
         let [n, _] = self.normal(at);
-        let spin = at.spin + n.cross(&(self.slip(at) - slip)) / self.radius;
-        Moving { spin, ..*at }
+        Moving { spin: at.spin + n.cross(&(self.slip(at) - slip)) / self.radius, ..*at }
     }
 
     /// On a table without a rim.
     pub fn without_edge(self) -> Self {
-        let surface = Surface::Table { edge: 1e9 };
-        Self { surface, ..self }
+        Self { surface: Surface::Table { edge: 1e9 }, ..self }
     }
 
     /// What is left of the friction before it slips.
@@ -180,8 +177,7 @@ impl Ball {
         if self.grip(y) <= 0.0 {
             return self.let_go(y);
         }
-        let rolling = self.slipping(&Moving::of(y), SpaceVector::zero());
-        (Touch::Rolls, rolling.numbers())
+        (Touch::Rolls, self.slipping(&Moving::of(y), SpaceVector::zero()).numbers())
     }
 
     fn let_go(&self, y: &Y) -> (Touch, Y) {
@@ -203,13 +199,27 @@ impl Ball {
         })
     }
 
+    /// What it does after the time `t` if it rolls in any case.
+    pub fn later(self, start: &Moving, t: f64, step: f64) -> Result<Moving> {
+        Ok(Moving::of(&after(t, &self.rolls(), &start.numbers(), step)?))
+    }
+
+    /// Where this is zero for the n-th time before the end, if it rolls in any case.
+    pub fn zero(
+        self,
+        start: &Moving,
+        n: u32,
+        end: f64,
+        step: f64,
+        of: impl Fn(&Y) -> f64,
+    ) -> Found {
+        Dop853::new(step)?.zero(&self.rolls(), start.numbers(), n, end, of)
+    }
+
     /// The motion with an error of a step of this size, until a time or an end.
     pub fn run(&self, start: &Moving, end: f64, step: f64) -> Result<Run<Touch, 13>> {
-        let mut first = (Touch::Slips, start.numbers());
-        if self.slip(start).norm() <= STILL {
-            first = self.decide(&first.1);
-        }
-        let (touch, y) = first;
+        let (slips, y) = (self.slip(start).norm() > STILL, start.numbers());
+        let (touch, y) = if slips { (Touch::Slips, y) } else { self.decide(&y) };
         simulate(self, &Dop853::new(step)?, touch, y, end)
     }
 }
@@ -246,7 +256,7 @@ impl Phased<13> for Ball {
         all
     }
 
-    fn scale(&self, y: &[f64; 13]) -> [f64; 13] {
+    fn scale(&self, y: &Y) -> Y {
         size_or([1.0; 13])(y)
     }
 }

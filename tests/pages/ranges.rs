@@ -208,6 +208,27 @@ fn every_parameter_over_its_range() {
     assert!(!WHOLE || (answered > least[0] && refused > least[1]), "{answered} {refused}");
 }
 
+/// Motions that are mirrored, or far from those of the locked figures, and more figures than this.
+const MIRRORED: [(&str, &[(&str, f64)], usize); 6] = [
+    ("further_1_phone", &[("turns", -3.0), ("tilt", -0.05)], 5),
+    ("further_2_gyrocompass", &[("spin", -1500.0), ("latitude", -0.9), ("speed", -10.0), ("release", -0.5)], 5),
+    ("further_3_euler_disc", &[("inclination", 1.2), ("start", 0.05), ("radius", 0.012), ("left", 0.2)], 6),
+    ("further_4_yo_yo_despin", &[("spin", -10.0), ("aim", 1.0)], 3),
+    ("further_5_wheel_on_rope", &[("spin", -20.0), ("push", 1.0)], 5),
+    ("further_6_turntable", &[("rate", -10.0), ("velocity", -0.2), ("place", -0.1), ("orbit", -45.0)], 5),
+];
+
+#[test]
+fn figures_are_drawn_of_the_mirrored_motion() {
+    let mut drawn = 0;
+    for (stem, flags, fewer) in MIRRORED {
+        let Some(page) = ALL.iter().find(|page| page.stem() == stem) else { continue };
+        assert!(page.figures_with(flags).unwrap().len() > fewer, "{stem}");
+        drawn += 1;
+    }
+    assert!(drawn == MIRRORED.len() || !WHOLE, "{drawn} pages");
+}
+
 /// The twins: a mirrored rate refused, an end without a reason, a contradiction, a NaN.
 #[test]
 fn a_refusal_without_a_reason_is_seen() {
