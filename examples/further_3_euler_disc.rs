@@ -12,7 +12,7 @@ use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::integrators::{Dop853, LocatedEvent, Solution, Work, small_frequency};
 use rotation_dynamics::math::round_even;
 
-pub use rolling::{Disc, Loss, placed, rolling, settling};
+pub use rolling::{Disc, Loss, attitude, placed, rolling, settling};
 
 parameters! {
     /// The disc of Moffatt's note; the inclination of the steady motion is ours.
@@ -43,7 +43,6 @@ parameters! {
     }
 }
 
-// ANCHOR: steady
 /// A steady motion: inclination, and radius of the circle of the centre in R.
 #[derive(Debug, Clone, Copy)]
 pub struct Steady {
@@ -69,6 +68,11 @@ impl Steady {
         self.rate() * (2.0 * half * half) + self.spin()
     }
 
+    /// The state with the contact at its start.
+    pub fn placed(&self) -> Result<[f64; 9]> {
+        placed(self.tilt, [self.rate(), 0.0, self.spin()], self.circle)
+    }
+
     /// Energy in m g R.
     pub fn energy(&self) -> f64 {
         let (s, across) = (sin(self.tilt), self.rate() * sin(self.tilt));
@@ -81,7 +85,6 @@ impl Steady {
         0.8 * (3.0 * b * b - 2.5 * c * b + s * s + 0.75 * c * c + 1.5 * b * s * s / c)
     }
 }
-// ANCHOR_END: steady
 
 // ANCHOR: settle
 /// How the inclination falls, if slowly: as -k tilt^(-n) (1 - c tilt^2), in sqrt(g/R).
@@ -144,64 +147,58 @@ impl Settling {
 }
 // ANCHOR_END: settle
 
-/// Where the page's numbers come from: units, and one loss.
-struct Case {
+impl Settling {
+    /// The state of a disc that has settled for long, down to this inclination: it is falling
+    /// already, and its face will come to rest.
+    pub fn state(&self, tilt: f64) -> Result<[f64; 9]> {
+        let (steady, falling) = (Self::passing(tilt), -self.k * pow(tilt, -self.n));
+        placed(tilt, [steady.rate(), falling, steady.spin()], steady.circle)
+    }
+}
+
+/// When the inclination was that of each mark.
+pub fn passed(run: &Solution<9>) -> Vec<f64> {
+    run.events().iter().filter(|event| event.name == "mark").map(|event| event.t).collect()
+}
+
+/// The settling by one loss: its law, and simulated.
+struct Settled {
+    name: &'static str,
+    /// The unit of time.
     time: f64,
     loss: Loss,
     law: Settling,
-    /// Where the law ends: at the acceleration g, or at the film.
-    end: f64,
     film: f64,
-    start: f64,
-    step: f64,
+    /// Where the law ends: at the acceleration g, or at the film.
+    law_ends: f64,
+    run: Solution<9>,
+    passed: Vec<f64>,
+    /// When it would end.
+    end: f64,
 }
 
-impl Case {
-    fn new(p: &Parameters, name: &str) -> Result<Self> {
-        let time = (p.radius / p.gravity).sqrt();
+impl Settled {
+    fn by(name: &'static str, p: &Parameters) -> Result<Self> {
+        let (time, start) = ((p.radius / p.gravity).sqrt(), p.start);
         let loss = match name {
             "air" => Loss::Air(p.viscosity * p.radius / p.mass * time),
             _ => Loss::Rolling(p.rolling),
         };
         let (law, film) = (Settling::of(loss), p.film / p.radius);
-        let end = law.falls().max(film);
-        let settles = between(0.0, 0.1 * p.start)
-            .because("there it falls with g, or the film ends: start steeper, or with less loss");
-        let ends = "inclination at which the law ends, less than a tenth of the start,";
-        settles.check(ends, end)?;
-        let turns = law.turns(p.start);
-        let soon = from_to(0.0, 3e4).because("a smaller loss takes too long to simulate");
-        soon.check("turns until it has settled", turns)?;
-        let step = p.tolerance;
-        Ok(Self { time, loss, law, end, film, start: p.start, step })
-    }
-
-    /// The settling simulated, to the film. It starts as one that has settled for long: with
-    /// the inclination falling already, and a face that will come to rest.
-    fn simulate(&self) -> Result<Settled> {
-        let steady = Settling::passing(self.start);
-        let falling = -self.law.k * pow(self.start, -self.law.n);
-        let from = placed(self.start, [steady.rate(), falling, steady.spin()], steady.circle)?;
-        let marks = [0.4, 0.2, 0.1].map(|part| part * self.start);
-        let until = 2.0 * self.law.left(self.start);
-        let run = settling(self.loss, from, &marks, self.film, until, self.step)?;
-        let passed: Vec<f64> =
-            run.events().iter().filter(|e| e.name == "mark").map(|e| e.t).collect();
+        let law_ends = law.falls().max(film);
+        allowed! {
+            "inclination at which the law ends, less than a tenth of the start,": law_ends, between(0.0, 0.1 * start), "there it falls with g, or the film ends: start steeper, or with less loss";
+            "turns until it has settled": law.turns(start), from_to(0.0, 3e4), "a smaller loss takes too long to simulate";
+        }?;
+        let marks = [0.4, 0.2, 0.1].map(|part| part * start);
+        let until = 2.0 * law.left(start);
+        let run = settling(loss, law.state(start)?, &marks, film, until, p.tolerance)?;
+        let passed = passed(&run);
         // Slow enough there for the law to say what is left.
-        let end = passed[2] + self.law.left(marks[2]);
-        Ok(Settled { run, passed, end, loss: self.loss })
+        let end = passed[2] + law.left(marks[2]);
+        Ok(Self { name, time, loss, law, film, law_ends, run, passed, end })
     }
-}
 
-/// A simulated settling, the times of its marks, and when it would end.
-struct Settled {
-    run: Solution<9>,
-    passed: Vec<f64>,
-    end: f64,
-    loss: Loss,
-}
-
-impl Settled {
     fn at(&self, t: f64) -> rotation_dynamics::Result<Disc> {
         Ok(Disc::new(&self.run.at(t)?))
     }
@@ -215,7 +212,7 @@ impl Settled {
     /// smaller one bends it one way and a larger one the other.
     fn exponent(&self) -> Result<f64> {
         let rates = sampled(self.passed.iter().copied(), |t| Ok(self.at(t)?.rate))?;
-        let bent = |exponent| bend(exponent, &self.passed, &rates) > 0.0;
+        let bent = |guess| bend(guess, &self.passed, &rates) > 0.0;
         let [low, high] = bisect([0.02, 1.0], 0.0, bent);
         Ok(0.5 * (low + high))
     }
@@ -230,25 +227,24 @@ pub fn bend(exponent: f64, t: &[f64], rates: &[f64]) -> f64 {
 /// The steady motion of the page; refused if there is none or the disc would leave it.
 fn steady(p: &Parameters) -> Result<Steady> {
     let motion = Steady { tilt: p.inclination, circle: p.circle };
-    let pressed = above(0.0).because("else no rate holds it on this circle");
-    let room = cos(p.inclination) - 6.0 * p.circle;
-    pressed.check("cos(inclination) - 6 circle", room)?;
-    let stable =
-        above(0.02).because("below 0 it falls over, near 0 it nods too slowly to be measured");
-    let square = "square of the frequency of a nodding, over that of the rate,";
-    stable.check(square, motion.nodding())?;
+    allowed! {
+        "cos(inclination) - 6 circle": cos(p.inclination) - 6.0 * p.circle, above(0.0), "else no rate holds it on this circle";
+        "square of the frequency of a nodding, over that of the rate,": motion.nodding(), above(0.02), "below 0 it falls over, near 0 it nods too slowly to be measured";
+    }?;
     Ok(motion)
 }
 
-/// A turn of the contact, simulated: how long, and where it ends.
-fn turn(motion: Steady, step: f64) -> Result<(f64, Disc, [f64; 2])> {
-    let start = placed(motion.tilt, [motion.rate(), 0.0, motion.spin()], motion.circle)?;
-    let until = 2.0 * TAU / motion.rate();
-    let (back, _) = Dop853::new(step)?
-        .zero(&rolling(Loss::None), start, 2, until, |y| Disc::new(y).axis.x())?;
-    let [w, x, y, z, ..] = back.state;
-    let angles = Attitude::from_quaternion([w, x, y, z])?.euler_angles();
-    Ok((back.t, Disc::new(&back.state), [angles.phi, angles.zeta]))
+/// A turn of the contact, simulated.
+fn back(motion: Steady, step: f64) -> Result<(LocatedEvent<9>, Work)> {
+    let (start, until) = (motion.placed()?, 2.0 * TAU / motion.rate());
+    let across = |y: &[f64; 9]| Disc::new(y).axis.x();
+    Ok(Dop853::new(step)?.zero(&rolling(Loss::None), start, 2, until, across)?)
+}
+
+/// How long it takes, and the disc after it.
+fn turn(motion: Steady, step: f64) -> Result<(f64, Disc)> {
+    let (back, _) = back(motion, step)?;
+    Ok((back.t, Disc::new(&back.state)))
 }
 
 /// The frequency of a small nodding, simulated.
@@ -266,17 +262,15 @@ pub fn measured_nodding(motion: Steady) -> rotation_dynamics::Result<f64> {
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (motion, time) = (steady(p)?, (p.radius / p.gravity).sqrt());
     let (rate, (s, c)) = (motion.rate() / time, sincos(p.inclination));
-    let (turned, disc, [_, zeta]) = turn(motion, p.tolerance)?;
+    let (back, _) = back(motion, p.tolerance)?;
+    let (turned, disc, zeta) =
+        (back.t, Disc::new(&back.state), attitude(&back.state)?.euler_angles().zeta);
     let bound = 1e4 * p.tolerance;
     // Spin and precession in a turn, to whole turns: it is less than half a turn off.
     let face = motion.face() * turned;
     let seen = zeta + TAU * round_even((face - zeta) / TAU);
     let energy = p.mass * p.gravity * p.radius;
-    let now = disc.angular_velocity.norm();
-    let own = disc.angular_velocity.dot(&disc.axis);
-    let held = sin(disc.tilt)
-        + 0.5 * disc.velocity().dot(&disc.velocity())
-        + 0.125 * (now * now + own * own);
+    let (now, held) = (disc.angular_velocity.norm(), disc.energy());
     let nods = rate * motion.nodding().sqrt();
     claims! { report,
         /// rate at which the contact runs round
@@ -306,80 +300,65 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 
 /// The settling by both losses; the chosen one is asked for times and tones.
 fn last_seconds(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (air, rolls) = (Case::new(p, "air")?, Case::new(p, "rolling")?);
-    let case = if p.loss == "air" { &air } else { &rolls };
-    let (law, time) = (case.law, case.time);
-    let [ends, asked] = [law.left(case.end) * time, p.left];
-    from_to(ends, 0.85 * law.left(case.start) * time)
-        .because("longer than the disc settles there is nothing left")
-        .check("left, down to where the law ends,", asked)?;
-    let (by_air, by_rolling) = (air.simulate()?, rolls.simulate()?);
-    let run = if p.loss == "air" { &by_air } else { &by_rolling };
-    table_of_ends([("air", &air, &by_air), ("rolling", &rolls, &by_rolling)], report)?;
-    let hasty = |case: &Case| 3.0 * pow(case.law.haste(0.1 * p.start), 2.0);
+    let (air, rolls) = (Settled::by("air", p)?, Settled::by("rolling", p)?);
+    let run = if p.loss == "air" { &air } else { &rolls };
+    let (law, time, asked) = (run.law, run.time, p.left);
+    let (whole, ends) = (law.left(p.start), law.left(run.law_ends) * time);
+    allowed! {
+        "left, down to where the law ends,": asked, from_to(ends, 0.85 * whole * time), "longer than the disc settles there is nothing left";
+    }?;
+    table_of_ends([&air, &rolls], report)?;
+    let hasty = |by: &Settled| 3.0 * pow(by.law.haste(0.1 * p.start), 2.0);
     let tilt = law.tilt(asked / time);
-    let near = 3.0 * pow(p.start, 4.0) + hasty(case);
-    let about = |case: &Case| case.law.exponent() * (p.start * p.start + hasty(case));
+    let near = 3.0 * pow(p.start, 4.0) + hasty(run);
+    let about = |by: &Settled| by.law.exponent() * (p.start * p.start + hasty(by));
     let then = run.at(run.end - asked / time);
     let told = then.as_ref().map_or(f64::NAN, |disc| disc.tilt);
     let tone = |tilt: f64| Settling::passing(tilt).rate() / (TAU * time);
     let sounds = then.as_ref().map_or(f64::NAN, |disc| disc.rate / (TAU * time));
-    let (turns, rest) = (law.turns(case.start), law.turns(0.1 * case.start));
+    let (turns, rest) = (law.turns(p.start), law.turns(0.1 * p.start));
     let equal = pow(air.law.k / rolls.law.k, 2.0 / 3.0);
-    let power = |case: &Case| case.loss.drag(equal, 2.0 / equal.sqrt());
+    let power = |by: &Settled| by.loss.drag(equal, 2.0 / equal.sqrt());
+    // The first power of the inclination alone is right as well: answers are judged by 2 %.
     claims! { report,
-            /// rolling friction: exponent of the rate
-            exponent_rolling: rolls.law.exponent(), "-", "bend of the simulation" => by_rolling.exponent()?, within about(&rolls),
-            in "The last seconds":
-                2.0 / 3.0 => "that is the exponent of the inclination";
-            /// air: exponent of the rate
-            exponent_air: air.law.exponent(), "-", "bend of the simulation" => by_air.exponent()?, within about(&air),
-            in "The last seconds":
-                1.0 / 3.0 => "that is the exponent of the inclination";
-            /// inclination below which the air takes more than the rolling friction
-    equal: equal, "rad", "powers there" => equal * power(&air) / power(&rolls), within 1e-12;
-            /// inclination at which the law ends
-            tilt_end: case.end, "rad", "by differences" => ending(case), within 1e-6 * case.end;
-            /// time that is left there
-            left_end: ends, "s", "fall from there, integrated" => fallen(&law, case.end) * time, within (1e-6 + 2.0 * case.end * case.end) * ends;
-            /// tone there
-            tone_end: tone(case.end), "Hz", "rate for small angles" => 1.0 / (PI * time * case.end.sqrt()),
-            within case.end * case.end * tone(case.end);
-        }?;
-    let (whole, group) = (law.left(case.start), "The last seconds");
-    report.add(
-        vec![
-            // The first power of the inclination alone is right as well.
-            claim("t_end", "time from the start to the end", whole * time, "s")
-                .agrees_with("simulated", run.end * time, near * whole * time)
-                .slip(whole * time * (law.n + 1.0), "it settles faster and faster"),
-            claim(
-                "turns",
-                "turns of the contact until a tenth of the inclination",
-                turns - rest,
-                "-",
-            )
-            .agrees_with("simulated", run.turns(run.passed[2])?, near * turns)
-            .slip(TAU * (turns - rest), "that is in radians"),
-            claim("tilt_left", "inclination when so much time is left", tilt, "rad")
-                .agrees_with("simulated", told, near * tilt)
-                .slip(case.start * asked / (whole * time), "it does not sink at an even rate"),
-            claim("tone_left", "tone then", tone(tilt), "Hz")
-                .agrees_with("simulated", sounds, near * tone(tilt))
-                .slip(TAU * tone(tilt), "that is in radians a second"),
-        ]
-        .into_iter()
-        .map(|entry| entry.judged_within(0.02).answer(group))
-        .collect::<Vec<_>>(),
-    )?;
-    effects(p, [&air, &rolls], run, report)
+        /// rolling friction: exponent of the rate
+        exponent_rolling: rolls.law.exponent(), "-", "bend of the simulation" => rolls.exponent()?, within about(&rolls),
+        in "The last seconds":
+            2.0 / 3.0 => "that is the exponent of the inclination";
+        /// air: exponent of the rate
+        exponent_air: air.law.exponent(), "-", "bend of the simulation" => air.exponent()?, within about(&air),
+        in "The last seconds":
+            1.0 / 3.0 => "that is the exponent of the inclination";
+        /// inclination below which the air takes more than the rolling friction
+        equal: equal, "rad", "powers there" => equal * power(&air) / power(&rolls), within 1e-12;
+        /// inclination at which the law ends
+        tilt_end: run.law_ends, "rad", "by differences" => ending(run), within 1e-6 * run.law_ends;
+        /// time that is left there
+        left_end: ends, "s", "fall from there, integrated" => fallen(&law, run.law_ends) * time, within (1e-6 + 2.0 * run.law_ends * run.law_ends) * ends;
+        /// tone there
+        tone_end: tone(run.law_ends), "Hz", "rate for small angles" => 1.0 / (PI * time * run.law_ends.sqrt()),
+        within run.law_ends * run.law_ends * tone(run.law_ends);
+        /// time from the start to the end
+        t_end: whole * time, "s", "simulated" => run.end * time, within near * whole * time, judged 0.02, in "The last seconds":
+            whole * time * (law.n + 1.0) => "it settles faster and faster";
+        /// turns of the contact until a tenth of the inclination
+        turns: turns - rest, "-", "simulated" => run.turns(run.passed[2])?, within near * turns, judged 0.02, in "The last seconds":
+            TAU * (turns - rest) => "that is in radians";
+        /// inclination when so much time is left
+        tilt_left: tilt, "rad", "simulated" => told, within near * tilt, judged 0.02, in "The last seconds":
+            p.start * asked / (whole * time) => "it does not sink at an even rate";
+        /// tone then
+        tone_left: tone(tilt), "Hz", "simulated" => sounds, within near * tone(tilt), judged 0.02, in "The last seconds":
+            TAU * tone(tilt) => "that is in radians a second";
+    }?;
+    effects(p, [&air, &rolls], report)
 }
 
 /// The end once more: where the law's fall, taken by differences, is g, or the film.
-fn ending(case: &Case) -> f64 {
-    let (tilt, speed) = (case.law.falls(), |tilt: f64| case.law.k * pow(tilt, -case.law.n));
+fn ending(by: &Settled) -> f64 {
+    let (tilt, speed) = (by.law.falls(), |tilt: f64| by.law.k * pow(tilt, -by.law.n));
     let slope = (speed(0.9999 * tilt) - speed(1.0001 * tilt)) / (2e-4 * tilt);
-    case.film.max(tilt * speed(tilt) * slope)
+    by.film.max(tilt * speed(tilt) * slope)
 }
 
 /// Time in which the law falls from there to nothing, by the rule of midpoints.
@@ -395,7 +374,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let coin = Steady { tilt: FRAC_PI_2 - 1e-4, circle: -1e3 };
     let falls = Disc::new(&placed(1e-3, [0.0; 3], 0.0)?).force(Loss::None).z();
     let motion = Steady { tilt: p.inclination, circle: 0.0 };
-    let (_, disc, _) = turn(motion, p.tolerance)?;
+    let (_, disc) = turn(motion, p.tolerance)?;
     let held = disc.force(Loss::None) - SpaceVector::new(0.0, 0.0, 1.0);
     limits! { report,
         /// upright it spins about a diameter: the last of the steady motions
@@ -435,7 +414,7 @@ pub fn of_thick(tilt: f64, thickness: f64) -> f64 {
 
 /// The time from the start to the end with both losses at once: by their laws, whose speeds add;
 /// and simulated, down to a tenth of the inclination, with the work.
-fn both([air, rolls]: [&Case; 2]) -> Result<(f64, f64, Work)> {
+fn together(p: &Parameters, [air, rolls]: [&Settled; 2]) -> Result<(f64, f64, Work)> {
     let fall = |tilt: f64| {
         let of = |law: Settling| law.k * pow(tilt, -law.n) * (1.0 - law.c * tilt * tilt);
         of(air.law) + of(rolls.law)
@@ -444,30 +423,24 @@ fn both([air, rolls]: [&Case; 2]) -> Result<(f64, f64, Work)> {
         let h = from / 4000.0;
         (0..4000).map(|i| h / fall(h * (f64::from(i) + 0.5))).sum::<f64>()
     };
-    let (Loss::Air(viscosity), Loss::Rolling(part)) = (air.loss, rolls.loss) else {
-        return Ok((f64::NAN, f64::NAN, Work::default()));
-    };
-    let (steady, start) = (Settling::passing(air.start), air.start);
-    let rates = [steady.rate(), -fall(start), steady.spin()];
-    let from = placed(start, rates, steady.circle)?;
-    let loss = Loss::Both(part, viscosity);
-    let run = settling(loss, from, &[], 0.1 * start, 2.0 * left(start), air.step)?;
+    let (steady, start) = (Settling::passing(p.start), p.start);
+    let from = placed(start, [steady.rate(), -fall(start), steady.spin()], steady.circle)?;
+    let loss = Loss::Both(p.rolling, p.viscosity * p.radius / p.mass * air.time);
+    let run = settling(loss, from, &[], 0.1 * start, 2.0 * left(start), p.tolerance)?;
     Ok((left(start), run.end_time() + left(0.1 * start), run.work()))
 }
 
 /// The card of effects: the other loss, a disc 1 cm thick, air as it is, and what is small.
-fn effects(p: &Parameters, cases: [&Case; 2], alone: &Settled, report: &mut Report) -> Result<()> {
-    let ([air, rolls], thick) = (cases, 0.01 / p.radius);
+fn effects(p: &Parameters, both: [&Settled; 2], report: &mut Report) -> Result<()> {
+    let ([air, rolls], thick) = (both, 0.01 / p.radius);
     // The layer that a surface drags in a turn, over the gap under the centre, at the start.
     let layer = (2.0 * 1.5e-5 * air.time * p.start.sqrt() / 2.0).sqrt() / (p.radius * p.start);
-    let (law, other) = match p.loss == "air" {
-        true => (air.law, rolls.law),
-        false => (rolls.law, air.law),
-    };
+    let [alone, beside] = if p.loss == "air" { [air, rolls] } else { [rolls, air] };
+    let (law, other) = (alone.law, beside.law);
     let small = law.c * p.start * p.start * (law.n + 1.0) / (law.n + 3.0);
     let slow = law.k * pow(p.start, -law.n - 1.0);
     let beside = other.k * pow(p.start, -other.n) / (law.k * pow(p.start, -law.n));
-    let (sooner, settled, work) = both(cases)?;
+    let (sooner, settled, work) = together(p, both)?;
     let runs = [alone.run.work(), work].map(|work| work.derivatives);
     let first = pow(p.start, law.n + 1.0) / ((law.n + 1.0) * law.k);
     // Of a disc that is as thick as it leans steeply, the contact is nowhere near.
@@ -487,46 +460,37 @@ fn effects(p: &Parameters, cases: [&Case; 2], alone: &Settled, report: &mut Repo
 /// The accuracy strip: a turn of the steady motion.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let motion = steady(p)?;
-    let start = placed(motion.tilt, [motion.rate(), 0.0, motion.spin()], motion.circle)?;
     let period = TAU / motion.rate();
-    let back = move |step: f64| {
-        Dop853::new(step)?
-            .zero(&rolling(Loss::None), start, 2, 2.0 * period, |y| Disc::new(y).axis.x())
-    };
     let asked = [p.tolerance, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14];
     report.set_closed_form(ClosedForm::new(move |_| Ok::<_, Error>(motion.rate())));
     let error = move |(back, _): &(LocatedEvent<9>, Work)| Ok((back.t / period - 1.0).abs());
-    report.stepped(asked, back, |run| run.1, error)
+    report.stepped(asked, move |step| back(motion, step), |run| run.1, error)
 }
 
 /// Both losses to the end: where the slow law gives up, and what the disc does instead.
-fn table_of_ends(both: [(&str, &Case, &Settled); 2], report: &mut Report) -> Result<()> {
+fn table_of_ends(both: [&Settled; 2], report: &mut Report) -> Result<()> {
     let columns = "loss, law ends at / rad, because of, highest tone / Hz, at / rad, least N/mg, ends at / rad";
-    let mut table = Table::new("ends", columns.split(", "))?;
-    for (name, case, settled) in both {
-        let (from, end) = (settled.passed[2], settled.run.end_time());
+    report.add(Table::of("ends", columns.split(", "), both, |by| {
+        let (from, end) = (by.passed[2], by.run.end_time());
         let near = times(0.0, 1.0, 8000).map(|part| end - (end - from) * pow(1.0 - part, 3.0));
         let (mut top, mut place, mut least) = (0.0, 0.0, f64::INFINITY);
         for t in near {
-            let disc = settled.at(t.min(end))?;
-            least = disc.force(settled.loss).z().min(least);
+            let disc = by.at(t.min(end))?;
+            least = disc.force(by.loss).z().min(least);
             if disc.rate > top {
                 (top, place) = (disc.rate, disc.tilt);
             }
         }
-        let why = if case.end > case.film { "fall with g" } else { "film" };
-        let last = settled.at(end)?.tilt;
-        let cells = [
-            format!("{:.2e}", case.end),
-            why.into(),
-            format!("{:.0}", top / (TAU * case.time)),
+        Ok([
+            by.name.into(),
+            format!("{:.2e}", by.law_ends),
+            if by.law_ends > by.film { "fall with g" } else { "film" }.into(),
+            format!("{:.0}", top / (TAU * by.time)),
             format!("{place:.1e}"),
             format!("{least:.3}"),
-            format!("{last:.2e}"),
-        ];
-        table.push([name.to_string()].into_iter().chain(cells))?;
-    }
-    report.add(table)
+            format!("{:.2e}", by.at(end)?.tilt),
+        ])
+    })?)
 }
 
 example! {

@@ -126,6 +126,20 @@ pub fn rolling(loss: Loss) -> impl Ode<9> {
 }
 // ANCHOR_END: disc
 
+impl Disc {
+    /// Energy in m g R.
+    pub fn energy(&self) -> f64 {
+        let (v, omega) = (self.velocity(), self.angular_velocity);
+        let own = omega.dot(&self.axis);
+        sin(self.tilt) + 0.5 * v.dot(&v) + 0.125 * (omega.dot(&omega) + own * own)
+    }
+}
+
+/// How the disc lies in this state.
+pub fn attitude(&[w, x, y, z, ..]: &[f64; 9]) -> rotation_dynamics::Result<Attitude> {
+    Attitude::from_quaternion([w, x, y, z])
+}
+
 /// The state at this inclination and these rates of precession, inclination and spin, with the
 /// centre at this distance from the vertical through the origin.
 pub fn placed(tilt: f64, [rate, falling, spin]: [f64; 3], centre: f64) -> Result<[f64; 9]> {
