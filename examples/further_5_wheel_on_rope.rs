@@ -82,10 +82,9 @@ impl Wheel {
         let torque = (r - e * e.dot(&r)) * (self.lever * pull);
         let turned = (torque + e.cross(&u) * self.momentum) / self.transverse - e * u.dot(&u);
         let falls = SpaceVector::new(0.0, 0.0, -self.gravity) - r * (pull / self.mass);
-        let mut rates = [0.0; 12];
         let each = [v, (falls - turned * self.lever) / self.rope, u, turned];
-        rates.copy_from_slice(&each.map(SpaceVector::to_array).concat());
-        rates
+        let each = each.map(SpaceVector::to_array);
+        core::array::from_fn(|i| each[i / 3][i % 3])
     }
 
     /// The pull that keeps the end of the axle at the rope's length from the support.
@@ -158,15 +157,9 @@ impl Wheel {
 
 impl Wheel {
     pub fn new(p: &Parameters) -> Self {
-        let rim = p.mass * p.radius * p.radius;
-        Self {
-            mass: p.mass,
-            transverse: 0.5 * rim,
-            momentum: rim * p.spin,
-            lever: p.lever,
-            rope: p.rope,
-            gravity: p.gravity,
-        }
+        let &Parameters { mass, lever, rope, gravity, .. } = p;
+        let rim = mass * p.radius * p.radius;
+        Self { mass, transverse: 0.5 * rim, momentum: rim * p.spin, lever, rope, gravity }
     }
 
     /// The rate of precession of the lecture: weight times lever over angular momentum.
@@ -179,17 +172,23 @@ impl Wheel {
         self.transverse + self.mass * self.lever * self.lever
     }
 
-    /// The rope's angle, outward, if the axle goes round at this rate: the one zero of a
-    /// convex function, from above by Newton's method.
-    pub fn outward(&self, rate: f64, rise: f64) -> f64 {
-        let (w, reach) = (rate * rate / self.gravity, self.lever * cos(rise));
+    /// The tangent of the rope's angle if the axle goes round at a rate of which `w` is the square
+    /// over g: by Newton's method, from this one on, and how far off it is.
+    fn leaning(&self, w: f64, rise: f64, mut tangent: f64) -> [f64; 2] {
+        let reach = self.lever * cos(rise);
         let off = |t: f64| t - w * (self.rope * t / (1.0 + t * t).sqrt() + reach);
-        let mut tangent = w * (self.rope + reach);
         for _ in 0..200 {
             let slope = 1.0 - w * self.rope / pow(1.0 + tangent * tangent, 1.5);
             tangent -= off(tangent) / slope;
         }
-        atan2(tangent, 1.0)
+        [tangent, off(tangent)]
+    }
+
+    /// The rope's angle, outward, if the axle goes round at this rate: the one zero above 0 of a
+    /// function that is convex there, from above.
+    pub fn outward(&self, rate: f64, rise: f64) -> f64 {
+        let w = rate * rate / self.gravity;
+        atan2(self.leaning(w, rise, w * (self.rope + self.lever * cos(rise)))[0], 1.0)
     }
 
     /// The steady precession with the axle at this rise: its rate and the rope's angle.
@@ -218,21 +217,10 @@ impl Wheel {
     /// if the wheel goes round so fast that the rope cannot follow.
     pub fn inward(&self) -> Option<Coordinates> {
         let rate = self.lecture();
-        let w = rate * rate / self.gravity;
-        let off = |t: f64| t - w * (self.rope * t / (1.0 + t * t).sqrt() + self.lever);
-        let mut tangent = 0.0_f64;
-        for _ in 0..200 {
-            let slope = 1.0 - w * self.rope / pow(1.0 + tangent * tangent, 1.5);
-            if slope >= 0.0 {
-                return None;
-            }
-            tangent -= off(tangent) / slope;
-        }
-        if off(tangent).abs() > 1e-12 {
-            return None;
-        }
+        let [tangent, off] = self.leaning(rate * rate / self.gravity, 0.0, 0.0);
         let x = tangent / (1.0 + tangent * tangent).sqrt();
-        Some([x, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, rate])
+        (tangent < 0.0 && off.abs() <= 1e-12)
+            .then_some([x, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, rate])
     }
 
     /// A state in space with these coordinates.
@@ -247,9 +235,7 @@ impl Wheel {
         };
         let axle = SpaceVector::new(sin(theta), 0.0, cos(theta));
         let parts = [SpaceVector::new(x, y, z), rate(0), axle, rate(1)].map(turned);
-        let mut state = [0.0; 12];
-        state.copy_from_slice(&parts.concat());
-        state
+        core::array::from_fn(|i| parts[i / 3][i % 3])
     }
 
     /// The tension of [`Wheel::free`]: what the centre's acceleration asks of the rope.
@@ -322,40 +308,36 @@ fn eigen(a: [[f64; 3]; 3]) -> Option<[Mode; 3]> {
     if !(at(0.0) < 0.0 && at(low) > 0.0 && at(high) < 0.0) {
         return None;
     }
-    let mode = |mut from: f64, mut to: f64| {
-        for _ in 0..200 {
-            let x = 0.5 * (from + to);
-            let same = (at(x) < 0.0) == (at(from) < 0.0);
-            (from, to) = if same { (x, to) } else { (from, x) };
-        }
-        let x = 0.5 * (from + to);
-        let shifted = [0, 1, 2].map(|i| {
-            let mut shifted = a[i];
-            shifted[i] -= x;
-            SpaceVector::from_array(shifted)
-        });
-        let crosses = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| shifted[i].cross(&shifted[j]));
-        let longest = crosses
-            .into_iter()
-            .fold(SpaceVector::zero(), |best, v| if v.norm() > best.norm() { v } else { best });
-        Mode { frequency: x.sqrt(), start: (longest / longest.norm()).to_array() }
+    let mode = |from: f64, to: f64| {
+        let [below, above] = bisect([from, to], 0.0, |x| (at(x) < 0.0) == (at(from) < 0.0));
+        let x = 0.5 * (below + above);
+        let mut less = a;
+        (0..3).for_each(|i| less[i][i] -= x);
+        let [r, s, t] = less.map(SpaceVector::from_array);
+        let longer = |a: SpaceVector, b: SpaceVector| if b.norm() > a.norm() { b } else { a };
+        let across = longer(longer(r.cross(&s), s.cross(&t)), t.cross(&r));
+        Mode { frequency: x.sqrt(), start: (across / across.norm()).to_array() }
     };
     Some([mode(0.0, low), mode(low, high), mode(high, trace)])
+}
+
+/// The coordinates of a level axle and a hanging rope, pushed round at this rate.
+pub const fn level(push: f64) -> Coordinates {
+    [0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, push]
 }
 
 /// The frequency of a mode, simulated: two sizes of either sign, a period between zeros of
 /// the rope's angle or, `nods`, of the axle's.
 pub fn measured(wheel: Wheel, rest: Coordinates, mode: &Mode, nods: bool) -> Result<f64> {
     let mut period = 0.0;
+    let most = mode.start.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     for size in [1e-4, -1e-4] {
         let mut q = rest;
-        let most = mode.start.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         ODD.into_iter().zip(mode.start).for_each(|(k, x)| q[k] += size * x / most);
         let start = wheel.in_space(&q);
         let read = |y: &[f64; 12]| angles(y)[usize::from(nods)];
-        let level = read(&start);
-        let until = 20.0 / mode.frequency;
-        let back = Dop853::new(1e-15)?.zero(&wheel.hung(), start, 2, until, |y| read(y) - level)?;
+        let (rest, until) = (read(&start), 20.0 / mode.frequency);
+        let back = Dop853::new(1e-15)?.zero(&wheel.hung(), start, 2, until, |y| read(y) - rest)?;
         period += 0.5 * back.0.t;
     }
     Ok(2.0 * PI / period)
@@ -365,30 +347,17 @@ impl Wheel {
     /// Let go with a level axle and a hanging rope, pushed round at this rate, until the
     /// rope goes slack.
     pub fn let_go(self, push: f64, end: f64, step: f64) -> Result<Solution<12>> {
-        let start = self.in_space(&[0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, push]);
+        let start = self.in_space(&level(push));
         let pull = self.tension(&place(&start)) / (self.mass * self.gravity);
         allowed! { "tension at the start over the weight": pull, above(0.0), "a rope does not push"; }?;
         let slack = Event::falling("slack", move |_, y| self.tension(&place(y))).terminal();
         Ok(Dop853::new(step)?.solve(&self.hung(), 0.0, &start, end, &[slack])?)
     }
 
-    /// The same by Lagrange's equations.
-    fn let_free(self, push: f64, end: f64, step: f64) -> rotation_dynamics::Result<Solution<8>> {
-        let start = [0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, push];
-        let slack = Event::falling("slack", move |_, q| self.tension_of(q)).terminal();
-        Dop853::new(step)?.solve(&self.free(), 0.0, &start, end, &[slack])
-    }
-
-    /// The first time at which the axle is lowest or highest, and its rise then.
+    /// The first time at which the axle is lowest or highest.
     pub fn turning(self, push: f64, step: f64) -> Result<LocatedEvent<12>> {
-        let start = self.in_space(&[0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, push]);
-        let nods = |y: &[f64; 12]| y[11];
-        Ok(Dop853::new(step)?.zero(&self.hung(), start, 1, 100.0, nods)?.0)
-    }
-
-    fn turning_free(self, push: f64, step: f64) -> Result<LocatedEvent<8>> {
-        let start = [0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, push];
-        Ok(Dop853::new(step)?.zero(&self.free(), start, 1, 100.0, |q| q[6])?.0)
+        let start = self.in_space(&level(push));
+        Ok(Dop853::new(step)?.zero(&self.hung(), start, 1, 100.0, |y| y[11])?.0)
     }
 
     /// A forward push with which it goes slack at the top of the first nod, nearly.
@@ -408,16 +377,15 @@ pub fn after_a_while(wheel: Wheel, rise: f64, step: f64) -> Result<[f64; 3]> {
     let (q, time) = (wheel.going(rise)?, 3.0);
     let end = after(time, &wheel.hung(), &wheel.in_space(&q), step)?;
     let Place { axle: [e, _], .. } = place(&end);
-    let ahead = atan2(e.y(), e.x()) - q[7] * time;
-    let ahead = atan2(sin(ahead), cos(ahead));
+    let (s, c) = sincos(atan2(e.y(), e.x()) - q[7] * time);
+    let ahead = atan2(s, c);
     Ok([q[7] + ahead / time, angles(&end)[0], wheel.tension(&place(&end))])
 }
 
 /// Where the centre of mass is, by the linear theory: a pendulum whose support goes round.
 pub fn drawn_round(wheel: &Wheel, t: f64) -> (f64, f64) {
     let p = wheel.lecture();
-    let w = (wheel.gravity / wheel.rope).sqrt();
-    let l = wheel.lever;
+    let (w, l) = ((wheel.gravity / wheel.rope).sqrt(), wheel.lever);
     let steady = l * w * w / ((w - p) * (w + p));
     let (there, back) = (-0.5 * l * p / (w - p), 0.5 * l * p / (w + p));
     (
@@ -436,30 +404,32 @@ pub fn from_above(wheel: &Wheel, y: &[f64; 12]) -> [(f64, f64); 2] {
 
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (wheel, weight) = (Wheel::new(p), p.mass * p.gravity);
-    let (level, bound) = (wheel.going(0.0)?, 1e-9 + 1e4 * p.tolerance);
+    let (rest, bound) = (wheel.going(0.0)?, 1e-9 + 1e4 * p.tolerance);
     let [rate, rope] = wheel.steady(0.0)?;
-    let hangs = from_to(0.0, 1.4).because("farther out it is swung round like a stone on a string");
-    hangs.check("angle of the rope with a level axle", rope)?;
-    let pivot = from_to(0.05, 1e6).because("a shorter rope is a pivot");
-    pivot.check("rope over lever", p.rope / p.lever)?;
     let nods = 10.0 * wheel.momentum.abs() / (wheel.transverse * wheel.at_end()).sqrt();
-    let few = from_to(0.0, 3e4).because("more of them take too long to simulate");
-    few.check("radians of nutation in ten seconds", nods)?;
+    allowed! {
+        "angle of the rope with a level axle": rope, from_to(0.0, 1.4), "farther out it is swung round like a stone on a string";
+        "rope over lever": p.rope / p.lever, from_to(0.05, 1e6), "a shorter rope is a pivot";
+        "radians of nutation in ten seconds": nods, from_to(0.0, 3e4), "more of them take too long to simulate";
+    }?;
     let [risen, leaning] = wheel.steady(p.rise)?;
-    let [slow, fast, nod] = wheel.modes(level)?;
+    let [slow, fast, nod] = wheel.modes(rest)?;
     let [flat, up] = [0.0, p.rise].map(|rise| after_a_while(wheel, rise, p.tolerance));
     let ([flat_rate, flat_rope, pull], [up_rate, up_rope, _]) = (flat?, up?);
     let run = wheel.let_go(p.push, 10.0, p.tolerance)?;
     let slack = run.stopped_by().is_some();
     let nods = wheel.turning(p.push, p.tolerance)?;
-    let again = wheel.turning_free(p.push, p.tolerance)?;
+    // The same by Lagrange's equations.
+    let (free, method) = (wheel.free(), Dop853::new(p.tolerance)?);
+    let (again, _) = method.zero(&free, level(p.push), 1, 100.0, |q| q[6])?;
+    let gives = Event::falling("slack", move |_, q| wheel.tension_of(q)).terminal();
+    let free = method.solve(&free, 0.0, &level(p.push), 10.0, &[gives])?;
     // A rod would go on to its turning point; a rope that is slack before does not.
     let turns = nods.t < run.end_time();
     let (dip, fixed) = (-angles(&nods.state)[1], weight * p.lever * wheel.at_end());
-    let free = wheel.let_free(p.push, 10.0, p.tolerance)?;
-    let small = |mode: &Mode, nods: bool| measured(wheel, level, mode, nods);
+    let small = |mode: &Mode, nods: bool| measured(wheel, rest, mode, nods);
     let (back, l2) = (wheel.backward(), wheel.momentum * wheel.momentum);
-    let at = |push| wheel.tension_of(&[0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, push]);
+    let at = |push| wheel.tension_of(&level(push));
     claims! { report,
         /// level axle: rate
         level_rate: rate, "rad/s", "after 3 s" => flat_rate, within bound * rate.abs(), in "Level":
@@ -481,22 +451,18 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// fast swing of the rope, as seen from there
         fast: fast.frequency, "rad/s", "simulated" => small(&fast, false)?, within 1e-6 * fast.frequency;
         /// nutation
-        nutation: nod.frequency, "rad/s", "simulated" => small(&nod, true)?,
-        within 1e-6 * nod.frequency, in "Oscillations":
+        nutation: nod.frequency, "rad/s", "simulated" => small(&nod, true)?, within 1e-6 * nod.frequency, in "Oscillations":
             wheel.momentum.abs() / wheel.at_end() => "that is about a fixed point; the end of the axle is free to move sideways";
         /// let go: how far the axle first dips
-        dip: dip, "rad", "Lagrange" => again.state[2] - FRAC_PI_2, within bound, if turns,
-        in "Let go":
+        dip: dip, "rad", "Lagrange" => again.state[2] - FRAC_PI_2, within bound, if turns, in "Let go":
             2.0 * fixed / l2 => "that is about a fixed point";
         /// let go: when
         dip_time: nods.t, "s", "Lagrange" => again.t, within bound, if turns;
         /// let go at rest: pull of the rope at that moment
-        first_pull: weight * wheel.transverse / wheel.at_end(), "N", "tension by Lagrange" => at(0.0),
-        within 1e-12 * weight, in "Let go":
+        first_pull: weight * wheel.transverse / wheel.at_end(), "N", "tension by Lagrange" => at(0.0), within 1e-12 * weight, in "Let go":
             weight => "the hub begins to fall";
         /// push that makes the rope slack at once
-        backward: back, "rad/s", "tension by Lagrange" => back - at(back) * back / weight,
-        within 1e-12 * back.abs(), in "Let go";
+        backward: back, "rad/s", "tension by Lagrange" => back - at(back) * back / weight, within 1e-12 * back.abs(), in "Let go";
         /// let go: when the rope goes slack
         slack: run.end_time(), "s", "Lagrange" => free.end_time(), within bound, if slack;
     }
@@ -527,8 +493,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         /// it dips twice as far as where it would rest
         "fast spin: dip": dip / moment => 1.0, within 1e-4;
         /// the rope is a string that holds a point
-        "no rope: tan(delta)": tan(short.steady(0.0)?[1]) * p.gravity
-            / (short.lecture() * short.lecture() * p.lever) => 1.0, within 1e-6;
+        "no rope: tan(delta)": tan(short.steady(0.0)?[1]) * p.gravity / (short.lecture() * short.lecture() * p.lever) => 1.0, within 1e-6;
     }
 }
 
@@ -572,8 +537,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let heavier = s * c * (0.5 - far * c / 3.0) / left;
     let stretched = Wheel { rope: p.rope * (1.0 + stretch), ..Wheel::new(p) };
     effect_card! { report,
-        "lean of the rope": "p^2 b/g" = rate * rate * p.rope / p.gravity,
-            costs rope, "rad of the rope", included;
+        "lean of the rope": "p^2 b/g" = rate * rate * p.rope / p.gravity, costs rope, "rad of the rope", included;
         "precession not slow": "J p/L" = bound, costs bound * tan(p.rise).abs(), "of the rate", included;
         "mass of the rope": "m_r/m" = mass, costs heavier * mass, "rad of the rope";
         "stretch of the rope": "mg/(E A)" = stretch, costs longer * stretch * rope, "rad of the rope",
@@ -587,12 +551,10 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 /// The accuracy strip: let go, for ten seconds, against Lagrange's equations.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let wheel = Wheel::new(p);
-    let start = [0.0, 0.0, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0, 0.0];
-    let end = wheel.in_space(&after(10.0, &wheel.free(), &start, 1e-15)?);
+    let end = wheel.in_space(&after(10.0, &wheel.free(), &level(0.0), 1e-15)?);
     let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11];
     let run = move |step| {
-        let start = wheel.in_space(&start);
-        Dop853::new(step)?.solve(&wheel.hung(), 0.0, &start, 10.0, &[])
+        Dop853::new(step)?.solve(&wheel.hung(), 0.0, &wheel.in_space(&level(0.0)), 10.0, &[])
     };
     report.set_closed_form(ClosedForm::new(move |_| wheel.steady(0.5)));
     report.stepped(asked, run, Solution::work, move |run| {

@@ -9,7 +9,7 @@ fn spins() -> Sweep {
 
 /// The wheel with another spin.
 fn spun(p: &Parameters, spin: f64) -> Wheel {
-    Wheel::new(&Parameters { spin, ..p.clone() })
+    Wheel::new(&p.but(|p| p.spin = spin))
 }
 
 /// The points of a line where there is something to be computed.
@@ -26,9 +26,9 @@ fn run(p: &Parameters) -> Result<Solution<12>> {
 }
 
 figures! { p: &Parameters, wheel = Wheel::new(p), let_go = run(p)?;
-    /// A rope of length b hangs from the point O of a ceiling and leans outward by delta. At
-    /// its lower end A begins the axle, which rises outward by beta; the hub C of the wheel,
-    /// seen edge on, is at the distance l from A. The spin L points outward along the axle.
+    /// A rope of length b hangs from the point O of a ceiling and leans outward by delta. At its lower end A begins the axle,
+    /// which rises outward by beta; the hub C of the wheel, seen edge on, is at the distance l from A. The spin L points
+    /// outward along the axle.
     setup: {
         let ((sd, cd), (sb, cb)) = (sincos(0.22), sincos(0.3));
         let (o, a) = ((0.0, 0.0), (sd, -cd));
@@ -55,9 +55,8 @@ figures! { p: &Parameters, wheel = Wheel::new(p), let_go = run(p)?;
             .text((0.19, -1.32), "$p$", Ink::Velocity, Side::Right)
     };
 
-    /// Angle of the rope against the spin, for a level axle. With a fast spin it is nearly
-    /// zero; with a slow one it rises steeply. Where the spin is slow there is a second line
-    /// below zero. Simulated dots lie on both.
+    /// Angle of the rope against the spin, for a level axle. With a fast spin it is nearly zero; with a slow one it rises
+    /// steeply. Where the spin is slow there is a second line below zero. Simulated dots lie on both.
     rope_angle: {
         let outward = |spin: f64| spun(p, spin).steady(0.0).map_or(f64::NAN, |s| s[1]);
         let inward = |spin: f64| spun(p, spin).inward().map(|q| (spin, asin(q[0])));
@@ -76,9 +75,8 @@ figures! { p: &Parameters, wheel = Wheel::new(p), let_go = run(p)?;
             .curve(Curve::new([2.4, 3.4, 4.4].into_iter().filter_map(kept), Ink::Body).dots())
     };
 
-    /// Rate of steady precession over that of the lecture against the rise of the axle, for
-    /// two spins. Both pass through 1 at a level axle and grow with the rise, the slower the
-    /// spin the more.
+    /// Rate of steady precession over that of the lecture against the rise of the axle, for two spins. Both pass through 1 at a
+    /// level axle and grow with the rise, the slower the spin the more.
     rates: {
         let panel = Panel::over_axes(r"rise $\beta$ / rad", Axis::linear("$p/p_0$").range(0.92, 1.1));
         [(12.0, 0.55), (20.0, 1.0)].into_iter().try_fold(panel, |panel, (spin, at)| {
@@ -95,8 +93,8 @@ figures! { p: &Parameters, wheel = Wheel::new(p), let_go = run(p)?;
         })?
     };
 
-    /// The three frequencies against the spin. The nutation grows in proportion to it. The
-    /// two of the rope lie on either side of its own; at slow spin they part.
+    /// The three frequencies against the spin. The nutation grows in proportion to it. The two of the rope lie on either side
+    /// of its own; at slow spin they part.
     modes: {
         let frequency = |spin: f64, k: usize| {
             let wheel = spun(p, spin);
@@ -117,14 +115,12 @@ figures! { p: &Parameters, wheel = Wheel::new(p), let_go = run(p)?;
             })?
     };
 
-    /// Rise of the axle against time after it is let go at rest: small fast waves below zero.
-    /// On a fixed pivot, dashed, they are slower and deeper.
+    /// Rise of the axle against time after it is let go at rest: small fast waves below zero. On a fixed pivot, dashed, they
+    /// are slower and deeper.
     nods: {
-        let fixed = |t: f64| {
-            let (i, l) = (wheel.at_end(), wheel.momentum);
-            let deep = wheel.mass * wheel.gravity * wheel.lever * i / (l * l);
-            -deep * (1.0 - cos(l / i * t))
-        };
+        let (i, l) = (wheel.at_end(), wheel.momentum);
+        let deep = wheel.mass * wheel.gravity * wheel.lever * i / (l * l);
+        let fixed = |t: f64| -deep * (1.0 - cos(l / i * t));
         let rise = |t: f64| Ok(angles(&let_go.at(t)?)[1]);
         let end = let_go.end_time().min(1.2);
         Panel::over_axes("$t$ / s", Axis::linear(r"rise $\beta$ / rad").range(-0.16, 0.0))
@@ -133,8 +129,8 @@ figures! { p: &Parameters, wheel = Wheel::new(p), let_go = run(p)?;
             .curve(Curve::sampled(times(0.0, end, 300), rise, Ink::Body)?.label_at("on the rope", 0.92, -0.028, Side::Above))
     };
 
-    /// The path of the centre of mass, seen from above: it creeps at first, then goes round in
-    /// a ring. Dots of the linear theory lie near the simulated line, less so at the end.
+    /// The path of the centre of mass, seen from above: it creeps at first, then goes round in a ring. Dots of the linear
+    /// theory lie near the simulated line, less so at the end.
     above: {
         let end = let_go.end_time().min(2.0 * PI / wheel.lecture().abs());
         let at = |t: f64| Ok::<_, rotation_dynamics::Error>(from_above(&wheel, &let_go.at(t)?));
@@ -147,9 +143,8 @@ figures! { p: &Parameters, wheel = Wheel::new(p), let_go = run(p)?;
             .curve(Curve::new(hook, Ink::Frame).label("$A$"))
     };
 
-    /// Tension over the weight against time. Let go at rest it waves about one. Pushed
-    /// forward too fast it begins above two, falls to zero at the top of the first nod, and
-    /// there the line ends.
+    /// Tension over the weight against time. Let go at rest it waves about one. Pushed forward too fast it begins above two,
+    /// falls to zero at the top of the first nod, and there the line ends.
     tension: {
         let pull = |push: f64, label: &str, at: (f64, f64, Side)| {
             let run = wheel.let_go(push, 0.8, 1e-12)?;
@@ -182,13 +177,16 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let [r, _] = place(y).rope;
         atan2(hypot(r.x(), r.y()), -r.z())
     };
-    let curve = Curve::sampled(times(0.0, end, 600), |t| Ok(lean(&run.at(t)?)), Ink::Body)?;
-    let graph = Panel::over_axes("$t$ / s", "rope / rad").curve(curve);
+    let graph = Panel::over_axes("$t$ / s", "rope / rad").curve(Curve::sampled(
+        times(0.0, end, 600),
+        |t| Ok(lean(&run.at(t)?)),
+        Ink::Body,
+    )?);
     let (b, radius, size, spin) = (wheel.rope, p.radius, wheel.lever + p.radius, p.spin);
     MovingPicture::above(graph, 0.0..=end, [0.0, 0.2 * end, 0.7 * end], move |t| {
         let state = run.at(t.min(end))?;
         let Place { rope: [r, _], axle: [e, _] } = place(&state);
-        let (hook, support) = (r * b, SpaceVector::new(0.0, 0.0, 1.5 * size - b));
+        let (hook, top) = (r * b, 1.5 * size - b);
         let hub = hook + e * wheel.lever;
         let torque = e.cross(&r) * (0.7 * size);
         let tip = hub + e * (1.3 * size * wheel.momentum.signum());
@@ -202,15 +200,9 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             let Place { rope: [r, _], axle: [e, _] } = place(&run.at(t)?);
             Ok(r * b + e * wheel.lever)
         })?;
-        let scene = View::of(SpaceVector::new(0.0, 0.0, -b + 0.2 * size), 1.5 * size)
-            .dashed(
-                [
-                    cut(SpaceVector::new(0.0, 0.0, -b), support),
-                    SpaceVector::new(0.0, 0.0, -b - 0.6 * size),
-                ],
-                Ink::Frame,
-            )
-            .line([cut(hook, support), hook], Ink::Ink)
+        let scene = View::of(below(b - 0.2 * size), 1.5 * size)
+            .dashed([cut(below(b), top), below(b + 0.6 * size)], Ink::Frame)
+            .line([cut(hook, top), hook], Ink::Ink)
             .dashed(path, Ink::Body)
             .solid(Solid::rod(hook, hub, 0.02 * size), Ink::Frame)
             .solid(Solid::wheel(hub, e, radius, 0.1 * size, spin * t), Ink::Body)
@@ -220,10 +212,12 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     })
 }
 
-/// The rope from its end up to the height of `top`, or to the support if that is lower.
-fn cut(hook: SpaceVector, top: SpaceVector) -> SpaceVector {
-    if top.z() >= 0.0 {
-        return SpaceVector::zero();
-    }
-    hook * (top.z() / hook.z())
+/// So far below the support.
+fn below(depth: f64) -> SpaceVector {
+    SpaceVector::new(0.0, 0.0, -depth)
+}
+
+/// Where the rope to this end passes the height `top`, or the support if that is lower.
+fn cut(hook: SpaceVector, top: f64) -> SpaceVector {
+    if top >= 0.0 { SpaceVector::zero() } else { hook * (top / hook.z()) }
 }
