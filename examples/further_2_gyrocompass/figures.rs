@@ -3,16 +3,9 @@
 use super::*;
 use kit::draw::Camera;
 
-/// Over the latitude, Foucault's compass of the problem.
-fn latitudes() -> Sweep {
-    Sweep::over("latitude / rad", 0.0, 1.5).at([0.05, 0.35, 0.65, 0.95, 1.2, 1.35, 1.46])
-}
-
 /// A body with its nutation at the rate 1, on an equator that turns slowly, and a bob.
 fn stiffened(log_stiffness: f64) -> Compass {
-    let horizon = horizon(1e-7, 0.0, 0.0);
-    let (transverse, momentum, pendulosity) = (1.0, 1.0, pow(10.0, log_stiffness));
-    Compass { transverse, momentum, pendulosity, horizon, offset: 0.0, rider: 0.0, pivot: 0.0 }
+    Compass::bare([1.0, 1.0, pow(10.0, log_stiffness)], horizon(1e-7, 0.0, 0.0))
 }
 
 /// The ship speeds up within ten minutes; azimuth in rad over minutes.
@@ -32,18 +25,18 @@ const END: f64 = 15000.0;
 /// The damped compass let go.
 fn damped(p: &Parameters) -> Result<Solution<3>> {
     let c = Compass { offset: p.offset, ..Compass::new(p)? };
-    Ok(c.run([p.release, c.rest()[1]], END, p.tolerance)?)
+    c.run([p.release, c.rest()[1]], END, p.tolerance)
 }
 
 /// Azimuth against minutes.
-fn over_minutes(run: &Solution<3>, end: f64) -> Result<Vec<(f64, f64)>> {
-    sampled(times(0.0, end / 60.0, 300), |t| Ok((t, angles(run.at((60.0 * t).min(END))?)[0])))
+fn over_minutes(run: &Solution<3>) -> Result<Vec<(f64, f64)>> {
+    sampled(times(0.0, END / 60.0, 300), |t| Ok((t, angles(run.at((60.0 * t).min(END))?)[0])))
 }
 
 figures! { p: &Parameters, compass = Compass::new(p)?;
-    /// The Earth from the side, its axis upright with the angular velocity Omega. At the
-    /// latitude lambda stands a wheel, its level axle along the meridian, with the angular
-    /// momentum L towards the north; the north is lambda below the direction of Omega.
+    /// The Earth from the side, its axis upright with the angular velocity Omega. At the latitude lambda stands a wheel, its
+    /// level axle along the meridian, with the angular momentum L towards the north; the north is lambda below the direction of
+    /// Omega.
     setup: {
         let (s, c) = sincos(0.8);
         let at = |up: f64, north: f64| (up * c - north * s, up * s + north * c);
@@ -63,15 +56,15 @@ figures! { p: &Parameters, compass = Compass::new(p)?;
             .text((0.62, -0.55), "Earth", Ink::Frame, Side::Centre)
     };
 
-    /// The wheel on a piece of level ground. Its axle points between north and east, at
-    /// the azimuth alpha from north, and is raised by the tilt beta. A bob hangs below.
+    /// The wheel on a piece of level ground. Its axle points between north and east, at the azimuth alpha from north, and is
+    /// raised by the tilt beta. A bob hangs below.
     compass: {
         let (tip, o, low) = (axle(0.75, 0.3) * 1.05, SpaceVector::zero(), UP * -0.55);
         let flat = |from: f64, to: f64| times(from, to, 30).map(move |a| axle(a, 0.0) * 0.6 + low);
         let foot = axle(0.75, 0.0) * 1.0;
         View::of(UP * -0.2, 0.95)
             .camera(Camera::new(-0.4, 0.38))
-.ground(low, 0.95)
+            .ground(low, 0.95)
             .dashed([low, axle(0.0, 0.0) * 0.9 + low], Ink::Frame)
             .dashed([low, axle(0.5 * PI, 0.0) * 0.9 + low], Ink::Frame)
             .dashed([low, foot + low], Ink::Frame)
@@ -88,18 +81,19 @@ figures! { p: &Parameters, compass = Compass::new(p)?;
             .arrow(o, tip, Ink::Momentum, "$L$", Side::Right)
     };
 
-    /// Period of Foucault's compass against the latitude: flat at the equator, it grows
-    /// without bound towards the pole. Simulated dots on the line.
+    /// Period of Foucault's compass against the latitude: flat at the equator, it grows without bound towards the pole.
+    /// Simulated dots on the line.
     foucault: {
-        let at = |latitude| Compass::new(&Parameters { latitude, ..p.clone() });
+        let at = |latitude| Compass::new(&p.but(|p| p.latitude = latitude));
         let period = |x| at(x).map_or(f64::NAN, |c| 2.0 * PI / c.foucault_rate());
         let simulated = |x| Ok(2.0 * PI / measured_held(at(x)?)?);
-        latitudes().exact_and_simulated(Axis::linear("period / s").range(0.0, 60.0), period, simulated)?
+        Sweep::over("latitude / rad", 0.0, 1.5).at([0.05, 0.35, 0.65, 0.95, 1.2, 1.35, 1.46])
+            .exact_and_simulated(Axis::linear("period / s").range(0.0, 60.0), period, simulated)?
     };
 
-    /// Period over that of Foucault's compass against how stiff the bob is, both with powers
-    /// of ten. It falls with the slope -1/2, bends where the stiffness is 1 and stays at 1.
-    /// Simulated dots lie on the line; the compass of the ship is far to the left.
+    /// Period over that of Foucault's compass against how stiff the bob is, both with powers of ten. It falls with the slope
+    /// -1/2, bends where the stiffness is 1 and stays at 1. Simulated dots lie on the line; the compass of the ship is far to
+    /// the left.
     both: {
         let ratio = |log| stiffened(log).foucault_rate() / stiffened(log).both()[0];
         let line = times(-5.5, 3.0, 200).map(|log| (pow(10.0, log), ratio(log)));
@@ -111,39 +105,37 @@ figures! { p: &Parameters, compass = Compass::new(p)?;
         Panel::over_axes(Axis::log("$K I_t/L^2$"), Axis::log("$T/T_F$").range(0.7, 1000.0))
             .curve(Curve::new(line, Ink::Ink))
             .curve(Curve::new(dots, Ink::Body).dots().label("simulated"))
-            .dot(stiffness / (l * l), compass.foucault_rate() / compass.both()[0], Ink::Momentum,
-                "the ship's", Side::Right)
+            .dot(stiffness / (l * l), compass.foucault_rate() / compass.both()[0], Ink::Momentum, "the ship's", Side::Right)
             .note(30.0, 1.0, Ink::Ink, "Foucault's", Side::Above)
     };
 
-    /// Tilt against azimuth. The undamped axle goes round a flat closed curve about a point
-    /// straight above north; the damped one winds inward to a point beside it.
+    /// Tilt against azimuth. The undamped axle goes round a flat closed curve about a point straight above north; the damped
+    /// one winds inward to a point beside it.
     path: {
         let rest = compass.rest();
-        let over = |run: &Solution<3>, end: f64| {
-            sampled(times(0.0, end, 400), |t| Ok(angles(run.at(t)?).into())).map(|path: Vec<(f64, f64)>| path)
+        let over = |run: &Solution<3>| -> Result<Vec<(f64, f64)>> {
+            sampled(times(0.0, run.end_time(), 400), |t| Ok(angles(run.at(t)?).into()))
         };
         let free = compass.run([p.release, rest[1]], 2.0 * PI / compass.linear()[1].sqrt() * 1.02, 1e-10)?;
-        let closed = over(&free, free.end_time())?;
         Panel::over_axes(r"azimuth $\alpha$ / rad", r"tilt $\beta$ / rad")
-            .curve(Curve::new(closed, Ink::Frame).arrow(0.12).label("undamped"))
-            .curve(Curve::new(over(&damped(p)?, END)?, Ink::Body).arrow(0.06).label("damped"))
+            .curve(Curve::new(over(&free)?, Ink::Frame).arrow(0.12).label("undamped"))
+            .curve(Curve::new(over(&damped(p)?)?, Ink::Body).arrow(0.06).label("damped"))
             .dot(0.0, rest[1], Ink::Ink, "", Side::Above)
     };
 
-    /// Azimuth against time of the damped compass, with and without a rider. Both swing a
-    /// few times, ever less; one ends in the north, the other a little east of it.
+    /// Azimuth against time of the damped compass, with and without a rider. Both swing a few times, ever less; one ends in the
+    /// north, the other a little east of it.
     settling: {
         let c = Compass { offset: p.offset, rider: compass.momentum * compass.horizon.z(), ..compass };
-        let corrected = over_minutes(&c.run([p.release, 0.0], END, 1e-10)?, END)?;
+        let corrected = over_minutes(&c.run([p.release, 0.0], END, 1e-10)?)?;
         Panel::over_axes("$t$ / min", r"azimuth $\alpha$ / rad")
             .level(0.0, Ink::Frame, "")
-            .curve(Curve::new(over_minutes(&damped(p)?, END)?, Ink::Frame).dashed().label("without rider"))
+            .curve(Curve::new(over_minutes(&damped(p)?)?, Ink::Frame).dashed().label("without rider"))
             .curve(Curve::new(corrected, Ink::Body).label("with rider"))
     };
 
-    /// Azimuth against time after the ship speeds up. Tuned, the axle goes over to its new
-    /// rest in ten minutes and stays. With half and with twice the pendulosity it swings.
+    /// Azimuth against time after the ship speeds up. Tuned, the axle goes over to its new rest in ten minutes and stays. With
+    /// half and with twice the pendulosity it swings.
     ship: Panel::over_axes("$t$ / min", Axis::linear(r"azimuth $\alpha$ / rad")
             .over([0.0, 1e-3, -2.05 * p.speed / (RADIUS * compass.north())]))
         .upright(10.0, Ink::Frame, "")
@@ -174,9 +166,10 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 
 /// The damped motion, the tilt drawn twenty times as large.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let (run, compass, name) = (damped(p)?, Compass::new(p)?, r"azimuth $\alpha$ / rad");
-    let graph = Panel::over_axes("$t$ / min", name).level(0.0, Ink::Frame, "");
-    let graph = graph.curve(Curve::new(over_minutes(&run, END)?, Ink::Body));
+    let (run, compass) = (damped(p)?, Compass::new(p)?);
+    let graph = Panel::over_axes("$t$ / min", r"azimuth $\alpha$ / rad")
+        .level(0.0, Ink::Frame, "")
+        .curve(Curve::new(over_minutes(&run)?, Ink::Body));
     let (low, quarter) = (UP * -0.55, 0.5 * PI / compass.linear()[1].sqrt() / 60.0);
     let earth = compass.horizon * (0.9 / EARTH);
     MovingPicture::above(graph, 0.0..=END / 60.0, [0.0, quarter, END / 60.0], move |t| {
