@@ -34,7 +34,6 @@ parameters! {
     }
 }
 
-// ANCHOR: answer
 /// What energy and angular momentum say; lengths in R, masses in 2 m, spins in that before.
 #[derive(Debug, Clone, Copy)]
 pub struct Answer {
@@ -68,32 +67,36 @@ impl Answer {
         let c = self.inertia + 1.0;
         2.0 * self.inertia * c * length / ((c + length * length) * (c + length * length))
     }
+    /// The same where it points outward.
+    pub fn tension_outward(&self, length: f64) -> f64 {
+        let spin = self.spin_outward(length);
+        let across = self.speed(length) - spin;
+        0.5 * (across * across / length + spin * spin)
+    }
     /// Speed of the weights where they are let go outward.
     pub fn speed(&self, length: f64) -> f64 {
         (self.inertia + 1.0 - self.inertia * self.spin_outward(length)) / (1.0 + length)
     }
 }
-// ANCHOR_END: answer
 
 /// The satellite in the units of the simulation, and the answer for it.
 pub fn scene(p: &Parameters) -> Result<(YoYo, Answer)> {
     let inertia = p.inertia / (2.0 * p.weight * p.radius * p.radius);
+    let (length, answer, aim) = (p.string / p.radius, Answer { inertia }, p.aim / p.spin);
+    let most = -((inertia + 1.0) / inertia).sqrt();
     allowed! {
         "size of the spin": p.spin.abs(), above_to(0.0, 1e8), "without a spin the weights stay where they are, and a rim is slower than light";
         "I/(2 m R^2)": inertia, from_to(1e-6, 5e6), "lighter weights need thousands of turns of string";
+        "string/radius": length, from_to(1e-3, 1e4), "a shorter one hardly unwinds, a longer one unwinds for thousands of turns";
+        "aim/spin": aim, between(most, 1.0), "1 needs no string, and the weights only take energy";
+        "string for the aim, over the radius,": answer.length_outward(aim), from_to(0.0, 1e4), "at the limit of the energy it has no end";
     }?;
-    let length = p.string / p.radius;
-    let winds = from_to(1e-3, 1e4)
-        .because("a shorter one hardly unwinds, a longer one unwinds for thousands of turns");
-    winds.check("string/radius", length)?;
-    let most = -((inertia + 1.0) / inertia).sqrt();
-    let aims = between(most, 1.0).because("1 needs no string, and the weights only take energy");
-    aims.check("aim/spin", p.aim / p.spin)?;
-    let answer = Answer { inertia };
-    let needed = "string for the aim, over the radius,";
-    let finite = from_to(0.0, 1e4).because("at the limit of the energy it has no end");
-    finite.check(needed, answer.length_outward(p.aim / p.spin))?;
     Ok((YoYo { inertia, length }, answer))
+}
+
+/// The unit of the pull of each string, 2 m w0^2 R.
+fn newton(p: &Parameters) -> f64 {
+    2.0 * p.weight * p.spin * p.spin * p.radius
 }
 
 /// Dawn in 2007: both weights 3 kg, cables of 12 m, from 46 to -3 turns a minute; the radius on
@@ -114,15 +117,12 @@ fn dawn() -> f64 {
 fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (yoyo, a) = scene(p)?;
     let (j, l, bound) = (yoyo.inertia, yoyo.length, 1e3 * p.tolerance);
-    let w = p.spin;
-    let r = p.radius;
-    let newton = 2.0 * p.weight * p.spin * p.spin * p.radius;
+    let (w, r, newton) = (p.spin, p.radius, newton(p));
     // An error of the rate at which the weights swing counts 1 + l times in their speed.
     let fast = a.speed(l).max(1e-3 * (1.0 + l));
     let pulled = bound * fast / a.speed(l);
     let run = yoyo.run(p.tolerance)?;
     let (ends, out) = (run.transition("unwound")?, run.transition("outward")?);
-    let pull = |hangs, y: &[f64; 4]| yoyo.tension(hangs, y);
     let [_, [vx, vy]] = yoyo.weight(&out.before);
     let with = |length| YoYo { length, ..yoyo };
     let (stop, stop_tangent, aim) = (a.length_outward(0.0), a.length_tangent(0.0), p.aim / w);
@@ -135,16 +135,15 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let long = with(3.0 * stop_tangent).run(1e-13)?;
     let still = zero([0.1 * stop_tangent, 2.0 * stop_tangent], |t| Ok(long.at(t)?.1[2]))?;
     let near = |length: f64, more: f64| YoYo { inertia: j * (1.0 + more), length }.last_spin(1e-14);
-    let each = 1e-4;
-    let by_inertia = (near(stop, each)? - near(stop, -each)?) / (2.0 * each);
-    let by_length =
-        (near(stop * (1.0 + each), 0.0)? - near(stop * (1.0 - each), 0.0)?) / (2.0 * each);
+    let by_inertia = (near(stop, 1e-4)? - near(stop, -1e-4)?) / 2e-4;
+    let [longer, shorter] = [1.0 + 1e-4, 1.0 - 1e-4].map(|part| near(stop * part, 0.0));
+    let by_length = (longer? - shorter?) / 2e-4;
     // One string: the weight and the satellite move about their common centre of mass.
     let share = p.body / (p.weight + p.body);
     let single = Answer { inertia: 2.0 * j / share };
     let (lone, speed) = (single.spin_outward(l), single.speed(l));
     let reel = Reel { inertia: 2.0 * j, weight: share, length: l, stiffness: None };
-    let [lone_spin, _, lone_speed] = reel.last(1.0, 1e-13)?;
+    let [lone_spin, lone_speed] = reel.last(1.0, 1e-13)?;
     let push = |speed: f64| w.abs() * r * speed * p.weight / (p.weight + p.body);
     let [weights, cable, ratio, guess] = DAWN;
     let dawned = zero([1.5, 0.5], |part| {
@@ -160,8 +159,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             r * ((j + 1.0) * 2.0).sqrt() - r => "there are two weights",
             r * (stop + 1.0) => "that is the distance from the axis";
         /// string that stops it, let go along the tangent
-        stop_tangent: r * stop_tangent, "m", "simulated, zero found" => r * still, within 1e-10 * r * stop_tangent,
-        in "To a stop":
+        stop_tangent: r * stop_tangent, "m", "simulated, zero found" => r * still, within 1e-10 * r * stop_tangent, in "To a stop":
             r * stop => "that is for strings that are let go outward",
             r * j.sqrt() => "the weights turn with the satellite before";
         /// string for the spin that is wanted, let go outward
@@ -183,11 +181,11 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// part of the energy that the weights take along
         taken: 1.0 - j * a.spin_outward(l) * a.spin_outward(l) / (j + 1.0), "-", "Lagrange, simulated" => (vx * vx + vy * vy) / (j + 1.0), within bound;
         /// pull of each string when it is unwound
-        tension_unwound: newton * a.tension(l), "N", "Lagrange, simulated" => newton * pull(Hangs::Tangent, &ends.before),
+        tension_unwound: newton * a.tension(l), "N", "Lagrange, simulated" => newton * yoyo.tension(Hangs::Tangent, &ends.before),
         within pulled * newton * a.tension(l), in "The pull of a string";
         /// the same when it points outward
-        tension_outward: newton * tension_outward(&a, l), "N", "Lagrange, simulated" => newton * pull(Hangs::Hook, &out.before),
-        within 10.0 * pulled * newton * tension_outward(&a, l), in "The pull of a string";
+        tension_outward: newton * a.tension_outward(l), "N", "Lagrange, simulated" => newton * yoyo.tension(Hangs::Hook, &out.before),
+        within 10.0 * pulled * newton * a.tension_outward(l), in "The pull of a string";
         /// spin that is left for a part of I too much, over w0
         per_inertia: 0.5, "-", "simulated, differences" => by_inertia, within 1e-6;
         /// the same for a part of the string too much
@@ -203,18 +201,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-/// Pull of each string where it points outward, over 2 m w0^2 R.
-pub fn tension_outward(a: &Answer, length: f64) -> f64 {
-    let spin = a.spin_outward(length);
-    let across = a.speed(length) - spin;
-    0.5 * (across * across / length + spin * spin)
-}
-
 /// No string, heavy weights, a satellite that is nothing but its weights.
 fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
     let (light, heavy) = (Answer { inertia: 80.0 }, Answer { inertia: 1e8 });
-    let stiff =
-        Reel { inertia: 80.0, weight: 1.0, length: 6.0, stiffness: Some(1e6) }.last(1.0, 1e-12)?[0];
+    let stiff = Reel { inertia: 80.0, weight: 1.0, length: 6.0, stiffness: Some(1e6) };
     limits! { report,
         /// nothing has unwound
         "l/R = 0: omega/w0": light.spin_outward(0.0) => 1.0, within 1e-15;
@@ -225,7 +215,7 @@ fn limits(_: &Parameters, report: &mut Report) -> Result<()> {
         /// twice the angular velocity of the satellite at the start
         "l/R = x, unwound: Omega/w0": YoYo { inertia: 80.0, length: 1e-3 }.run(1e-13)?.transition("unwound")?.before[3] => 2.0, within 1e-6;
         /// springs that hardly give, by Newton's law
-        "stiff springs: omega/w0": stiff => light.spin_outward(6.0), within 1e-5;
+        "stiff springs: omega/w0": stiff.last(1.0, 1e-12)?[0] => light.spin_outward(6.0), within 1e-5;
     }
 }
 
@@ -237,14 +227,12 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let area = 0.25 * PI * 1.5e-3 * 1.5e-3;
     let heavy = 1440.0 * area * p.radius / p.weight;
     let shorter = 1.0 - heavy_stop(&a, heavy)? / stop;
-    let newton = 2.0 * p.weight * p.spin * p.spin * p.radius;
-    let most = a.tension(((j + 1.0) / 3.0).sqrt().min(stop)).max(tension_outward(&a, stop));
-    let stretch = newton * most / (70e9 * area);
+    let most = a.tension(((j + 1.0) / 3.0).sqrt().min(stop)).max(a.tension_outward(stop));
+    let stretch = newton(p) * most / (70e9 * area);
     let size = 0.4 * 0.02 * 0.02 / (p.radius * p.radius);
     let thick = 0.75e-3 / p.radius;
     let per = (j + 1.0) / j * stop / (1.0 + stop);
-    let (inertia, length) = (1.01 * j, stop);
-    let left = YoYo { inertia, length }.last_spin(1e-12)?;
+    let left = YoYo { inertia: 1.01 * j, length: stop }.last_spin(1e-12)?;
     effect_card! { report,
         "moment of inertia, known to 1 %": "dI/I" = 0.01, costs 0.005, "of w0", measured left;
         "mass of the strings": "mu/(2 m)" = heavy * stop, costs shorter.abs() * per, "of w0";
@@ -289,37 +277,33 @@ fn stretch(p: &Parameters, report: &mut Report) -> Result<()> {
     let (springs, length) = (sprung(p), a.length_outward(aim));
     let columns =
         ["spin before / (rad/s)", "I / that foreseen", "rigid / (rad/s)", "with springs / (rad/s)"];
-    let mut table = Table::new("stretch", columns)?;
     let spins = [0.8, 0.9, 1.0, 1.1, 1.2].map(|before| [before, 1.0]);
-    for [before, part] in spins.into_iter().chain([[1.0, 0.95], [1.0, 1.05]]) {
+    let cases = spins.into_iter().chain([[1.0, 0.95], [1.0, 1.05]]);
+    report.add(Table::of("stretch", columns, cases, |[before, part]| {
         let inertia = part * yoyo.inertia;
         let rigid = before * YoYo { inertia, length }.last_spin(1e-12)?;
         let sprung = match &springs {
-            Ok(springs) => format!(
-                "{:.3}",
-                w * springs.but(|springs| springs.inertia = inertia).last(before, 1e-10)?[0]
-            ),
+            Ok(springs) => {
+                let left = springs.but(|springs| springs.inertia = inertia).last(before, 1e-10)?;
+                format!("{:.3}", w * left[0])
+            }
             Err(_) => "none holds".into(),
         };
-        let row = [w * before, part, w * rigid].map(|x| format!("{x:.3}"));
-        table.push(row.into_iter().chain([sprung]))?;
-    }
-    report.add(table)
+        let [before, part, rigid] = [w * before, part, w * rigid].map(|x| format!("{x:.3}"));
+        Ok([before, part, rigid, sprung])
+    })?)
 }
 
 /// The stretch yo-yo that leaves the spin that is wanted.
 pub fn sprung(p: &Parameters) -> Result<Reel> {
-    let (yoyo, a) = scene(p)?;
-    let aim = p.aim / p.spin;
+    let ((yoyo, a), aim) = (scene(p)?, p.aim / p.spin);
     let stiffness = p.spring / (p.weight * p.spin * p.spin);
     allowed! { "spring/(m w0^2)": stiffness, above(2.0), "a softer spring is drawn out without an end"; }?;
     // A stiffer one gives less than a millionth of its length.
     let stiffness = Some(stiffness).filter(|stiffness| *stiffness <= 1e6);
     let reel = |length| Reel { inertia: yoyo.inertia, weight: 1.0, length, stiffness };
-    let rigid = a.length_outward(aim);
-    Ok(reel(zero([0.05 * rigid, 1.2 * rigid], |length| {
-        Ok(reel(length).last(1.0, 1e-10)?[0] - aim)
-    })?))
+    let (rigid, left) = (a.length_outward(aim), |length| reel(length).last(1.0, 1e-10));
+    Ok(reel(zero([0.05 * rigid, 1.2 * rigid], |length| Ok(left(length)?[0] - aim))?))
 }
 
 example! {

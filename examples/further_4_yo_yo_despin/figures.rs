@@ -4,17 +4,14 @@ use super::*;
 
 /// The satellite with both strings in this state: what is wound, the free parts, the weights.
 fn drawn(mut sketch: Sketch, yoyo: &YoYo, state: &[f64; 4], dot: f64) -> Sketch {
-    let [angle, unwound, ..] = *state;
+    let ([angle, unwound, ..], [[x, y], _]) = (*state, yoyo.weight(state));
     sketch = sketch.roller((0.0, 0.0), 1.0, angle, Ink::Body);
-    let [[x, y], _] = yoyo.weight(state);
     for side in [1.0, -1.0] {
         let rim = |t: f64| (side * cos(t), side * sin(t));
         let (from, hook) = (angle + unwound.min(yoyo.length), angle + yoyo.length);
-        if hook > from {
-            sketch =
-                sketch.curve(Curve::new(times(from, hook.min(from + 6.2), 90).map(rim), Ink::Ink));
-        }
+        let wound = times(from, hook.min(from + 6.2), 90).map(rim);
         sketch = sketch
+            .only_if(hook > from, |sketch| sketch.curve(Curve::new(wound, Ink::Ink)))
             .string(rim(from), (side * x, side * y), "", Side::Left)
             .dot(rim(hook), Ink::Ink, "", Side::Left)
             .weight((side * x, side * y), dot, "");
@@ -26,10 +23,9 @@ fn drawn(mut sketch: Sketch, yoyo: &YoYo, state: &[f64; 4], dot: f64) -> Sketch 
 const USUAL: YoYo = YoYo { inertia: 80.0, length: 6.0 };
 
 figures! { p: &Parameters, run = USUAL.run(1e-12)?;
-    /// A round satellite of the radius R from above, which turns counterclockwise with omega0.
-    /// Two strings lie on its rim, hooked to it at opposite points. Their other ends, with the
-    /// weights m, have just left the rim: each free part is a tangent, and points backward,
-    /// against the rotation, from the point where it leaves.
+    /// A round satellite of the radius R from above, which turns counterclockwise with omega0. Two strings lie on its rim,
+    /// hooked to it at opposite points. Their other ends, with the weights m, have just left the rim: each free part is a
+    /// tangent, and points backward, against the rotation, from the point where it leaves.
     setup: {
         let yoyo = YoYo { inertia: 80.0, length: 2.6 };
         let sketch = Sketch::within((-2.1, 2.1), (-1.75, 1.75));
@@ -43,9 +39,9 @@ figures! { p: &Parameters, run = USUAL.run(1e-12)?;
             .text((cos(2.95 - PI), sin(2.95 - PI)), "hook", Ink::Frame, Side::Right)
     };
 
-    /// One string, of the length l, on the tangent. The weight has two velocities at right angles:
-    /// one along the string, as large as that of the rim, omega R, and a larger one across it,
-    /// outward, l times the angular velocity of the string. The string pulls the rim backward.
+    /// One string, of the length l, on the tangent. The weight has two velocities at right angles: one along the string, as
+    /// large as that of the rim, omega R, and a larger one across it, outward, l times the angular velocity of the string. The
+    /// string pulls the rim backward.
     velocities: {
         let (l, w) = (2.2, 0.65);
         let (touch, end) = ((0.0, 1.0), (l, 1.0));
@@ -65,9 +61,9 @@ figures! { p: &Parameters, run = USUAL.run(1e-12)?;
             .weight(end, 0.1, "$m$")
     };
 
-    /// Spin after the release over that before against the length of the strings over R. Let go
-    /// along the tangent it falls from one through zero at nine and on to negative values. Let go
-    /// outward it lies below and passes zero at eight. Rigid arms come near zero only slowly.
+    /// Spin after the release over that before against the length of the strings over R. Let go along the tangent it falls from
+    /// one through zero at nine and on to negative values. Let go outward it lies below and passes zero at eight. Rigid arms
+    /// come near zero only slowly.
     spins: {
         let a = Answer { inertia: 80.0 };
         let lengths = Sweep::over("$l/R$", 0.0, 12.0).at([0.7, 2.0, 3.5, 5.0, 6.5, 8.0, 9.5, 11.0]);
@@ -82,21 +78,21 @@ figures! { p: &Parameters, run = USUAL.run(1e-12)?;
             .curve(lengths.simulated(|l| Ok(with(l).last_spin(1e-9)?))?)
     };
 
-    /// Pull of a string over 2 m w0^2 R against the time in 1/w0. It rises from zero, is nearly
-    /// level for the second half of the unwinding, at nearly six, and changes little on the hook.
+    /// Pull of a string over 2 m w0^2 R against the time in 1/w0. It rises from zero, is nearly level for the second half of
+    /// the unwinding, at nearly six, and changes little on the hook.
     tension: {
         let end = run.transition("unwound")?.t;
-        let pull = |t: f64| Ok({ let (hangs, y) = run.at(t)?; (t, USUAL.tension(hangs, &y)) });
+        let pull = |t: f64| run.at(t).map(|(hangs, y)| USUAL.tension(hangs, &y)).map_err(Into::into);
         let a = Answer { inertia: 80.0 };
         Panel::over_axes(r"$\omega_0t$", Axis::linear(r"$T/2m\omega_0^2R$").range(0.0, 7.0))
             .upright(end, Ink::Frame, "unwound")
             .curve(Curve::of(times(0.0, end, 100), |t| a.tension(t), Ink::Ink))
-            .curve(Curve::new(sampled(times(end, run.end_time(), 40), pull)?, Ink::Force))
-            .curve(Curve::new(sampled(times(0.4, end, 12), pull)?, Ink::Force).dots().label_at("simulated", 2.2, 2.6, Side::Right))
+            .curve(Curve::sampled(times(end, run.end_time(), 40), pull, Ink::Force)?)
+            .curve(Curve::sampled(times(0.4, end, 12), pull, Ink::Force)?.dots().label_at("simulated", 2.2, 2.6, Side::Right))
     };
 
-    /// Spin that is left against the spin before, for strings made for 1 rad/s. Without a spring a
-    /// straight line through the origin. With a spring a flat bow that touches 1 rad/s.
+    /// Spin that is left against the spin before, for strings made for 1 rad/s. Without a spring a straight line through the
+    /// origin. With a spring a flat bow that touches 1 rad/s.
     springs: {
         let (sprung, w, a) = (sprung(p), p.spin, scene(p)?.1);
         let rigid = a.spin_outward(a.length_outward(p.aim / w));
@@ -117,29 +113,13 @@ figures! { p: &Parameters, run = USUAL.run(1e-12)?;
 /// The motion for `--csv`.
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let (yoyo, _) = scene(p)?;
-    let run = yoyo.run(p.tolerance)?;
-    let w = p.spin;
-    let r = p.radius;
-    let newton = 2.0 * p.weight * p.spin * p.spin * p.radius;
-    let columns = [
-        "t [s]",
-        "turned by [rad]",
-        "spin [rad/s]",
-        "x of a weight [m]",
-        "y of a weight [m]",
-        "T [N]",
-    ];
-    Trajectory::sampled(columns, times(0.0, run.end_time(), 600), |t| {
+    let (run, w, r, newton) = (yoyo.run(p.tolerance)?, p.spin, p.radius, newton(p));
+    let columns =
+        "t [s], turned by [rad], spin [rad/s], x of a weight [m], y of a weight [m], T [N]";
+    Trajectory::sampled(columns.split(", "), times(0.0, run.end_time(), 600), |t| {
         let (hangs, y) = run.at(t)?;
-        let [[px, py], _] = yoyo.weight(&y);
-        Ok([
-            t / w.abs(),
-            y[0] * w.signum(),
-            y[2] * w,
-            px * r,
-            py * r * w.signum(),
-            newton * yoyo.tension(hangs, &y),
-        ])
+        let ([[px, py], _], pull) = (yoyo.weight(&y), newton * yoyo.tension(hangs, &y));
+        Ok([t / w.abs(), y[0] * w.signum(), y[2] * w, px * r, py * r * w.signum(), pull])
     })
 }
 
@@ -147,8 +127,7 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (yoyo, w, rate) = (scene(p)?.0, p.spin, p.spin.abs());
     let run = yoyo.run(p.tolerance)?;
-    let end = run.transition("unwound")?.t;
-    let out = run.transition("outward")?.before;
+    let (end, out) = (run.transition("unwound")?.t, run.transition("outward")?.before);
     let (free, [[x, y], [vx, vy]]) = (run.end_time(), yoyo.weight(&out));
     let far = 1.0 + yoyo.length;
     let last = free + 0.45 * far / hypot(vx, vy);

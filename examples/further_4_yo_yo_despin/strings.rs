@@ -87,8 +87,8 @@ impl YoYo {
         let free = unwound.min(self.length);
         let (sf, cf) = sincos(angle + free);
         let (sa, ca) = sincos(angle + unwound - FRAC_PI_2);
-        let (round, across) = (spin, free * turns);
-        let velocity = [-round * sf - across * sa, round * cf + across * ca];
+        let across = free * turns;
+        let velocity = [-spin * sf - across * sa, spin * cf + across * ca];
         [[cf + free * ca, sf + free * sa], velocity]
     }
 }
@@ -127,10 +127,10 @@ pub struct Reel {
 }
 
 impl Reel {
-    /// The pull of the string with its parts on the weight, outward and across, and its moment
-    /// about the axis. The state: distance and angle of the weight, angle of the hook, and their
-    /// rates.
-    pub fn pull(&self, hangs: Hangs, &[r, at, hook, out, round, spin]: &[f64; 6]) -> [f64; 4] {
+    /// What the pull of the string does: it accelerates the weight outward and across, and the
+    /// satellite about its axis. The state: distance and angle of the weight, angle of the hook,
+    /// and their rates.
+    fn pull(&self, hangs: Hangs, &[r, at, hook, out, round, spin]: &[f64; 6]) -> [f64; 3] {
         let light = 1.0 / self.weight;
         let (free, parts, moment, needed);
         if hangs == Hangs::Tangent {
@@ -152,15 +152,15 @@ impl Reel {
             Some(stiffness) => (stiffness * (free - self.length)).max(0.0),
         };
         let [out, across] = parts.map(|part| pull * part * light);
-        [pull, out, across, pull * moment / self.inertia]
+        [out, across, pull * moment / self.inertia]
     }
 
     /// From the release of the weight at this spin: spin, and velocity of the weight relative to
-    /// the satellite outward and across, where the string points outward.
-    pub fn last(&self, spin: f64, step: f64) -> Result<[f64; 3]> {
+    /// the satellite across the string, where the string points outward.
+    pub fn last(&self, spin: f64, step: f64) -> Result<[f64; 2]> {
         let newton = |hangs| {
             ode(move |_, y: &[f64; 6]| {
-                let [_, out, across, slower] = self.pull(hangs, y);
+                let [out, across, slower] = self.pull(hangs, y);
                 let [r, _, _, v, round, spin] = *y;
                 let (out, across) = (out + r * round * round, across - 2.0 * v * round);
                 [v, round, spin, out, across / r, slower]
@@ -170,19 +170,17 @@ impl Reel {
         // A string that gives may begin without a free part.
         let first = if self.stiffness.is_none() { 1e-4 } else { 0.0 };
         let start = [hypot(1.0, first), -atan2(first, 1.0), self.length - first, 0.0, spin, spin];
-        let left =
-            |_: f64, y: &[f64; 6]| y[2] - y[1] - atan2((y[0] * y[0] - 1.0).max(0.0).sqrt(), 1.0);
-        let end = 100.0 * (1.0 + self.length) / spin;
-        let method = Dop853::new(step)?;
-        let events = [
-            Event::falling("unwound", left).terminal(),
-            Event::falling("outward", |_, y: &[f64; 6]| y[2] - y[1]).terminal(),
-        ];
-        let (tangent, hook) = (newton(Hangs::Tangent), newton(Hangs::Hook));
-        let unwound = method.solve(&tangent, 0.0, &start, end, &events[..1])?;
-        let turned = method.solve(&hook, 0.0, unwound.end_state(), end, &events[1..])?;
-        let [r, _, _, out, round, spin] = *turned.end_state();
-        Ok([spin, out, r * round])
+        let ahead = |&[_, at, hook, ..]: &[f64; 6]| hook - at;
+        let straight = |r: f64| atan2((r * r - 1.0).max(0.0).sqrt(), 1.0);
+        let left = move |_: f64, y: &[f64; 6]| ahead(y) - straight(y[0]);
+        let unwound = Event::falling("unwound", left).terminal();
+        let outward = Event::falling("outward", move |_, y| ahead(y)).terminal();
+        let (end, method) = (100.0 * (1.0 + self.length) / spin, Dop853::new(step)?);
+        let tangent = method.solve(&newton(Hangs::Tangent), 0.0, &start, end, &[unwound])?;
+        let from = tangent.end_state();
+        let turned = method.solve(&newton(Hangs::Hook), 0.0, from, end, &[outward])?;
+        let [r, _, _, _, round, spin] = *turned.end_state();
+        Ok([spin, r * round])
     }
 }
 
