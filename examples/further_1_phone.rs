@@ -14,7 +14,8 @@ use rotation_dynamics::accuracy::Problem;
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::frame::DesignVector;
 use rotation_dynamics::inertia::{MassProperties, solids};
-use rotation_dynamics::integrators::{Dop853, Integrator, Rk4, after, ode, second_order, size_or};
+use rotation_dynamics::integrators::{Dop853, Event, Integrator, Rk4};
+use rotation_dynamics::integrators::{after, ode, second_order, size_or};
 use rotation_dynamics::scene::Scene;
 use throw::{Throw, delay, euler, exchange, growth, in_air, measured_growth, screen, sway};
 
@@ -50,32 +51,26 @@ parameters! {
 /// A slab's moments about its long edge, its short edge and its normal.
 pub fn slab(p: &Parameters) -> Result<[f64; 3]> {
     let (a, b, c) = (p.length, p.width, p.thickness);
-    let shape =
-        between(0.0, 0.999).because("at 1 two moments are equal, and there is no middle axis");
-    shape.check("thickness over width", c / b)?;
-    shape.check("width over length", b / a)?;
-    let narrow = from_to(1e-3, 1.0).because("a needle has no moment about its long edge");
-    narrow.check("width over length", b / a)?;
-    let doubles = from_to(1e-30, 1e30).because("moments far beyond leave the range of doubles");
-    doubles.check("mass times length squared, kg m^2,", p.mass * a * a)?;
-    let moments = [b * b + c * c, a * a + c * c, a * a + b * b];
-    Ok(moments.map(|sum| p.mass * sum / 12.0))
+    allowed! {
+        "thickness over width": c / b, between(0.0, 0.999), "at 1 two moments are equal, and there is no middle axis";
+        "width over length": b / a, between(0.0, 0.999), "at 1 two moments are equal, and there is no middle axis";
+        "width over length": b / a, from_to(1e-3, 1.0), "a needle has no moment about its long edge";
+        "mass times length squared, kg m^2,": p.mass * a * a, from_to(1e-30, 1e30), "moments far beyond leave the range of doubles";
+    }?;
+    Ok([b * b + c * c, a * a + c * c, a * a + b * b].map(|sum| p.mass * sum / 12.0))
 }
 
 /// The throw of these parameters.
 pub fn thrown(p: &Parameters) -> Result<Throw> {
     allowed! { "size of the turns": p.turns.abs(), above(0.0), "what does not turn does not turn over"; }?;
     let throw = Throw::new(slab(p)?, TAU * p.turns, p.tilt, p.toward);
-    let stray = from_to(1e-10, 1.2).because("about the very axis it never turns over");
-    stray.check("size of the tilt", p.tilt.abs())?;
-    let start = "distance of the start from the one that never turns over";
-    let known = from_to(1e-12, 1e3).because("nearer, no double tells when it turns over");
-    known.check(start, throw.off())?;
     // In seven and a half turns our phone makes a radian of an error of rounding: twice as many
     // are enough.
-    let few = from_to(1e-4, 15.0)
-        .because("with fewer there is nothing to see, and more multiply a rounding to a turn");
-    few.check("turns in the flight", p.turns.abs() * flight(p))?;
+    allowed! {
+        "size of the tilt": p.tilt.abs(), from_to(1e-10, 1.2), "about the very axis it never turns over";
+        "distance of the start from the one that never turns over": throw.off(), from_to(1e-12, 1e3), "nearer, no double tells when it turns over";
+        "turns in the flight": p.turns.abs() * flight(p), from_to(1e-4, 15.0), "with fewer there is nothing to see, and more multiply a rounding to a turn";
+    }?;
     let frames = 60.0 * (throw.until_flip()? + 9.0 * throw.between_flips()?);
     allowed! { "frames of a clock until ten flips": frames, from_to(0.0, 1e6), "it turns too slowly"; }?;
     Ok(throw)
@@ -182,8 +177,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let falls = Dop853::new(1e-14)?.zero(&fall, [0.0, speed], 1, 2.0 * caught, |y| y[0]);
     let pace = growth(moments) * rate;
     let (first, between) = (throw.until_flip()?, throw.between_flips()?);
-    let seen = [1, 2, 10].map(|count| throw.flip(count, 1e-15));
-    let [one, two, ten] = seen;
+    let [one, two, ten] = [1, 2, 10].map(|count| throw.flip(count, 1e-15));
     let one = one?;
     let last = first + 9.0 * between;
     // Each flip multiplies an error of rounding, the later ones by as much again.
@@ -192,18 +186,14 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let count = throw.flips(caught)?;
     // At the catch the attitude is off by what it turns in the time by which rounding makes it
     // late: that grows until the first flip, and from halfway to the next one on with each.
-    let lag = if caught < first + 0.5 * between {
-        slack * exp(pace * (caught - first)).min(1.0)
-    } else {
-        count * late
+    let lag = match caught < first + 0.5 * between {
+        true => slack * exp(pace * (caught - first)).min(1.0),
+        false => count * late,
     };
     let astray = 1e-10 + 0.1 * rate * lag;
     let decided = astray < 1e-3; // else no double says how it is caught
-    let counted = {
-        let run =
-            Dop853::new(1e-13)?.solve(&euler(moments), 0.0, &throw.rates, caught, &[over()])?;
-        run.events().len() as f64
-    };
+    let run = Dop853::new(1e-13)?.solve(&euler(moments), 0.0, &throw.rates, caught, &[over()])?;
+    let counted = run.events().len() as f64;
     let from = |toward: f64| move |tilt| Throw::new(moments, turn, tilt, toward).until_flip();
     let stepped =
         |toward: f64| move |tilt| Ok(Throw::new(moments, turn, tilt, toward).flip(1, 1e-15)?.t);
@@ -254,8 +244,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             0.5 * caught => "that is the way up; it comes down as well";
         /// rate at which an error grows
         // An error of a step is a part of the whole rate, however slowly a stray grows.
-        growth: pace, "1/s", "growth of 1e-7, stepped" => rate * measured_growth(moments)?, within 1e-9 * rate,
-        in "The throw":
+        growth: pace, "1/s", "growth of 1e-7, stepped" => rate * measured_growth(moments)?, within 1e-9 * rate, in "The throw":
             pace / rate => "that is per radian of its turning",
             pace / turns => "that is per turn";
         /// factor by which it grows in a turn
@@ -283,16 +272,14 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         within 1e-6 * normal + 1e-14, if aimed && normal < WIDEST, in "How well one must aim":
             long => "that is towards the long edge";
         /// ten times nearer to the axis: so much later
-        decade: LN_10 / pace, "s", "from 1e-6 and 1e-7 rad, stepped" => waited, within 1e-5 / pace,
-        in "How well one must aim":
+        decade: LN_10 / pace, "s", "from 1e-6 and 1e-7 rad, stepped" => waited, within 1e-5 / pace, in "How well one must aim":
             1.0 / pace => "that is e times nearer",
             2.0 * LN_10 / pace => "between two flips; to the first it counts once";
         /// the tenth flip
         tenth: last, "s", "located event" => ten?.t, within 20.0 * late, if throw.off() > 1e-5, in "Ten flips":
             10.0 * between => "the first comes after half of that";
         /// cosine of the screen's direction from upward at the catch
-        screen: screen(&exact).z(), "-", "stepped" => screen(&run).z(), within astray, if decided,
-        in "The catch";
+        screen: screen(&exact).z(), "-", "stepped" => screen(&run).z(), within astray, if decided, in "The catch";
         /// cosine of the long edge's direction from that of the start
         long_edge: away(&exact), "-", "stepped" => away(&run), within astray, if decided, in "The catch";
         /// about the long edge: largest angle between it and L
@@ -312,8 +299,8 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
 }
 
 /// The event that axis 2 is across L.
-pub fn over<'a>() -> rotation_dynamics::integrators::Event<'a, 3> {
-    rotation_dynamics::integrators::Event::crossing("half over", |_, y: &[f64; 3]| y[1])
+pub fn over<'a>() -> Event<'a, 3> {
+    Event::crossing("half over", |_, y: &[f64; 3]| y[1])
 }
 
 /// Nearly the axis, a thin plate, two moments nearly equal, the direction that comes nearer first.
@@ -367,22 +354,19 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let small = tilt < 0.3 * into_1.min(into_3).sqrt();
     // What air would stop before it is over has no flip to be delayed, and of two strays that
     // nearly cancel each other it takes more of one than of the other.
-    let windy = if small && slowed * first < 0.1 && throw.off() > 0.7 * tilt {
-        let law = in_air(throw.moments, edges, press);
-        let flip = Dop853::new(1e-12)?.zero(&law, throw.rates, 1, 10.0 * first, |y| y[1])?;
-        Some((flip.0.t - first).abs())
-    } else {
-        None
-    };
+    let law = in_air(throw.moments, edges, press);
+    let windy = when(small && slowed * first < 0.1 && throw.off() > 0.7 * tilt, || {
+        Dop853::new(1e-12)?.zero(&law, throw.rates, 1, 10.0 * first, |y| y[1])
+    })?;
+    let windy = windy.map(|(flip, _)| (flip.t - first).abs());
     let [askew, _] = lopsided(p, throw.moments)?;
     let speed = (2.0 * p.gravity * p.height).sqrt();
     // Wind of the flight on a face, its centre of pressure a tenth of the width off.
     let wind = 0.5 * 1.204 * 1.2 * p.length * p.width * speed * speed * 0.1 * p.width;
     let gradient = 3.0 * 9.80665 / 6.371e6 * (i3 - i1) / i2;
-    let sooner = Throw::new(throw.moments, turn, p.tilt + 0.0175 * p.tilt.signum(), p.toward)
-        .flip(1, 1e-12)?
-        .t;
-    let sooner = small.then_some(first - sooner);
+    let more = Throw::new(throw.moments, turn, p.tilt + 0.0175 * p.tilt.signum(), p.toward);
+    let more = more.flip(1, 1e-12)?.t;
+    let sooner = small.then_some(first - more);
     effect_card! { report,
         "a degree in the throw": "delta/tilt" = 0.0175 / tilt, costs log(1.0 + 0.0175 / tilt) / pace, "s to the first flip",
             measured sooner;
@@ -397,29 +381,25 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
 /// Ten flips in a row: closed form, steps that hold an error, and steps of a clock.
 fn ten_flips(p: &Parameters, report: &mut Report) -> Result<()> {
     let throw = thrown(p)?;
+    let (first, between) = (throw.until_flip()?, throw.between_flips()?);
+    let clock = by_a_clock(&throw, 20.0 * (first + between))?;
     let columns =
         ["flip", "closed form", "DOP853, 1e-15", "DOP853, 1e-6", "RK4, 60 steps a second"];
-    let mut table = Table::new("ten", columns)?;
-    for (n, ([exact, fine, coarse], clock)) in (1..).zip(ten(&throw)?) {
+    report.add(Table::of("ten", columns, 1..=10, |n: u32| {
+        let exact = first + f64::from(n - 1) * between;
         let off = |t: f64| format!("{:+.1e} s", t - exact);
-        table.push([
-            n.to_string(),
-            format!("{exact:.6} s"),
-            off(fine),
-            off(coarse),
-            clock.map_or("lost".into(), off),
-        ])?;
-    }
-    report.add(table)
+        let [fine, coarse] = [1e-15, 1e-6].map(|step| throw.flip(n, step));
+        let stepped = clock.get(n as usize - 1).map_or("lost".into(), |t| off(*t));
+        Ok([n.to_string(), format!("{exact:.6} s"), off(fine?.t), off(coarse?.t), stepped])
+    })?)
 }
 
-/// The times of ten flips: exact and by two tolerances, and by RK4 with 60 steps a second for as
-/// long as it follows.
-pub fn ten(throw: &Throw) -> Result<Vec<([f64; 3], Option<f64>)>> {
-    let (first, between) = (throw.until_flip()?, throw.between_flips()?);
-    let (mut clock, mut t, mut rates) = (Vec::new(), 0.0, throw.rates);
+/// The times of at most ten flips until this time, by RK4 with 60 steps a second for as long as it
+/// follows.
+fn by_a_clock(throw: &Throw, until: f64) -> Result<Vec<f64>> {
+    let (mut flips, mut t, mut rates) = (Vec::new(), 0.0, throw.rates);
     let (law, fixed) = (euler(throw.moments), Rk4::new(1)?);
-    while clock.len() < 10 && t < 20.0 * first + 20.0 * between {
+    while flips.len() < 10 && t < until {
         let before = rates;
         rates = match fixed.advance(&law, 0.0, &before, 1.0 / 60.0) {
             Ok((next, _)) if throw.energy(next) < 2.0 * throw.energy(throw.rates) => next,
@@ -427,18 +407,11 @@ pub fn ten(throw: &Throw) -> Result<Vec<([f64; 3], Option<f64>)>> {
             _ => break,
         };
         if before[1] * rates[1] <= 0.0 {
-            clock.push(t + before[1] / (before[1] - rates[1]) / 60.0);
+            flips.push(t + before[1] / (before[1] - rates[1]) / 60.0);
         }
         t += 1.0 / 60.0;
     }
-    let by = |step, n| Ok::<_, rotation_dynamics::Error>(throw.flip(n, step)?.t);
-    let lost = core::iter::repeat(None);
-    let each = (1..=10).zip(clock.into_iter().map(Some).chain(lost));
-    let each = each.map(|(n, late)| {
-        let exact = first + f64::from(n - 1) * between;
-        Ok(([exact, by(1e-15, n)?, by(1e-6, n)?], late))
-    });
-    each.collect()
+    Ok(flips)
 }
 
 /// Thrown about the short edge to the last bit, and stepped with attitude and L in space: when
@@ -478,13 +451,9 @@ fn rounding(p: &Parameters, report: &mut Report) -> Result<()> {
 /// the first, if it starts so near to the axis that no double knows it after that.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let throw = thrown(p)?;
-    let (motion, end) = (
-        throw.free()?,
-        match throw.off() > 1e-8 {
-            true => throw.until_flip()? + 7.0 / 3.0 * throw.between_flips()?,
-            false => 0.5 * throw.until_flip()?,
-        },
-    );
+    let (motion, first) = (throw.free()?, throw.until_flip()?);
+    let late = throw.off() > 1e-8;
+    let end = if late { first + 7.0 / 3.0 * throw.between_flips()? } else { 0.5 * first };
     let problem = Problem::new(Scene::new(throw.body()?), throw.start()?, end, motion.state(end));
     let problem = problem.in_closed_form(move |t| motion.attitude(t));
     report.strip(&problem, &[p.tolerance, 1e-3, 1e-6, 1e-10])

@@ -4,7 +4,7 @@
 use super::*;
 use core::f64::consts::FRAC_PI_2;
 use models::throws::{self, camera};
-use rotation_dynamics::attitude::Attitude;
+use rotation_dynamics::exact::free_body::FreeBody;
 
 /// The phone about `centre`.
 fn phone(view: View, p: &Parameters, attitude: &Attitude, centre: SpaceVector) -> View {
@@ -25,9 +25,9 @@ fn three(p: &Parameters, axis: usize) -> Result<(Throw, impl Fn([f64; 3]) -> f64
 }
 
 figures! { p: &Parameters;
-    /// A phone as it leaves the hand, its screen up. Its axes: 1 along the long edge, away from the
-    /// hand, 2 along the short edge, to the right, 3 out of its back, downward. It turns about 2,
-    /// the far end going up; the axis of rotation is a small angle off, towards axis 1.
+    /// A phone as it leaves the hand, its screen up. Its axes: 1 along the long edge, away from the hand, 2 along the short
+    /// edge, to the right, 3 out of its back, downward. It turns about 2, the far end going up; the axis of rotation is a small
+    /// angle off, towards axis 1.
     setup: {
         let attitude = unit(p, 0.1, 0.0)?.start()?.attitude;
         let out = |x: f64, y: f64, z: f64| attitude.to_space(BodyVector::new(x, y, z)) * p.length;
@@ -42,9 +42,9 @@ figures! { p: &Parameters;
             .turn(arc, Ink::Velocity)
     };
 
-    /// Turns until the phone is half over, against the angle of the axis of rotation from the
-    /// short edge, which spans nine decades: nearly straight lines that fall, for the two
-    /// directions close together, from five turns to half a turn. A level line: the flight.
+    /// Turns until the phone is half over, against the angle of the axis of rotation from the short edge, which spans nine
+    /// decades: nearly straight lines that fall, for the two directions close together, from five turns to half a turn. A level
+    /// line: the flight.
     waiting: {
         let angles = |n| times(-9.0, -0.3, n).map(|e| pow(10.0, e));
         let exact = |toward| {
@@ -61,9 +61,9 @@ figures! { p: &Parameters;
             .level(p.turns.abs() * flight(p), Ink::Frame, "the flight")
     };
 
-    /// Angle of the axis of the throw from L over four turns, for throws 0.05 rad off. About the
-    /// short edge it rises to 175 degrees within a turn and a half, falls back, and rises again.
-    /// About the long edge and about the normal it stays below a few degrees and sways.
+    /// Angle of the axis of the throw from L over four turns, for throws 0.05 rad off. About the short edge it rises to 175
+    /// degrees within a turn and a half, falls back, and rises again. About the long edge and about the normal it stays below a
+    /// few degrees and sways.
     three: {
         let panel = Panel::over_axes(Axis::linear("turns").range(0.0, 4.0), Axis::linear("axis from $L$ / degrees").range(0.0, 180.0).step(45.0));
         let labels = [("long edge, normal", 1.7, 13.0, Side::Above), ("short edge", 1.7, 165.0, Side::Below), ("", 2.2, 4.0, Side::Above)];
@@ -77,27 +77,24 @@ figures! { p: &Parameters;
         })?
     };
 
-    /// A plane of how far the axis of rotation is off towards the long edge and towards the normal,
-    /// filled with the throws of a hand in a round cloud. A strip leads through its middle from
-    /// lower left to upper right; in it are rings, the throws that are not half over after one turn, outside it
-    /// dots.
+    /// A plane of how far the axis of rotation is off towards the long edge and towards the normal, filled with the throws of a
+    /// hand in a round cloud. A strip leads through its middle from lower left to upper right; in it are rings, the throws that
+    /// are not half over after one turn, outside it dots.
     strip: {
         let moments = slab(p)?;
         let [into_1, into_3] = exchange(moments);
         let lean = (into_1 / into_3).sqrt();
-        let (wide, throws) = (3.0 * p.spread, hand(300, moments, TAU, p.spread));
+        let wide = 3.0 * p.spread;
         let axis = |label: &str| Axis::linear(label).range(-wide, wide);
-        let panel = Panel::over_axes(axis("towards the long edge / rad"), axis("towards the normal / rad")).equal_aspect();
-        let panel = throws.into_iter().try_fold(panel, |panel, throw| {
+        let mut panel = Panel::over_axes(axis("towards the long edge / rad"), axis("towards the normal / rad")).equal_aspect();
+        for throw in hand(300, moments, TAU, p.spread) {
             let [x, _, y] = throw.rates.map(|rate| rate / TAU);
-            let inside = x.abs().max(y.abs()) < wide;
-            let over = throw.until_flip()? < 1.0;
-            Ok::<_, kit::Error>(match (inside, over) {
-                (false, _) => panel,
-                (true, true) => panel.dot(x, y, Ink::Body, "", Side::Above),
-                (true, false) => panel.ring(x, y, Ink::Ink, "", Side::Above),
-            })
-        })?;
+            panel = match throw.until_flip()? < 1.0 {
+                _ if x.abs().max(y.abs()) >= wide => panel,
+                true => panel.dot(x, y, Ink::Body, "", Side::Above),
+                false => panel.ring(x, y, Ink::Ink, "", Side::Above),
+            };
+        }
         let half = 4.0 * into_1.sqrt() * exp(-growth(moments) * TAU);
         [-half, 0.0, half].into_iter().fold(panel, |panel, off| {
             let low = (-wide).max((-wide - off) / lean);
@@ -107,9 +104,9 @@ figures! { p: &Parameters;
         })
     };
 
-    /// Part of a hand's throws that are half over, against the turns since the release, for three spreads. Each curve
-    /// begins at zero, rises steeply between half a turn and a turn and a half and comes close to
-    /// one; the wider the spread, the earlier. Dots: counted among six hundred throws.
+    /// Part of a hand's throws that are half over, against the turns since the release, for three spreads. Each curve begins at
+    /// zero, rises steeply between half a turn and a turn and a half and comes close to one; the wider the spread, the earlier.
+    /// Dots: counted among six hundred throws.
     hand: {
         let moments = slab(p)?;
         let turns = Sweep::over("turns", 0.2, 2.0).at([0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6, 1.8]);
@@ -122,9 +119,8 @@ figures! { p: &Parameters;
         })?
     };
 
-    /// Part of L along the short edge, against the time: from one it falls to minus one, comes
-    /// back, and so on, five times in equal intervals. Rings at the zeros are the times of the
-    /// closed form; dots, the simulation, lie on the line.
+    /// Part of L along the short edge, against the time: from one it falls to minus one, comes back, and so on, five times in
+    /// equal intervals. Rings at the zeros are the times of the closed form; dots, the simulation, lie on the line.
     ten: flips_in_a_row(&thrown(p)?, 0)?;
 
     /// The same, going on: flips six to ten, in the same intervals.
@@ -139,12 +135,10 @@ fn flips_in_a_row(throw: &Throw, before: u32) -> Result<Panel> {
     let run = Dop853::new(1e-13)?.solve(&euler(throw.moments), 0.0, &throw.rates, to, &[])?;
     let exact = |t| throw.along(1, free.angular_velocity(t).to_array());
     let line = Curve::of(times(from, to, 300), exact, Ink::Momentum);
-    let dots =
-        Curve::sampled(times(from, to, 50), |t| Ok(throw.along(1, run.at(t)?)), Ink::Momentum)?
-            .dots();
-    let time = Axis::linear("$t$ / s").range(from, to);
-    let panel =
-        Panel::over_axes(time, Axis::linear("$L_2/L$").range(-1.0, 1.0).step(1.0)).size(340, 170);
+    let simulated = |t: f64| Ok(throw.along(1, run.at(t)?));
+    let dots = Curve::sampled(times(from, to, 50), simulated, Ink::Momentum)?.dots();
+    let part = Axis::linear("$L_2/L$").range(-1.0, 1.0).step(1.0);
+    let panel = Panel::over_axes(Axis::linear("$t$ / s").range(from, to), part).size(340, 170);
     Ok((before..before + 5).fold(panel.curve(line).curve(dots), |panel, n| {
         panel.ring(at(f64::from(n)), 0.0, Ink::Ink, &format!("{}", n + 1), Side::Right)
     }))
@@ -155,18 +149,12 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let throw = thrown(p)?;
     let free = throw.free()?;
     let end = throw.until_flip()? + 9.5 * throw.between_flips()?;
-    let columns = [
-        "t [s]",
-        "omega_1 [rad/s]",
-        "omega_2 [rad/s]",
-        "omega_3 [rad/s]",
-        "L_2/L [-]",
-        "screen up [-]",
-    ];
-    Trajectory::sampled(columns, times(0.0, end, 1000), |t| {
+    let columns =
+        "t [s], omega_1 [rad/s], omega_2 [rad/s], omega_3 [rad/s], L_2/L [-], screen up [-]";
+    Trajectory::sampled(columns.split(", "), times(0.0, end, 1000), |t| {
         let at = free.kinematics(t);
-        let rates = at.angular_velocity.to_array();
-        Ok([t, rates[0], rates[1], rates[2], throw.along(1, rates), screen(&at.attitude).z()])
+        let rates @ [p, q, r] = at.angular_velocity.to_array();
+        Ok([t, p, q, r, throw.along(1, rates), screen(&at.attitude).z()])
     })
 }
 
@@ -174,27 +162,23 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (p, throw, end) = (p.clone(), thrown(p)?, flight(p));
     let free = throw.free()?;
-    let along = move |t: f64, free: &rotation_dynamics::exact::free_body::FreeBody| {
-        throw.along(1, free.angular_velocity(t).to_array())
-    };
-    let line = Curve::of(times(0.0, end, 300), |t| along(t, &free), Ink::Momentum);
-    let graph =
-        Panel::over_axes("$t$ / s", Axis::linear("$L_2/L$").range(-1.0, 1.0).step(1.0)).curve(line);
+    let along = move |t: f64, free: &FreeBody| throw.along(1, free.angular_velocity(t).to_array());
+    let graph = Panel::over_axes("$t$ / s", Axis::linear("$L_2/L$").range(-1.0, 1.0).step(1.0))
+        .curve(Curve::of(times(0.0, end, 300), |t| along(t, &free), Ink::Momentum));
     let stills = [0.0, throw.until_flip()?.min(end), end];
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
         let attitude = free.attitude(t);
         // The height is drawn reduced, so that the phone is large.
         let reduced = 0.1_f64.min(0.38 * p.length / p.height);
-        let up = reduced * (0.5 * p.gravity * t * (end - t));
-        let centre = SpaceVector::new(0.0, 0.0, up);
+        let centre = SpaceVector::new(0.0, 0.0, reduced * (0.5 * p.gravity * t * (end - t)));
         let axis = attitude.to_space(BodyVector::new(0.0, 1.0, 0.0)) * (0.8 * p.length);
         let momentum = free.angular_momentum();
         let momentum = momentum * (0.95 * p.length / momentum.norm());
-        let looks = screen(&attitude).z();
+        let looks = if screen(&attitude).z() > 0.0 { "up" } else { "down" };
+        let part = 100.0 * along(t, &free);
         let alt = format!(
-            "The phone {t:.2} s after it has left the hand, in the air; its screen looks {}, and {:.0} per cent of L are along axis 2. Below, that part against time.",
-            if looks > 0.0 { "up" } else { "down" },
-            100.0 * along(t, &free)
+            "The phone {t:.2} s after it has left the hand, in the air; its screen looks {looks}, \
+             and {part:.0} per cent of L are along axis 2. Below, that part against time."
         );
         let view = View::of(SpaceVector::new(0.0, 0.0, 0.5 * reduced * p.height), 0.76 * p.length)
             .camera(camera())

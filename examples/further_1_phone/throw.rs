@@ -165,14 +165,10 @@ impl Throw {
         let (moments, size) = (self.moments, length(self.rates));
         let law = ode(move |t, &[p, q, r, w, x, y, z]: &[f64; 7]| {
             let [pp, qq, rr] = euler(moments).derivative(t, &[p, q, r]);
-            let turned = [
-                -(x * p + y * q + z * r),
-                w * p + y * r - z * q,
-                w * q + z * p - x * r,
-                w * r + x * q - y * p,
-            ];
-            let [w, x, y, z] = turned.map(|rate| 0.5 * rate);
-            [pp, qq, rr, w, x, y, z]
+            let still = -(x * p + y * q + z * r);
+            let turned = [w * p + y * r - z * q, w * q + z * p - x * r, w * r + x * q - y * p];
+            let [x, y, z] = turned.map(|rate| 0.5 * rate);
+            [pp, qq, rr, 0.5 * still, x, y, z]
         })
         .scaled(move |_| [size, size, size, 1.0, 1.0, 1.0, 1.0]);
         let ([p, q, r], [w, x, y, z]) = (self.rates, screen_up()?.quaternion());
@@ -194,18 +190,18 @@ pub fn screen(attitude: &Attitude) -> SpaceVector {
 /// [`growth`], from a small error that grows as a hyperbolic cosine.
 pub fn measured_growth(moments: [f64; 3]) -> Result<f64> {
     let time = 2.0 / growth(moments);
-    let [grown, ..] =
-        after(time, &euler(moments), &[1e-7, 1.0, 0.0], 1e-15)?.map(|rate| rate * 1e7);
+    let grown = 1e7 * after(time, &euler(moments), &[1e-7, 1.0, 0.0], 1e-15)?[0];
     Ok(log(grown + ((grown - 1.0) * (grown + 1.0)).sqrt()) / time)
 }
 
 /// Thrown about axis `axis` (0 or 2) with the axis of rotation `tilt` off towards axis 2: the
 /// largest angle between the axis and L, in closed form and with the rates at its two ends.
 pub fn sway(moments: [f64; 3], axis: usize, tilt: f64) -> (f64, Throw) {
-    let (other, [into_1, into_3]) = (2 - axis, exchange(moments));
-    let (mut rates, middle) = ([0.0, sin(tilt), 0.0], sin(tilt));
+    let (other, middle, into) = (2 - axis, sin(tilt), exchange(moments));
+    let mut rates = [0.0, middle, 0.0];
     rates[axis] = cos(tilt);
-    let [gain, own] = if axis == 0 { [into_3, into_1] } else { [into_1, into_3] };
+    // What the middle rate becomes about the other axis, and about this one.
+    let [gain, own] = [into[other / 2], into[axis / 2]];
     let first = atan2(moments[1] * middle, moments[axis] * rates[axis]);
     let across = gain.sqrt() * middle;
     let along = hypot(rates[axis], own.sqrt() * middle);
