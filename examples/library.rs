@@ -131,8 +131,7 @@ fn rotor() -> Result<RigidBody> {
 
 /// A tilt of 1 rad.
 fn tilted() -> rotation_dynamics::Result<Attitude> {
-    let (phi, theta, zeta) = (0.0, 1.0, 0.0);
-    Attitude::from_euler(EulerAngles { phi, theta, zeta })
+    Attitude::from_euler(EulerAngles { phi: 0.0, theta: 1.0, zeta: 0.0 })
 }
 
 // ANCHOR: motor
@@ -206,8 +205,7 @@ pub fn swing(p: &Parameters, t: f64, state: &State) -> f64 {
 /// Twice that angle, in closed form: a pendulum with W^2 = 3 n0^2 (I2 - I1)/I3.
 pub fn pendulum(p: &Parameters) -> rotation_dynamics::Result<Pendulum> {
     let gravity = 3.0 * p.mean_motion * p.mean_motion * (90.0 - 20.0);
-    let (moment, mass, lever) = (100.0, 1.0, 1.0);
-    let pendulum = Suspension { moment, mass, gravity, lever };
+    let pendulum = Suspension { moment: 100.0, mass: 1.0, gravity, lever: 1.0 };
     Pendulum::new(pendulum, 2.0 * p.askew, 0.0)
 }
 
@@ -241,9 +239,8 @@ fn put_right_by_halves() -> Result<Attitude> {
         let inverse = matrix.try_inverse().unwrap_or_default();
         matrix = 0.5 * (matrix + inverse.transpose());
     }
-    Ok(Attitude::from_matrix(core::array::from_fn(|row| {
-        core::array::from_fn(|column| matrix[(row, column)])
-    }))?)
+    // An array of its columns.
+    Ok(Attitude::from_matrix(matrix.transpose().into())?)
 }
 
 /// The largest angle by which the satellite is elsewhere if it has a magnet, looked at every
@@ -315,7 +312,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let period = swings.period();
     let early = 2.0 * p.tolerance / (rate * sin(p.askew).abs());
     let [astray, astray_by_steps] = led_astray(p, magnet(MAGNET), 1e-13)?;
-    let tenth = Parameters { askew: 0.1 * p.askew, ..p.clone() };
+    let tenth = p.but(|p| p.askew *= 0.1);
     let [calm, calm_by_steps] = led_astray(&tenth, magnet(MAGNET), 1e-13)?;
     let (angles, stepped) = (after_a_minute()?, stepped_for_a_minute()?);
     let whole = TAU * ((angles.phi - stepped.phi) / TAU).round();
@@ -323,13 +320,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let spin = rotor()?.angular_velocity(&state).z();
     let first = upright(p, 0.5 * period)?[0];
     let ((phone, off), halved, third) = (put_right()?, put_right_by_halves()?, on_the_way()?);
-    let ([phone_angles, halves], matrix) =
-        ([phone, halved].map(|attitude| attitude.yaw_pitch_roll()), halved.matrix());
-    let square = |row: usize, column: usize| {
-        let apart = f64::from(MEASURED[row][column]) - matrix[row][column];
-        apart * apart
-    };
-    let squares: f64 = (0..9).map(|n| square(n / 3, n % 3)).sum();
+    let [phone_angles, halves] = [phone, halved].map(|attitude| attitude.yaw_pitch_roll());
+    let matrix = halved.matrix();
+    let apart = |n: usize| f64::from(MEASURED[n / 3][n % 3]) - matrix[n / 3][n % 3];
+    let squares: f64 = (0..9).map(|n| apart(n) * apart(n)).sum();
     let trace = matrix[0][0] + matrix[1][1] + matrix[2][2];
     let flight = thrown(&recorded()?)?;
     report.add(Table::of("thrown", ["what it says"], told(&flight), |line| Ok([line]))?)?;
@@ -337,22 +331,18 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let thrown = [0, 1].map(ratio);
     claims! { report,
         /// satellite: period of its swing about the vertical
-        swing_period: period, "s", "the solved motion hangs straight" => measured_period(p)?,
-        within early, in "The satellite":
+        swing_period: period, "s", "the solved motion hangs straight" => measured_period(p)?, within early, in "The satellite":
             TAU / rate => "that is for a small swing",
             TAU / n0 => "that is a turn about the Earth",
             period * 2.0_f64.sqrt() => "the angle enters as sin(2 a): twice the angle swings like a pendulum";
         /// satellite: when it first hangs straight
         first_upright: first.t, "s", "a quarter of the period" => 0.25 * period, within first.t_estimate;
         /// satellite: angle from the vertical after a day
-        swing_day: 0.5 * swings.at(DAY)?.theta, "rad", "solved" => swing(p, DAY, &end),
-        within p.tolerance;
+        swing_day: 0.5 * swings.at(DAY)?.theta, "rad", "solved" => swing(p, DAY, &end), within p.tolerance;
         /// satellite: energy less n0 L_Z, which is kept
-        jacobi: jacobi(0.0, &start), "J", "solved, after a day" => jacobi(DAY, &end),
-        within 1e2 * p.tolerance * n0 * n0;
+        jacobi: jacobi(0.0, &start), "J", "solved, after a day" => jacobi(DAY, &end), within 1e2 * p.tolerance * n0 * n0;
         /// satellite: rate of the slow swing out of the plane
-        slow_rate: slow_rate(p), "rad/s", "two rates of a solved motion" => measured_slow_rate(p)?,
-        within 1e-6 * slow_rate(p);
+        slow_rate: slow_rate(p), "rad/s", "two rates of a solved motion" => measured_slow_rate(p)?, within 1e-6 * slow_rate(p);
         /// satellite with a magnet: how far it is from where it would be, at most
         magnet_worst: astray, "rad", "steps of DOP853" => astray_by_steps, within 1e2 * p.tolerance;
         /// the same if it swings a tenth as wide
@@ -370,15 +360,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         /// phone: roll
         roll: phone_angles.roll, "rad", "the same way" => halves.roll, within 1e-14;
         /// phone: its turn after a third of the way
-        third: third.rotation_vector().norm(), "rad",
-            "a third of acos((trace - 1)/2)" => acos(0.5 * (trace - 1.0)) / 3.0, within 1e-14;
+        third: third.rotation_vector().norm(), "rad", "a third of acos((trace - 1)/2)" => acos(0.5 * (trace - 1.0)) / 3.0, within 1e-14;
         /// thrown phone: least moment over the largest
         thrown_13: thrown[0][0], "-", "made with" => PHONE[0] / PHONE[2], within thrown[0][1];
         /// thrown phone: middle moment over the largest
         thrown_23: thrown[1][0], "-", "made with" => PHONE[1] / PHONE[2], within thrown[1][1];
         /// motor: angular velocity along the axle after a second
-        motor_spin: last, "rad/s", "solved" => spin, within p.tolerance * last,
-        in "The motor":
+        motor_spin: last, "rad/s", "solved" => spin, within p.tolerance * last, in "The motor":
             100.0 + p.torque / 5.45e-3 => "that is the moment across the axis",
             p.torque / 9.0e-4 => "it did not begin at rest";
         /// motor: tilt after a second
@@ -452,8 +440,7 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
             .measured(forced(p, e, swing)?),
     ])?;
     effect_card! { report,
-        "gradient of gravity":
-            "3 (I2 - I1) / I3" = 2.1, costs 2.0 * p.askew.abs(), "rad, to the other side", included;
+        "gradient of gravity": "3 (I2 - I1) / I3" = 2.1, costs 2.0 * p.askew.abs(), "rad, to the other side", included;
     }
 }
 
@@ -476,20 +463,18 @@ fn asked(p: &Parameters, report: &mut Report) -> Result<()> {
     let top = top()?;
     let motions: [(&str, &dyn Motion<State = State>, f64); 3] =
         [("satellite", &of_satellite, DAY), ("top", &top, 60.0), ("motor", &of_motor, 1.0)];
-    let mut table =
-        Table::new("motion", ["motion", "name()", "try_state(t)", "kept()", "condition(t)"])?;
-    for (name, motion, t) in motions {
+    let columns = ["motion", "name()", "try_state(t)", "kept()", "condition(t)"];
+    report.add(Table::of("motion", columns, motions, |(name, motion, t)| {
         let tilt = motion.try_state(t)?.attitude.euler_angles().theta;
         let kept: Vec<&str> = motion.kept().iter().map(|kept| kept.name).collect();
-        table.push([
+        Ok([
             name.to_owned(),
             motion.name().to_owned(),
             format!("t = {} s: e3 at {} rad from Z", short(t, 3), supported_digits(tilt, 1e-6)),
             if kept.is_empty() { "-".to_owned() } else { kept.join("; ") },
             format!("{} rad", short(motion.condition(t)?, 2)),
-        ])?;
-    }
-    report.add(table)
+        ])
+    })?)
 }
 
 /// What is refused, and in which words.
@@ -499,24 +484,20 @@ fn refused(p: &Parameters, report: &mut Report) -> Result<()> {
     let few = Limits { budget: 1000, ..Limits::default() };
     let (orbit, askew) = satellite(&p.but(|p| p.askew = 0.3))?;
     let wide = orbit.with(magnet(MAGNET)).solve(&askew, DAY, 1e-8).err();
+    let rubbed = motor.with(bearing).solve(&start, 1.0, 1e-8).err();
     let asked = [
         ("a body that cannot be: I = 1, 2, 4", PrincipalMoments::new(1.0, 2.0, 4.0).err()),
         ("an end that is no number", scene.solve(&start, f64::NAN, 1e-8).err()),
         ("more digits than the start determines", scene.solve(&start, 1.0, 1e-15).err()),
         ("a day with the magnet, if the swing is 0.3 rad", wide),
         ("a day with a thousand torques", scene.solve_with(&start, DAY, 1e-8, &few).err()),
-        (
-            "dry friction, where a motor drives the axle",
-            motor.with(bearing).solve(&start, 1.0, 1e-8).err(),
-        ),
+        ("dry friction, where a motor drives the axle", rubbed),
         ("the top at a time that is no number", top()?.try_state(f64::INFINITY).err()),
     ];
-    let mut table = Table::new("refused", ["asked", "answer"])?;
-    for (request, answer) in asked {
+    report.add(Table::of("refused", ["asked", "answer"], asked, |(request, answer)| {
         let answer = answer.map_or("granted".to_owned(), |error| error.to_string());
-        table.push([request.to_owned(), answer])?;
-    }
-    report.add(table)
+        Ok([request.to_owned(), answer])
+    })?)
 }
 
 example! {

@@ -21,14 +21,16 @@ fn hung(angle: f64) -> Sketch {
         .arrow((1.0, -0.8), (1.0, -1.1), Ink::Frame, "to the Earth", Side::Left)
         .arrow((-0.75, 1.0), (-1.1, 1.0), Ink::Frame, "flies", Side::Below)
         .guide([low, up]);
-    if angle.abs() < 0.02 {
-        return sketch;
-    }
-    let sketch = sketch.angle((0.0, 0.0), 0.5, (0.5 * PI, 0.5 * PI + angle), r"$\alpha$");
     // The couple turns it back: the longer the arrow, the stronger.
     let from = 0.5 * PI + angle + 0.35 * angle.signum();
-    let turn = (from, from - 8.0 * s * c);
-    sketch.turn((0.0, 0.0), 0.26, turn, Ink::Force)
+    sketch.only_if(angle.abs() >= 0.02, |sketch| {
+        sketch.angle((0.0, 0.0), 0.5, (0.5 * PI, 0.5 * PI + angle), r"$\alpha$").turn(
+            (0.0, 0.0),
+            0.26,
+            (from, from - 8.0 * s * c),
+            Ink::Force,
+        )
+    })
 }
 
 /// The driven top's tilt for a second.
@@ -42,27 +44,25 @@ fn tilt(torque: f64, ink: Ink) -> Result<Curve> {
 /// How far the satellite, hung askew by this angle, turns about its long axis in a day with
 /// the magnet on board: the angle of e2 from the plane of the orbit, rad.
 fn yaw(p: &Parameters, askew: f64, ink: Ink) -> Result<Curve> {
-    let (scene, start) = satellite(&Parameters { askew, ..p.clone() })?;
+    let (scene, start) = satellite(&p.but(|p| p.askew = askew))?;
     let scene = scene.with(magnet(MAGNET));
     let motion = scene.solve_along(&start, DAY, 1e-6, &Limits::default())?;
     let yaw = |hour: f64| {
         let attitude = motion.try_state((3600.0 * hour).min(DAY))?.attitude;
         Ok(asin(attitude.to_space(BodyVector::new(0.0, 1.0, 0.0)).z()))
     };
-    let curve = Curve::sampled(times(0.0, 24.0, 500), yaw, ink)?;
-    Ok(curve.label(&format!("{} rad", short(askew, 1))))
+    Ok(Curve::sampled(times(0.0, 24.0, 500), yaw, ink)?.label(&format!("{} rad", short(askew, 1))))
 }
 
 figures! { p: &Parameters;
-    /// A satellite seen along the normal of its orbit: its long axis e1 leans from the vertical
-    /// by the angle alpha. The Earth is below. Its lower end is pulled down, its upper end up,
-    /// and the two turn it back to the vertical.
+    /// A satellite seen along the normal of its orbit: its long axis e1 leans from the vertical by the angle alpha. The Earth
+    /// is below. Its lower end is pulled down, its upper end up, and the two turn it back to the vertical.
     setup: hung(0.5)
         .guide([(-HALF * sin(0.5), HALF * cos(0.5)), (-0.95 * sin(0.5), 0.95 * cos(0.5))])
         .text((-0.97 * sin(0.5), 0.97 * cos(0.5)), "$e_1$", Ink::Body, Side::Left);
 
-    /// The angle of the satellite from the vertical in the first six hours: a wave of constant
-    /// height; a dot at every hour lies on it.
+    /// The angle of the satellite from the vertical in the first six hours: a wave of constant height; a dot at every hour lies
+    /// on it.
     swing: {
         let (exact, states) = (pendulum(p)?, day(p)?);
         let angle = |hour: f64| Ok(0.5 * exact.at(3600.0 * hour)?.theta);
@@ -73,8 +73,8 @@ figures! { p: &Parameters;
             .curve(Curve::new(solved, Ink::Body).dots())
     };
 
-    /// By how much the solved angle is off at every hour of the day, on a logarithmic axis:
-    /// all dots lie below the line of what was asked for.
+    /// By how much the solved angle is off at every hour of the day, on a logarithmic axis: all dots lie below the line of what
+    /// was asked for.
     off: {
         let off = off(p, &day(p)?)?;
         let dots = (1..).map(f64::from).zip(off).map(|(hour, off)| (hour, off.max(1e-16)));
@@ -83,15 +83,14 @@ figures! { p: &Parameters;
             .curve(Curve::new(dots, Ink::Body).dots())
     };
 
-    /// The angle by which the satellite turns about its long axis during a day, with a weak
-    /// magnet on board: if it swings little, a wave that stays low; if it swings wider, one
-    /// that grows until it is many times as high.
+    /// The angle by which the satellite turns about its long axis during a day, with a weak magnet on board: if it swings
+    /// little, a wave that stays low; if it swings wider, one that grows until it is many times as high.
     yaw: Panel::over_axes("$t$ / h", "turned about $e_1$ / rad")
         .curve(yaw(p, p.askew, Ink::Body)?)
         .curve(yaw(p, 0.1 * p.askew, Ink::Ink)?);
 
-    /// Tilt of the top for a second, with the motor on and off: off, it goes on with deep
-    /// nods; on, the nods become shallower and quicker.
+    /// Tilt of the top for a second, with the motor on and off: off, it goes on with deep nods; on, the nods become shallower
+    /// and quicker.
     motor: Panel::over_axes("$t$ / s", r"tilt $\theta$ / rad")
         .curve(tilt(0.0, Ink::Ink)?.label("motor off"))
         .curve(tilt(p.torque, Ink::Body)?.label("motor on"));

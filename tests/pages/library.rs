@@ -2,7 +2,7 @@
 //! is refused is refused with its reason.
 
 use crate::answers::{answer, cell, confirmed, number, refused, value};
-use kit::{Page, parse};
+use kit::{Page, parse, times};
 use pages::library::*;
 use rotation_dynamics::accuracy::Limits;
 use rotation_dynamics::motion::Motion;
@@ -22,8 +22,8 @@ fn what_is_asked_for_is_confirmed() {
     ], 12);
 }
 
-/// A swing of 0.3 rad feeds the slightest touch across the plane: with the magnet eight digits
-/// of the start are lost in a day.
+/// A swing of 0.3 rad feeds the slightest touch across the plane: with the magnet eight digits of the start are lost in
+/// a day.
 #[test]
 fn what_cannot_be_had_is_refused() {
     refused(&EXAMPLE, [
@@ -36,8 +36,7 @@ fn what_cannot_be_had_is_refused() {
     ]);
 }
 
-/// Each hour of the day, for swings and errors of many sizes, against the pendulum that twice
-/// the angle is.
+/// Each hour of the day, for swings and errors of many sizes, against the pendulum that twice the angle is.
 #[test]
 fn no_hour_is_off_by_more_than_was_asked() {
     let (mut errors, mut damaged) = (Errors::of("error over request"), Errors::of("half the rate"));
@@ -57,8 +56,8 @@ fn no_hour_is_off_by_more_than_was_asked() {
     damaged.exceed(1.0, 16);
 }
 
-/// With a hundredth of the magnet the response is linear: the card's number, a hundredth of
-/// it, is what runs with and without the magnet differ by.
+/// With a hundredth of the magnet the response is linear: the card's number, a hundredth of it, is what runs with and
+/// without the magnet differ by.
 #[test]
 fn the_card_is_right_about_the_magnet() {
     let p = asked(0.1, 1e-9);
@@ -68,14 +67,12 @@ fn the_card_is_right_about_the_magnet() {
     let with = scene.with(small);
     let with = with.solve_along(&start, DAY, p.tolerance, &Limits::default()).unwrap();
     let without = scene.solve_along(&start, DAY, p.tolerance, &Limits::default()).unwrap();
-    let mut largest = 0.0_f64;
-    for i in 0..=400 {
-        let t = DAY * (f64::from(i) / 400.0);
+    let apart = times(0.0, DAY, 400).map(|t| {
         let [a, b] = [with.try_state(t), without.try_state(t)].map(|state| state.unwrap().attitude);
-        largest = largest.max(a.angle_to(&b));
-    }
+        a.angle_to(&b)
+    });
     let mut errors = Errors::of("simulated over predicted, less one");
-    errors.push(largest / weighed.predicted - 1.0);
+    errors.push(apart.fold(0.0, f64::max) / weighed.predicted - 1.0);
     assert_largest!(errors, 1, @"2.66e-3");
     // The same number stands on the card, to two digits, for the whole magnet.
     let card = cell(&EXAMPLE, "", ["effects", "magnet on board", "error if left out"]);
