@@ -102,7 +102,7 @@ pub fn steady(moments: [f64; 3], turns: f64, spread: f64) -> Result<f64> {
     let [into_1, into_3] = exchange(moments);
     let strip = 4.0 * into_1.sqrt() * exp(-growth(moments) * TAU * turns);
     let half_width = strip / (spread * (1.0 + into_1 / into_3).sqrt());
-    // What a bell curve has outside.
+    // What of a bell curve is inside.
     let bell =
         ode(|x, _: &[f64; 1]| [exp(-0.5 * x * x) * (2.0 / PI).sqrt()]).scaled(size_or([1.0; 1]));
     Ok(after(half_width.min(9.0), &bell, &[0.0], 1e-12)?[0])
@@ -114,8 +114,7 @@ const COUNTED: u32 = 16_000;
 /// By how much a count of this part of the throws may be off: by twice as much as it would
 /// scatter by if they were drawn by chance, which is more than points on a spiral do, and by one.
 fn scatter(part: f64) -> f64 {
-    let throws = f64::from(COUNTED);
-    2.0 * (part / throws).sqrt() + 1.0 / throws
+    2.0 * (part / f64::from(COUNTED)).sqrt() + 1.0 / f64::from(COUNTED)
 }
 
 /// The part of `throws` of which this holds.
@@ -435,9 +434,9 @@ pub fn by_rounding(moments: [f64; 3], step: f64) -> Result<Option<f64>> {
 
 /// [`by_rounding`], for three errors of a step.
 fn rounding(p: &Parameters, report: &mut Report) -> Result<()> {
-    let mut table = Table::new("rounding", ["stepped", "half over after"])?;
     let body = Dop853::new(1e-6)?.advance(&euler(slab(p)?), 0.0, &[0.0, TAU, 0.0], 1000.0)?.0;
     let never = if body == [0.0, TAU, 0.0] { "never in 1000 turns" } else { "it has strayed" };
+    let mut table = Table::new("rounding", ["stepped", "half over after"])?;
     table.push(["rates on the body's axes, 1e-6", never])?;
     for step in [1e-6, 1e-10, 1e-15] {
         let after = by_rounding(slab(p)?, step)?;

@@ -265,13 +265,12 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (back, _) = back(motion, p.tolerance)?;
     let (turned, disc, zeta) =
         (back.t, Disc::new(&back.state), attitude(&back.state)?.euler_angles().zeta);
-    let bound = 1e4 * p.tolerance;
     // Spin and precession in a turn, to whole turns: it is less than half a turn off.
     let face = motion.face() * turned;
     let seen = zeta + TAU * round_even((face - zeta) / TAU);
     let energy = p.mass * p.gravity * p.radius;
     let (now, held) = (disc.angular_velocity.norm(), disc.energy());
-    let nods = rate * motion.nodding().sqrt();
+    let (nods, bound) = (rate * motion.nodding().sqrt(), 1e4 * p.tolerance);
     claims! { report,
         /// rate at which the contact runs round
         rate: rate, "rad/s", "a turn in vectors" => TAU / (turned * time), within bound * rate, in "The steady motion":
@@ -319,6 +318,12 @@ fn last_seconds(p: &Parameters, report: &mut Report) -> Result<()> {
     let (turns, rest) = (law.turns(p.start), law.turns(0.1 * p.start));
     let equal = pow(air.law.k / rolls.law.k, 2.0 / 3.0);
     let power = |by: &Settled| by.loss.drag(equal, 2.0 / equal.sqrt());
+    // The end once more: where the law's fall, taken by differences, is g, or the film.
+    let (falls, speed) = (law.falls(), |tilt: f64| law.k * pow(tilt, -law.n));
+    let slope = (speed(0.9999 * falls) - speed(1.0001 * falls)) / (2e-4 * falls);
+    let ending = run.film.max(falls * speed(falls) * slope);
+    let fallen =
+        kit::simpson([0.0, run.law_ends], 20_000, |x| Ok::<_, Error>(pow(x, law.n) / law.k));
     // The first power of the inclination alone is right as well: answers are judged by 2 %.
     claims! { report,
         /// rolling friction: exponent of the rate
@@ -332,9 +337,9 @@ fn last_seconds(p: &Parameters, report: &mut Report) -> Result<()> {
         /// inclination below which the air takes more than the rolling friction
         equal: equal, "rad", "powers there" => equal * power(&air) / power(&rolls), within 1e-12;
         /// inclination at which the law ends
-        tilt_end: run.law_ends, "rad", "by differences" => ending(run), within 1e-6 * run.law_ends;
+        tilt_end: run.law_ends, "rad", "by differences" => ending, within 1e-6 * run.law_ends;
         /// time that is left there
-        left_end: ends, "s", "fall from there, integrated" => fallen(&law, run.law_ends) * time, within (1e-6 + 2.0 * run.law_ends * run.law_ends) * ends;
+        left_end: ends, "s", "fall from there, integrated" => fallen? * time, within (1e-6 + 2.0 * run.law_ends * run.law_ends) * ends;
         /// tone there
         tone_end: tone(run.law_ends), "Hz", "rate for small angles" => 1.0 / (PI * time * run.law_ends.sqrt()),
         within run.law_ends * run.law_ends * tone(run.law_ends);
@@ -354,27 +359,13 @@ fn last_seconds(p: &Parameters, report: &mut Report) -> Result<()> {
     effects(p, [&air, &rolls], report)
 }
 
-/// The end once more: where the law's fall, taken by differences, is g, or the film.
-fn ending(by: &Settled) -> f64 {
-    let (tilt, speed) = (by.law.falls(), |tilt: f64| by.law.k * pow(tilt, -by.law.n));
-    let slope = (speed(0.9999 * tilt) - speed(1.0001 * tilt)) / (2e-4 * tilt);
-    by.film.max(tilt * speed(tilt) * slope)
-}
-
-/// Time in which the law falls from there to nothing, by the rule of midpoints.
-fn fallen(law: &Settling, from: f64) -> f64 {
-    let h = from / 4000.0;
-    (0..4000).map(|i| h * pow(h * (f64::from(i) + 0.5), law.n) / law.k).sum()
-}
-
 /// Upright, flat, and falling.
 fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let flat = Steady { tilt: 1e-4, circle: 0.0 };
     let upright = Steady { tilt: FRAC_PI_2 - 1e-6, circle: 0.0 };
     let coin = Steady { tilt: FRAC_PI_2 - 1e-4, circle: -1e3 };
     let falls = Disc::new(&placed(1e-3, [0.0; 3], 0.0)?).force(Loss::None).z();
-    let motion = Steady { tilt: p.inclination, circle: 0.0 };
-    let (_, disc) = turn(motion, p.tolerance)?;
+    let (_, disc) = turn(Steady { tilt: p.inclination, circle: 0.0 }, p.tolerance)?;
     let held = disc.force(Loss::None) - SpaceVector::new(0.0, 0.0, 1.0);
     limits! { report,
         /// upright it spins about a diameter: the last of the steady motions
@@ -384,8 +375,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
         /// its face turns by half of alpha^2 for each turn of the contact
         "alpha = x: Omega_f/(Omega alpha^2)": flat.face() / (flat.rate() * 1e-8) => 0.5, within 1e-8;
         /// a coin on a large circle leans by v^2/(g rho) and half as much more
-        "large circle: 6 rho Omega^2 tan alpha/(4 g)":
-            coin.rate() * coin.rate() * 1.5e3 / (1.0 / tan(coin.tilt)) => 1.0, within 1e-6;
+        "large circle: 6 rho Omega^2 tan alpha/(4 g)": coin.rate() * coin.rate() * 1.5e3 / (1.0 / tan(coin.tilt)) => 1.0, within 1e-6;
         /// a centre at rest needs no force but its weight
         "circle = 0: friction and lift of the table": held.norm() => 0.0, within 1e4 * p.tolerance;
         /// a disc that does not turn falls about its contact with 4 g/5: the table still pushes
@@ -419,15 +409,12 @@ fn together(p: &Parameters, [air, rolls]: [&Settled; 2]) -> Result<(f64, f64, Wo
         let of = |law: Settling| law.k * pow(tilt, -law.n) * (1.0 - law.c * tilt * tilt);
         of(air.law) + of(rolls.law)
     };
-    let left = |from: f64| {
-        let h = from / 4000.0;
-        (0..4000).map(|i| h / fall(h * (f64::from(i) + 0.5))).sum::<f64>()
-    };
+    let left = |from: f64| kit::simpson([0.0, from], 20_000, |x| Ok::<_, Error>(1.0 / fall(x)));
     let (steady, start) = (Settling::passing(p.start), p.start);
     let from = placed(start, [steady.rate(), -fall(start), steady.spin()], steady.circle)?;
     let loss = Loss::Both(p.rolling, p.viscosity * p.radius / p.mass * air.time);
-    let run = settling(loss, from, &[], 0.1 * start, 2.0 * left(start), p.tolerance)?;
-    Ok((left(start), run.end_time() + left(0.1 * start), run.work()))
+    let run = settling(loss, from, &[], 0.1 * start, 2.0 * left(start)?, p.tolerance)?;
+    Ok((left(start)?, run.end_time() + left(0.1 * start)?, run.work()))
 }
 
 /// The card of effects: the other loss, a disc 1 cm thick, air as it is, and what is small.
@@ -459,9 +446,8 @@ fn effects(p: &Parameters, both: [&Settled; 2], report: &mut Report) -> Result<(
 
 /// The accuracy strip: a turn of the steady motion.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
-    let motion = steady(p)?;
+    let (motion, asked) = (steady(p)?, [p.tolerance, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14]);
     let period = TAU / motion.rate();
-    let asked = [p.tolerance, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14];
     report.set_closed_form(ClosedForm::new(move |_| Ok::<_, Error>(motion.rate())));
     let error = move |(back, _): &(LocatedEvent<9>, Work)| Ok((back.t / period - 1.0).abs());
     report.stepped(asked, move |step| back(motion, step), |run| run.1, error)
