@@ -5,10 +5,8 @@
 //! dimensionless time t'. With `--i1`, `--i3`, `--mass`, ...: a gyroscope in SI
 //! units, time in seconds, and `--with friction`, `--without gravity` for what acts on it.
 
-#[path = "ch16_2_gyroscope/driven.rs"]
-mod driven;
 #[path = "ch16_2_gyroscope/fast.rs"]
-mod fast;
+pub mod fast;
 #[path = "ch16_2_gyroscope/figures.rs"]
 mod figures;
 #[path = "ch16_2_gyroscope/friction.rs"]
@@ -17,16 +15,14 @@ mod friction;
 mod left_out;
 #[path = "ch16_2_gyroscope/limits.rs"]
 mod limits;
-#[path = "ch16_2_gyroscope/picture.rs"]
-mod picture;
 #[path = "ch16_2_gyroscope/rotor.rs"]
 mod rotor;
 
-use kit::{Claim, Report, Result, Trajectory, claim};
-use models::heavy_top::{Motion, Nod, trajectory};
-use rotation_dynamics::exact::heavy_top::{ReducedTop, Start};
+use core::f64::consts::{PI, TAU};
+use kit::prelude::*;
+use models::heavy_top::{Motion, Nod, Steady};
+use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
 use rotation_dynamics::integrators::{Ode, size_or};
-use rotation_dynamics::math::sincos;
 
 // ANCHOR: equations
 /// Equations (4) to (6). The state is theta, dtheta/dt', phi, zeta.
@@ -60,14 +56,14 @@ impl Ode<4> for Equations {
 
 impl Equations {
     /// The equations of this top, without friction.
-    pub fn of(top: &ReducedTop) -> Self {
+    fn of(top: &ReducedTop) -> Self {
         Self { a: top.a(), b: top.b(), c: top.c(), friction: 0.0 }
     }
 }
 
 /// The five motions of figures 3 and 4: at the bottom of the valley and above
 /// it for b > 1; loops, cusps and waves for b < 1.
-pub fn of_the_notes() -> Result<[Motion; 5]> {
+fn of_the_notes() -> Result<Vec<Motion>> {
     // ANCHOR: motions
     let steep = ReducedTop::new(2.0, 1.2, 0.2)?; // a, b, c of the notes' figure 3
     let gentle = ReducedTop::new(2.0, 0.6, 0.2)?; // and of their figure 4
@@ -80,19 +76,15 @@ pub fn of_the_notes() -> Result<[Motion; 5]> {
         Motion::with_energy("waves", gentle, -0.085, Start::ThetaMin)?,
     ];
     // ANCHOR_END: motions
-    Ok(motions.map(|motion| match motion.name {
-        "steady" => motion.answers("Steady precession, b = 1.2"),
-        "nutating" => motion.answers("Nods, b = 1.2"),
-        "loops" => motion.answers("Loops, b = 0.6"),
-        "cusps" => motion.answers("Cusps, b = 0.6"),
-        _ => motion,
-    }))
+    let answers =
+        ["Steady precession, b = 1.2", "Nods, b = 1.2", "Loops, b = 0.6", "Cusps, b = 0.6", ""];
+    Ok(motions.into_iter().zip(answers).map(|(motion, heading)| motion.answers(heading)).collect())
 }
 
 /// The motion on show, of which flags change a part: a, b, c and the energy. Released at rest, b < 1.
 const CUSPS: [f64; 4] = [2.0, 0.6, 0.2, -0.08];
 
-kit::parameters! {
+parameters! {
     /// The notes' motions, unless something is set: then the motion asked for.
     pub struct Parameters {
         /// I3/I1, the shape: above 0, at most 2
@@ -136,7 +128,8 @@ kit::parameters! {
 
 /// The motions that these parameters ask for.
 fn motions(p: &Parameters) -> Result<Vec<Motion>> {
-    let reduced = [p.a, p.b, p.c, p.energy].iter().any(Option::is_some) || p.start != "theta_min";
+    let given = [p.a, p.b, p.c, p.energy];
+    let reduced = given.iter().any(Option::is_some) || p.start != "theta_min";
     match (reduced, rotor::asked_for(p)) {
         (true, Some(_)) => Err(kit::Error::Text {
             text: "dimensionless and SI flags together".into(),
@@ -144,38 +137,23 @@ fn motions(p: &Parameters) -> Result<Vec<Motion>> {
                       --length, --theta, --spin, --precession, --nutation, --with, --without",
         }),
         (true, None) => {
-            let given = [p.a, p.b, p.c, p.energy];
             let [a, b, c, energy] = core::array::from_fn(|i| given[i].unwrap_or(CUSPS[i]));
-            let start = match p.start {
-                "theta_max" => Start::ThetaMax,
-                _ => Start::ThetaMin,
-            };
+            let start = if p.start == "theta_max" { Start::ThetaMax } else { Start::ThetaMin };
             let top = ReducedTop::new(a, b, c)?;
             Ok(vec![Motion::with_energy("", top, energy, start)?])
         }
         (false, Some(rotor)) => Ok(vec![rotor.motion()?]),
-        (false, None) => Ok(of_the_notes()?.into()),
+        (false, None) => of_the_notes(),
     }
-}
-
-/// The advance of phi a hair below the cusps, for the page's last section.
-fn near_the_cusps() -> Result<Claim> {
-    let (top, energy) = (ReducedTop::new(2.0, 0.6, 0.2)?, -0.0801);
-    let waves = Motion::with_energy("hair", top, energy, Start::ThetaMin)?;
-    let meaning = "advance of phi in one nod at E~ = -0.0801";
-    let advance = waves.exact.precession_per_period();
-    let nod = Nod::by_quadrature(&top, energy);
-    Ok(claim("hair_precession", meaning, advance, "rad")
-        .within(1e-12)
-        .against("quadrature over one nod", nod.precession))
 }
 
 fn report(p: &Parameters) -> Result<Report> {
     let motions = motions(p)?;
-    if driven::is_asked_for(p) {
-        return driven::report(p);
+    if rotor::is_driven(p) {
+        let names = ["bearing of the line of nodes", "air on the rotor", "bearings of the axle"];
+        return rotor::driven(p)?.report(["The gyroscope", "a rotor"], p.tolerance, names);
     }
-    let description = match motions.as_slice() {
+    let description = match &motions[..] {
         [one] => one.description(),
         _ => {
             "five motions of a symmetric rotor about a fixed point; time in sqrt(I1 I3)/L_z".into()
@@ -185,31 +163,31 @@ fn report(p: &Parameters) -> Result<Report> {
     for motion in &motions {
         report.add(motion.claims(&Equations::of(&motion.top))?)?;
     }
-    if let [_, nutating, loops, ..] = motions.as_slice() {
-        report.add(near_the_cusps()?)?;
-        limits::add(&mut report, loops)?;
-        friction::add(&mut report)?;
-        fast::add(&mut report)?;
-        rotor::add(&mut report)?;
-        left_out::add(&mut report)?;
-        nutating.strip(&mut report, p.tolerance)?;
-    } else {
+    let [_, nutating, loops, ..] = &motions[..] else {
         motions[0].strip(&mut report, p.tolerance)?;
-    }
+        return Ok(report);
+    };
+    limits::claims(loops, &mut report)?;
+    limits::limits(&mut report)?;
+    friction::claims(&mut report)?;
+    fast::claims(&mut report)?;
+    rotor::claims(&mut report)?;
+    left_out::effects(&mut report)?;
+    nutating.strip(&mut report, p.tolerance)?;
     Ok(report)
 }
 
 /// The motion, or the motions, for `--csv`.
-fn samples(p: &Parameters) -> Result<Trajectory> {
+fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let motions = motions(p)?;
-    match driven::is_asked_for(p) {
-        true => driven::rotor(p)?.trajectory(),
-        false => trajectory(&motions),
+    match rotor::is_driven(p) {
+        true => rotor::driven(p)?.trajectory(),
+        false => models::heavy_top::trajectory(&motions),
     }
 }
 
-kit::example! {
+example! {
     ch16_2_gyroscope:
         "The gyroscope: precession and nutation, in closed form and by equations (4) to (6)";
-    report, figures::all, samples, picture::moving
+    report, figures::all, trajectory, figures::moving_picture
 }
