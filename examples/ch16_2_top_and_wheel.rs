@@ -5,8 +5,6 @@
 //! both bodies. With `--body` or any other flag: that body as you want it; with
 //! `--with air`, `--without gravity`: with what acts on it, stepped where no closed form knows it.
 
-#[path = "ch16_2_top_and_wheel/driven.rs"]
-mod driven;
 #[path = "ch16_2_top_and_wheel/figures.rs"]
 mod figures;
 #[path = "ch16_2_top_and_wheel/left_out.rs"]
@@ -15,19 +13,20 @@ mod left_out;
 mod limits;
 #[path = "ch16_2_top_and_wheel/sleeping.rs"]
 mod sleeping;
-#[path = "ch16_2_top_and_wheel/slowing.rs"]
-mod slowing;
-#[path = "ch16_2_top_and_wheel/tries.rs"]
-mod tries;
+#[path = "ch16_2_top_and_wheel/waking.rs"]
+mod waking;
 
-use core::f64::consts::FRAC_PI_2;
-use kit::{Claim, Report, Result, Trajectory, claim};
-use models::heavy_top::{self, Equations, Motion};
-use rotation_dynamics::attitude::EulerAngles;
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use kit::prelude::*;
+use kit::{Claim, EffectLine};
+use models::heavy_top::{Added, Equations, Motion, Newton, Nod, Steady, Stepped};
+use rotation_dynamics::attitude::{Attitude, EulerAngles};
+use rotation_dynamics::body::RigidBody;
+use rotation_dynamics::effects::GravityAtLever;
 use rotation_dynamics::exact::heavy_top::{HeavyTop, SymmetricTop};
-use rotation_dynamics::frame::{BodyVector, DesignVector};
-use rotation_dynamics::inertia::{InertiaTensor, MassProperties};
-use rotation_dynamics::math::sin;
+use rotation_dynamics::frame::DesignVector;
+use rotation_dynamics::inertia::{InertiaTensor, MassProperties, PrincipalMoments};
+use rotation_dynamics::integrators::Dop853;
 
 // ANCHOR: body
 /// A body that turns about a point of its axis, and how it starts. SI units.
@@ -110,6 +109,15 @@ impl Body {
 // ANCHOR_END: fixed_point
 
 impl Body {
+    /// As a rigid body that turns about its fixed point.
+    fn rigid(&self) -> Result<RigidBody> {
+        Ok(RigidBody::new(PrincipalMoments::symmetric(self.moment(), self.i3)?))
+    }
+
+    fn weight(&self) -> Result<GravityAtLever> {
+        Ok(GravityAtLever::new(self.mass * self.gravity, self.length)?)
+    }
+
     /// I1' as a claim, against the tensor of the displaced body.
     fn moment_claim(&self, name: &str) -> Result<Claim> {
         let tensor = InertiaTensor::diagonal([self.i1, self.i1, self.i3])?;
@@ -120,14 +128,13 @@ impl Body {
         let meaning = format!("{name}: I1', across the axis about the fixed point");
         let claim = claim(format!("{name}_moment"), meaning, self.moment(), "kg m^2");
         Ok(claim
-            .within(1e-15 * self.moment())
-            .against("tensor of the displaced body", across)
+            .agrees_with("tensor of the displaced body", across, 1e-15 * self.moment())
             .slip(self.i1, "that is about the centre of mass, which moves")
             .answer("About the fixed point"))
     }
 }
 
-kit::parameters! {
+parameters! {
     /// Both bodies, unless something is set: then that body as it is asked for.
     pub struct Parameters {
         /// which body; the other flags change this one (both: the top)
@@ -188,23 +195,45 @@ impl Parameters {
     }
 
     fn motions(&self) -> Result<Vec<Motion>> {
-        let motion = |(name, body): (&'static str, Body)| {
-            let heading = match name {
-                "top" => "The leaning top",
-                _ => "The wheel",
-            };
-            Ok(body.motion(name)?.answers(heading))
-        };
+        let heading = |name| if name == "top" { "The leaning top" } else { "The wheel" };
+        let motion = |(name, body): (_, Body)| Ok(body.motion(name)?.answers(heading(name)));
         self.bodies().into_iter().map(motion).collect()
+    }
+
+    /// Whether something is put in that no closed form knows.
+    fn is_driven(&self) -> bool {
+        [self.friction, self.air, self.brake].iter().any(Option::is_some)
+    }
+
+    /// The body asked for with what is put in, stepped for a second.
+    fn driven(&self) -> Result<Stepped> {
+        let (body, radius) = match self.body {
+            "wheel" => (self.applied_to(WHEEL), 0.35),
+            _ => (self.applied_to(TOP), 0.0283),
+        };
+        let (rigid, gravity) = (body.rigid()?, self.gravity.map(|_| body.weight()).transpose()?);
+        let start = rigid.state(Attitude::from_euler(body.tilted())?, body.rates())?;
+        if let Some(brake) = self.brake {
+            // The angular momentum along the axis, over the second.
+            let turns = between(0.0, body.i3 * body.spin.abs());
+            turns
+                .because("more stops the spin in the time that is looked at")
+                .check("brake", brake)?;
+        }
+        let added = Added { nodes: self.friction, dry: self.brake, ..Added::default() };
+        let added = added.in_air(self.air, radius, body.spin)?;
+        Stepped::new(rigid, gravity, added, start, 1.0)
     }
 }
 
 fn report(p: &Parameters) -> Result<Report> {
     let motions = p.motions()?;
-    if driven::is_asked_for(p) {
-        return driven::report(p);
+    if p.is_driven() {
+        let names = ["bearing of the line of nodes", "air", "dry friction against the spin"];
+        let heads = ["The top and the bicycle wheel", "a body"];
+        return p.driven()?.report(heads, p.tolerance, names);
     }
-    let description = match motions.as_slice() {
+    let description = match &motions[..] {
         [one] => one.description(),
         _ => "a toy top on its tip and a bicycle wheel hung by its axle: gyroscopes whose centre of mass moves".into(),
     };
@@ -214,23 +243,24 @@ fn report(p: &Parameters) -> Result<Report> {
         report.add(motion.claims(&Equations(motion.top))?)?;
     }
     if motions.len() > 1 {
-        sleeping::add(&mut report)?;
-        tries::add(&mut report)?;
-        limits::add(&mut report)?;
-        left_out::add(&mut report)?;
+        sleeping::claims(&mut report)?;
+        limits::tries(&mut report)?;
+        limits::limits(&mut report)?;
+        left_out::effects(&mut report)?;
     }
     motions[0].strip(&mut report, p.tolerance)?;
     Ok(report)
 }
 
 fn trajectory(p: &Parameters) -> Result<Trajectory> {
-    match driven::is_asked_for(p) {
-        true => driven::body(p)?.trajectory(),
-        false => heavy_top::trajectory(&p.motions()?),
+    if p.is_driven() {
+        p.driven()?.trajectory()
+    } else {
+        models::heavy_top::trajectory(&p.motions()?)
     }
 }
 
-kit::example! {
+example! {
     ch16_2_top_and_wheel: "The top on its tip and the bicycle wheel hung by its axle";
-    report, figures::all, trajectory, slowing::moving_picture
+    report, figures::all, trajectory, waking::moving_picture
 }

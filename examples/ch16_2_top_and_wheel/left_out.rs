@@ -2,161 +2,91 @@
 //! torque against the spin costs is predicted by the library and tested by a simulation; the
 //! other errors are estimates.
 
-use super::slowing::lead_by_angles;
-use super::{Body, TOP, WHEEL};
-use kit::{CardLine, EffectLine, Report, Result, claim, effect, sampled, times};
-use models::heavy_top::Newton;
+use super::*;
 use rotation_dynamics::effects::{CoulombBearing, DiscDrag, Effect};
-use rotation_dynamics::exact::heavy_top::HeavyTop;
-use rotation_dynamics::integrators::{Dop853, Ode};
-use rotation_dynamics::math::{cbrt, hypot, sincos};
-
-use core::f64::consts::{PI, TAU};
-
-/// What holds the fixed point, over one nod: the greatest ratio of the horizontal to the
-/// vertical force, and the least vertical force over the weight.
-#[derive(Debug, Clone, Copy)]
-struct Hold {
-    grip: f64,
-    load: f64,
-}
-
-impl Hold {
-    /// Of these accelerations of the centre of mass: horizontal and upwards, m/s^2.
-    fn over(accelerations: Vec<(f64, f64)>, gravity: f64) -> Self {
-        let ratios = accelerations.iter().map(|(h, z)| h / (gravity + z));
-        let loads = accelerations.iter().map(|(_, z)| 1.0 + z / gravity);
-        Self { grip: ratios.fold(0.0, f64::max), load: loads.fold(f64::INFINITY, f64::min) }
-    }
-
-    /// By the tilt and its rates in closed form, with (2) and (3) of the notes.
-    fn by_angles(body: &Body, exact: &HeavyTop) -> Result<Self> {
-        let (i1, l) = (body.moment(), body.length);
-        let momentum = exact.momenta().1;
-        let samples = sampled(times(0.0, exact.nutation_period(), POINTS), |t| {
-            let (s, c) = sincos(exact.angles(t).theta);
-            let (fall, rate) = (exact.theta_rate(t), exact.phi_rate(t));
-            let pull = body.weight_moment() * s - rate * s * (momentum - i1 * rate * c);
-            let outward = pull / i1 * c - (fall * fall + rate * rate) * s;
-            let sideways = fall * momentum / i1;
-            let upward = -(pull / i1 * s + fall * fall * c);
-            Ok((l * hypot(outward, sideways), l * upward))
-        })?;
-        Ok(Self::over(samples, body.gravity))
-    }
-
-    /// By a run of Newton's law in vectors.
-    fn by_vectors(body: &Body, exact: &HeavyTop) -> Result<Self> {
-        let (i1, weight_moment) = (body.moment(), body.weight_moment());
-        let law = Newton { i1, weight_moment };
-        let (momentum, axis) = (exact.angular_momentum(0.0), exact.axis(0.0));
-        let ([a, b, c], [x, y, z]) = (momentum.to_array(), axis.to_array());
-        let end = exact.nutation_period();
-        let run = Dop853::new(1e-12)?.solve(&law, 0.0, &[a, b, c, x, y, z], end, &[])?;
-        let samples = sampled(times(0.0, end, POINTS - 1), |t| {
-            let y = run.at(t)?;
-            // The axis moves with L x e/I1; differentiate once more.
-            let rates = law.derivative(t, &y);
-            let both = |i: usize, j: usize| {
-                let first = rates[i] * y[3 + j] - rates[j] * y[3 + i];
-                first + y[i] * rates[3 + j] - y[j] * rates[3 + i]
-            };
-            let [ax, ay, az] = [both(1, 2), both(2, 0), both(0, 1)].map(|d| d * body.length / i1);
-            Ok((hypot(ax, ay), az))
-        })?;
-        Ok(Self::over(samples, body.gravity))
-    }
-}
+use rotation_dynamics::integrators::{Ode, after, ode, size_or};
 
 /// Samples of one nod; the greatest and the least lie within 1e-5 of the true ones.
 const POINTS: u32 = 2000;
 
-/// Coefficient of friction, wood on wood.
-const FRICTION: f64 = 0.2;
+/// What holds the fixed point if the centre of mass has these accelerations, horizontal and
+/// upwards (m/s^2): the greatest ratio of the horizontal to the vertical force, and the least
+/// vertical force over the weight.
+fn hold(accelerations: &[(f64, f64)], gravity: f64) -> [f64; 2] {
+    let ratios = accelerations.iter().map(|(h, z)| h / (gravity + z));
+    let loads = accelerations.iter().map(|(_, z)| 1.0 + z / gravity);
+    [ratios.fold(0.0, f64::max), loads.fold(f64::INFINITY, f64::min)]
+}
 
-/// Adds the card, and the claims on which it stands.
-pub fn add(report: &mut Report) -> Result<()> {
-    let mut hold = |name: &str, body: &Body| -> Result<Hold> {
-        let exact = body.motion("")?.exact;
-        let angles = Hold::by_angles(body, &exact)?;
-        let vectors = Hold::by_vectors(body, &exact)?;
-        let entry = |what: &str, meaning: &str, value: f64, other: f64| {
-            claim(format!("{name}_{what}"), format!("{name}: {meaning}"), value, "-")
-                .within(1e-5)
-                .against("DOP853 on dL/dt = torque", other)
+/// That over one nod, by the tilt and its rates in closed form, with (2) and (3) of the notes.
+fn hold_by_angles(body: &Body) -> Result<[f64; 2]> {
+    let (exact, i1, l) = (body.motion("")?.exact, body.moment(), body.length);
+    let momentum = exact.momenta().1;
+    let accelerations = times(0.0, exact.nutation_period(), POINTS).map(|t| {
+        let (s, c) = sincos(exact.angles(t).theta);
+        let (fall, rate) = (exact.theta_rate(t), exact.phi_rate(t));
+        let pull = body.weight_moment() * s - rate * s * (momentum - i1 * rate * c);
+        let outward = pull / i1 * c - (fall * fall + rate * rate) * s;
+        let sideways = fall * momentum / i1;
+        let upward = -(pull / i1 * s + fall * fall * c);
+        (l * hypot(outward, sideways), l * upward)
+    });
+    Ok(hold(&accelerations.collect::<Vec<_>>(), body.gravity))
+}
+
+/// The same by a run of Newton's law in vectors.
+fn hold_by_vectors(body: &Body) -> Result<[f64; 2]> {
+    let (exact, i1) = (body.motion("")?.exact, body.moment());
+    let law = Newton { i1, weight_moment: body.weight_moment() };
+    let ([a, b, c], [x, y, z]) =
+        (exact.angular_momentum(0.0).to_array(), exact.axis(0.0).to_array());
+    let end = exact.nutation_period();
+    let run = Dop853::new(1e-12)?.solve(&law, 0.0, &[a, b, c, x, y, z], end, &[])?;
+    let accelerations = sampled(times(0.0, end, POINTS - 1), |t| {
+        let y = run.at(t)?;
+        // The axis moves with L x e/I1; differentiate once more.
+        let rates = law.derivative(t, &y);
+        let both = |i: usize, j: usize| {
+            let first = rates[i] * y[3 + j] - rates[j] * y[3 + i];
+            first + y[i] * rates[3 + j] - y[j] * rates[3 + i]
         };
-        report.add(vec![
-            entry(
-                "grip",
-                "greatest horizontal over vertical force at O",
-                angles.grip,
-                vectors.grip,
-            )
-            .answer("What holds O")
-            .judged_within(0.01),
-            entry("load", "least vertical force at O over the weight", angles.load, vectors.load),
-        ])?;
-        Ok(angles)
-    };
-    let (tip, rope) = (hold("top", &TOP)?, hold("wheel", &WHEEL)?);
-
-    // A disc of 2.8 cm radius on a steel tip of 1 mm radius; the wheel has 35 cm.
-    let (ball, [top_disc, wheel_disc]) = (1e-3, [disc(&TOP, 0.0283)?, disc(&WHEEL, 0.35)?]);
-    // Friction on the contact area (Hertz; steel on wood, E* = 10 GPa).
-    let contact = cbrt(0.75 * TOP.mass * TOP.gravity * ball / 1e10);
-    let drilling = 3.0 * PI / 16.0 * FRICTION * TOP.mass * TOP.gravity * contact;
-    let bearing = 0.0015 * WHEEL.mass * WHEEL.gravity * 5e-3;
-    let names = ["top_air_lead", "top: air"];
-    let top_air = brake(report, names, &TOP, top_disc, |spin| top_disc.axial_torque(spin))?;
-    let names = ["top_drill_lead", "top: the tip drills"];
-    let drill = brake(report, names, &TOP, dry(&TOP, drilling)?, |_| -drilling)?;
-    let names = ["wheel_air_lead", "wheel: air"];
-    let wheel_air = brake(report, names, &WHEEL, wheel_disc, |spin| wheel_disc.axial_torque(spin))?;
-    let names = ["wheel_bearing_lead", "wheel: bearings"];
-    let bearings = brake(report, names, &WHEEL, dry(&WHEEL, bearing)?, |_| -bearing)?;
-
-    // A tip that slides has a lever arm for its friction, which lifts the axis.
-    let turn = TAU / TOP.steady_rate();
-    let rise = FRICTION * TOP.weight_moment() / (TOP.i3 * TOP.spin) * turn;
-    let rate = WHEEL.level_rate();
-    let aside = rate * rate * WHEEL.length / WHEEL.gravity;
-    let earth = 7.292115e-5;
-    report.add(vec![
-        effect("top: the tip slips")
-            .number("greatest |F_h| / mu N, slips above 1", tip.grip / FRICTION)
-            .costs(rise, "rad a turn, upwards"),
-        effect("top: the tip is round")
-            .number("r_tip / l", ball / TOP.length)
-            .costs(TAU * ball / TOP.length, "rad a turn, in φ"),
-        top_air,
-        drill,
-        effect("top: the tip lifts off")
-            .number("1 - least N / m g, lifts off at 1", 1.0 - tip.load)
-            .costs(f64::from(tip.load <= 0.0), "of the motion, nothing below 1"),
-        effect("wheel: the rope gives way to the nods")
-            .number("greatest |F_h| / N", rope.grip)
-            .costs(rope.grip, "rad, slant of the rope"),
-        effect("wheel: the rope gives way to the walk")
-            .number("(dphi/dt)^2 l / g", aside)
-            .costs(aside, "rad, slant of the rope"),
-        wheel_air,
-        bearings,
-        effect("wheel: rotation of the Earth")
-            .number("Omega_E / (dphi/dt)", earth / rate)
-            .costs(earth * TAU / rate, "rad a turn, at most"),
-    ])
+        let [ax, ay, az] = [both(1, 2), both(2, 0), both(0, 1)].map(|d| d * body.length / i1);
+        Ok((hypot(ax, ay), az))
+    })?;
+    Ok(hold(&accelerations, body.gravity))
 }
 
-/// The drag of the air on a disc of this radius that spins with the body.
-fn disc(body: &Body, radius: f64) -> rotation_dynamics::Result<DiscDrag> {
-    let (density, viscosity) = (DiscDrag::AIR_DENSITY, DiscDrag::AIR_VISCOSITY);
-    DiscDrag::new(radius, density, viscosity, body.spin)
+impl Body {
+    /// In slow steady precession at its tilt.
+    pub fn steady(&self) -> Result<Steady> {
+        Ok(Steady::new(self.rigid()?, self.weight()?, self.theta, self.spin)?)
+    }
+
+    /// The slow root of I1' cos(theta) p^2 - L_z p + m g l = 0, rad/s.
+    fn steady_rate(&self) -> f64 {
+        let momentum = self.i3 * self.spin;
+        let four_terms = 4.0 * self.moment() * self.weight_moment() * cos(self.theta);
+        2.0 * self.weight_moment() / (momentum + (momentum * momentum - four_terms).sqrt())
+    }
 }
 
-/// Dry friction of this torque against the spin of the body in steady precession.
-fn dry(body: &Body, torque: f64) -> rotation_dynamics::Result<CoulombBearing> {
-    let steady = body.steady()?;
-    CoulombBearing::new(torque, steady.scene.body(), &steady.start, 0.0)
+/// By how much a braked body is ahead in steady precession, after the time that a turn takes
+/// without the brake, rad: by (2) and (3) of the notes, in theta, theta', phi, L_z, L_Z.
+/// `torque` is the brake's along the axis (N m), of the spin.
+fn lead_by_angles(body: &Body, torque: impl Fn(f64) -> f64) -> Result<f64> {
+    let (i1, weight_moment, rate) = (body.moment(), body.weight_moment(), body.steady_rate());
+    let law = ode(move |_, &[theta, nutation, _, momentum, vertical]: &[f64; 5]| {
+        let ((s, c), brake) = (sincos(theta), torque(momentum / body.i3));
+        let rate = (vertical - momentum * c) / (i1 * s * s);
+        let pull = weight_moment * s - rate * s * (momentum - i1 * rate * c);
+        [nutation, pull / i1, rate, brake, brake * c]
+    })
+    .scaled(size_or([1.0; 5]));
+    let momentum = body.i3 * body.spin;
+    let vertical = momentum * cos(body.theta) + i1 * rate * pow(sin(body.theta), 2.0);
+    let start = [body.theta, 0.0, 0.0, momentum, vertical];
+    let [_, _, azimuth, ..] = after(TAU / rate, &law, &start, 1e-12)?;
+    Ok(azimuth - TAU)
 }
 
 /// The line of the card for what brakes the spin, and the claim of what a run with it gives,
@@ -170,11 +100,72 @@ fn brake(
 ) -> Result<EffectLine> {
     let (steady, unit) = (body.steady()?, "rad a turn, of the axis");
     let part = -torque(body.spin) * steady.turn / (body.i3 * body.spin);
-    let candidates = steady.left_out()?;
-    let line = candidates.line(name, "torque x turn / L_z", part, &effect, unit)?;
+    let line = steady.left_out()?.line(name, "torque x turn / L_z", part, &effect, unit)?;
     let meaning = format!("{name}: simulated lead of phi after one turn");
-    let lead = claim(key, meaning, steady.changed_by(effect)?[1], "rad").within(1e-8);
+    let lead = claim(key, meaning, steady.changed_by(effect)?[1], "rad");
     let by_angles = lead_by_angles(body, torque)?;
-    report.add(lead.against("DOP853 on (2), (3), L_z falling", by_angles))?;
+    report.add(lead.agrees_with("DOP853 on (2), (3), L_z falling", by_angles, 1e-8))?;
     Ok(line)
+}
+
+/// Adds the card, and the claims on which it stands.
+pub fn effects(report: &mut Report) -> Result<()> {
+    const RUN: &str = "DOP853 on dL/dt = torque";
+    let ([grip, load], [rope, rope_load]) = (hold_by_angles(&TOP)?, hold_by_angles(&WHEEL)?);
+    let (top, wheel) = (hold_by_vectors(&TOP)?, hold_by_vectors(&WHEEL)?);
+    claims! { report,
+        /// top: greatest horizontal over vertical force at O
+        top_grip: grip, "-", RUN => top[0], within 1e-5, judged 0.01, in "What holds O";
+        /// top: least vertical force at O over the weight
+        top_load: load, "-", RUN => top[1], within 1e-5;
+        /// wheel: greatest horizontal over vertical force at O
+        wheel_grip: rope, "-", RUN => wheel[0], within 1e-5, judged 0.01, in "What holds O";
+        /// wheel: least vertical force at O over the weight
+        wheel_load: rope_load, "-", RUN => wheel[1], within 1e-5;
+    }?;
+
+    // A disc of 2.8 cm radius on a steel tip of 1 mm radius; the wheel has 35 cm.
+    let ball = 1e-3;
+    let disc = |body: &Body, radius| {
+        DiscDrag::new(radius, DiscDrag::AIR_DENSITY, DiscDrag::AIR_VISCOSITY, body.spin)
+    };
+    let (top_disc, wheel_disc) = (disc(&TOP, 0.0283)?, disc(&WHEEL, 0.35)?);
+    // Wood on wood, and friction on the contact area (Hertz; steel on wood, E* = 10 GPa).
+    let friction = 0.2;
+    let contact = cbrt(0.75 * TOP.mass * TOP.gravity * ball / 1e10);
+    let drilling = 3.0 * PI / 16.0 * friction * TOP.mass * TOP.gravity * contact;
+    let bearing = 0.0015 * WHEEL.mass * WHEEL.gravity * 5e-3;
+    let dry = |body: &Body, torque| -> Result<_> {
+        let steady = body.steady()?;
+        Ok(CoulombBearing::new(torque, steady.scene.body(), &steady.start, 0.0)?)
+    };
+    let names = ["top_air_lead", "top: air"];
+    let top_air = brake(report, names, &TOP, top_disc, |spin| top_disc.axial_torque(spin))?;
+    let names = ["top_drill_lead", "top: the tip drills"];
+    let drill = brake(report, names, &TOP, dry(&TOP, drilling)?, |_| -drilling)?;
+    let names = ["wheel_air_lead", "wheel: air"];
+    let wheel_air = brake(report, names, &WHEEL, wheel_disc, |spin| wheel_disc.axial_torque(spin))?;
+    let names = ["wheel_bearing_lead", "wheel: bearings"];
+    let bearings = brake(report, names, &WHEEL, dry(&WHEEL, bearing)?, |_| -bearing)?;
+
+    // A tip that slides has a lever arm for its friction, which lifts the axis.
+    let turn = TAU / TOP.steady_rate();
+    let rise = friction * TOP.weight_moment() / (TOP.i3 * TOP.spin) * turn;
+    let (rate, earth) = (WHEEL.level_rate(), 7.292115e-5);
+    let aside = rate * rate * WHEEL.length / WHEEL.gravity;
+    effect_card! { report,
+        "top: the tip slips": "greatest |F_h| / mu N, slips above 1" = grip / friction, costs rise, "rad a turn, upwards";
+        "top: the tip is round": "r_tip / l" = ball / TOP.length, costs TAU * ball / TOP.length, "rad a turn, in φ";
+    }?;
+    report.add(vec![top_air, drill])?;
+    effect_card! { report,
+        "top: the tip lifts off": "1 - least N / m g, lifts off at 1" = 1.0 - load,
+            costs f64::from(load <= 0.0), "of the motion, nothing below 1";
+        "wheel: the rope gives way to the nods": "greatest |F_h| / N" = rope, costs rope, "rad, slant of the rope";
+        "wheel: the rope gives way to the walk": "(dphi/dt)^2 l / g" = aside, costs aside, "rad, slant of the rope";
+    }?;
+    report.add(vec![wheel_air, bearings])?;
+    effect_card! { report,
+        "wheel: rotation of the Earth": "Omega_E / (dphi/dt)" = earth / rate, costs earth * TAU / rate, "rad a turn, at most";
+    }
 }

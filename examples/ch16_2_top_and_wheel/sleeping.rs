@@ -1,13 +1,10 @@
 //! The sleeping top: upright, spinning, and stable only above a critical spin.
 
-use super::{Body, TOP};
-use kit::{Report, Result};
-use models::heavy_top::Newton;
-use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
-use rotation_dynamics::integrators::{Dop853, Integrator};
-use rotation_dynamics::math::{acos, hypot, log, tanh};
-
-use core::f64::consts::{LN_10, PI};
+use super::*;
+use core::f64::consts::LN_10;
+use rotation_dynamics::exact::heavy_top::{ReducedTop, Start};
+use rotation_dynamics::integrators::after;
+use rotation_dynamics::math::tanh;
 
 // ANCHOR: kicked
 /// The body upright with `ratio` times the critical spin, kicked sideways at `kick` rad/s.
@@ -22,63 +19,41 @@ pub fn reach(ratio: f64) -> f64 {
     if ratio < 1.0 { 2.0 * acos(ratio) } else { 0.0 }
 }
 
-/// The growth rate of a small tilt below the critical spin, 1/s.
-fn growth_rate(body: &Body, ratio: f64) -> f64 {
-    let stiffness = body.weight_moment() / body.moment();
-    (stiffness * (1.0 - ratio * ratio)).sqrt()
-}
-
-/// The spin at which a kick of 1e-6 rad/s begins to tilt the top by more than 1e-3 rad.
-fn critical_by_bisection(body: &Body) -> Result<f64> {
-    let (mut falls, mut stands) = (0.5, 2.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (falls + stands);
-        if kicked(body, middle, 1e-6)?.theta_max() > 1e-3 {
-            falls = middle;
-        } else {
-            stands = middle;
-        }
-    }
-    Ok(stands * body.critical_spin())
-}
-
 /// The growth of a small tilt between 1.2 and 1.6 s, where it is sinh(rate t), by a run in
 /// vectors.
 fn growth_in_vectors(ratio: f64) -> Result<f64> {
     let (i1, weight_moment) = (TOP.moment(), TOP.weight_moment());
-    let law = Newton { i1, weight_moment };
     let spin = ratio * TOP.critical_spin();
     let start = [i1 * 1e-6, 0.0, TOP.i3 * spin, 0.0, 0.0, 1.0];
     let tilt = |t: f64| -> Result<f64> {
-        let (end, _) = Dop853::new(1e-14)?.advance(&law, 0.0, &start, t)?;
-        Ok(hypot(end[3], end[4]))
+        let [_, _, _, x, y, _] = after(t, &Newton { i1, weight_moment }, &start, 1e-14)?;
+        Ok(hypot(x, y))
     };
     Ok(log(tilt(1.6)? / tilt(1.2)?) / 0.4)
 }
 
-/// Adds the claims about the sleeping top.
-pub fn add(report: &mut Report) -> Result<()> {
+pub fn claims(report: &mut Report) -> Result<()> {
     let (critical, ratio, above) = (TOP.critical_spin(), 0.9, 1.2);
-    let rate = growth_rate(&TOP, ratio);
-    let period =
-        |ratio: f64, kick: f64| -> Result<f64> { Ok(kicked(&TOP, ratio, kick)?.nutation_period()) };
+    let stiffness = TOP.weight_moment() / TOP.moment();
+    let rate = (stiffness * (1.0 - ratio * ratio)).sqrt();
+    let frequency = (stiffness * (above * above - 1.0)).sqrt();
+    let period = |ratio, kick| Ok::<_, kit::Error>(kicked(&TOP, ratio, kick)?.nutation_period());
     // A smaller kick delays the fall, and the return likewise.
     let later = 0.5 * (period(ratio, 1e-6)? - period(ratio, 1e-5)?);
-    let frequency = (TOP.weight_moment() / TOP.moment() * (above * above - 1.0)).sqrt();
     // The exact separatrix in the notes' numbers: b = 1, E~ = 0, c > a/4.
     let unstable = ReducedTop::new(1.0, 1.0, 0.5)?;
     let falls = HeavyTop::from_energy(unstable, 0.0, Start::ThetaMax, 0.0, 0.0)?;
-    let time = period(above, 1e-5)?;
-    let bisected = critical_by_bisection(&TOP)?;
-    let kicked = kicked(&TOP, ratio, 1e-4)?.theta_max();
-    kit::claims! { report,
+    // The spin at which a kick of 1e-6 rad/s begins to tilt the top by more than 1e-3 rad.
+    let tilts = |ratio| Ok::<_, kit::Error>(kicked(&TOP, ratio, 1e-6)?.theta_max() > 1e-3);
+    let [_, stands] = try_bisect([0.5, 2.0], 0.0, tilts)?;
+    claims! { report,
         /// least spin at which the top sleeps
         critical_spin:
-            critical, "rad/s", "bisection: tilts after a kick or not" => bisected, within 1e-5 * critical,
+            critical, "rad/s", "bisection: tilts after a kick or not" => stands * critical, within 1e-5 * critical,
         in "The sleeping top":
             critical * (TOP.i1 / TOP.moment()).sqrt() => "I1 must be taken about the tip";
         /// tilt reached at 0.9 of the critical spin
-        reach: reach(ratio), "rad", "closed form, kick of 1e-4 rad/s" => kicked, within 1e-6,
+        reach: reach(ratio), "rad", "closed form, kick of 1e-4 rad/s" => kicked(&TOP, ratio, 1e-4)?.theta_max(), within 1e-6,
         in "The sleeping top":
             acos(ratio) => "the cosine is that of half the angle";
         /// growth of a small tilt at 0.9 of the critical spin
@@ -87,8 +62,7 @@ pub fn add(report: &mut Report) -> Result<()> {
         /// how much later it falls after a kick ten times smaller
         delay: later, "s", "ln(10)/growth" => LN_10 / rate, within 1e-6, in "The sleeping top";
         /// time from upright to upright at 1.2 of the critical spin
-        wobble:
-            time, "s", "small oscillation about the vertical" => PI / frequency, within 1e-6;
+        wobble: period(above, 1e-5)?, "s", "small oscillation about the vertical" => PI / frequency, within 1e-6;
         /// cos(theta) at t' = 2, b = 1, E~ = 0, a = 1, c = 1/2
         separatrix_height:
             falls.cos_theta(2.0), "-", "tanh^2(t'/2)" => tanh(1.0) * tanh(1.0), within 1e-14;
