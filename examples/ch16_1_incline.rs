@@ -13,7 +13,7 @@ pub use bouncer::Bouncer;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 use kit::interval::at_least;
 use kit::prelude::*;
-use kit::{effect, short};
+use kit::short;
 use rotation_dynamics::accuracy::largest;
 use rotation_dynamics::math::log1p;
 use rotation_dynamics::planar::contact::{
@@ -159,15 +159,9 @@ impl Roller {
     }
 
     /// The motion from there, at most until `end`.
-    pub fn run(
-        self,
-        goal: Goal,
-        speed: f64,
-        end: f64,
-        tolerance: f64,
-    ) -> rotation_dynamics::Result<Roll> {
+    pub fn run(self, goal: Goal, speed: f64, end: f64, tolerance: f64) -> Result<Roll> {
         let body = Self { goal, ..self };
-        motion_within(body, tolerance, body.rolling(speed), end)
+        Ok(motion_within(body, tolerance, body.rolling(speed), end)?)
     }
 
     // ANCHOR: law
@@ -224,17 +218,12 @@ impl Roller {
 }
 
 /// The least coefficient of friction with which the solver lets the body stick: by bisection.
-pub fn holds_from(body: Roller) -> Result<f64> {
-    let (mut slips, mut sticks) = (0.0, 2.0 * body.needed());
-    for _ in 0..60 {
-        let mu = 0.5 * (slips + sticks);
+fn holds_from(body: Roller) -> Result<f64> {
+    let slips = |mu| -> Result<bool> {
         let there = Roller { mu, ..body };
-        match entry(&there, there.rolling(body.speed))?.0 {
-            [Mode::Stick] => sticks = mu,
-            _ => slips = mu,
-        }
-    }
-    Ok(sticks)
+        Ok(entry(&there, there.rolling(body.speed))?.0 != [Mode::Stick])
+    };
+    Ok(try_bisect([0.0, 2.0 * body.needed()], 0.0, slips)?[1])
 }
 
 /// A body with this `k` that does not slip; with 0, a block without friction.
@@ -253,16 +242,17 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let up = body.run(Goal::Top, v, 2.0 * top, p.tolerance)?;
     let turns = up.event("turns")?;
     let whole = body.run(Goal::Never, v, 2.0 * top, p.tolerance)?;
-    let force = |part: f64| Ok::<_, rotation_dynamics::Error>(whole.forces(part * top)?[0]);
-    let (rising, falling) = (force(0.3)?, force(1.7)?);
+    let ([rising], [falling]) = (whole.forces(0.3 * top)?, whole.forces(1.7 * top)?);
     let (rubbing, pressing, needed) = (m * g * c * body.grip(), m * g * c, body.needed());
     let ([spin, kept], [ran_spin, ran_kept]) = (body.back(), body.run_back(p.tolerance)?);
     let worst = Roller { mu: body.worst(), ..body };
     let [worst_spin, worst_kept] = worst.run_back(p.tolerance)?;
-    let [[ball, ball_ran], [cylinder, cylinder_ran], [hoop, hoop_ran]] = {
-        let race = |shape| gripping(p, shape).race(1.0, p.tolerance);
-        [race(0.4)?, race(0.5)?, race(1.0)?]
-    };
+    let race = |shape| gripping(p, shape).race(1.0, p.tolerance);
+    let ([ball, ball_ran], [cylinder, cylinder_ran]) = (race(0.4)?, race(0.5)?);
+    let [hoop, hoop_ran] = race(1.0)?;
+    let dropped = Bouncer::new(p);
+    let (limit, found) = (dropped.rests(), dropped.run(p.tolerance)?);
+    let fast = g * s * 2.0 * limit / 1.4;
     claims! { report,
         /// acceleration, up the slope
         acceleration: a, "m/s^2", "located event" => -v / turns.t, within -bound * a, in "Up and back":
@@ -303,21 +293,10 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
             ball => "that is the ball";
         /// a hoop
         race_hoop: hoop, "s", "located event" => hoop_ran, within bound * hoop;
-    }?;
-    dropped(p, report)
-}
-
-/// A ball that is dropped onto the slope from five radii above it.
-fn dropped(p: &Parameters, report: &mut Report) -> Result<()> {
-    let ball = Bouncer::new(p);
-    let (limit, found) = (ball.rests(), ball.run(p.tolerance)?);
-    let speed = p.gravity * sin(p.angle) * 2.0 * limit / 1.4;
-    let rolls = -found.at(2.0 * limit)?.v[0];
-    claims! { report,
         /// a ball, dropped, that returns 0.6 of its speed: the end of its bounces
         drop_rests: limit, "s", "located event" => found.event("body rests")?.t, within 1e-9 * limit;
         /// its speed down the slope at twice that time
-        drop_speed: speed, "m/s", "contact solver" => rolls, within 8.0 * p.tolerance * speed;
+        drop_speed: fast, "m/s", "contact solver" => -found.at(2.0 * limit)?.v[0], within bound * fast;
     }
 }
 
@@ -352,8 +331,8 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     }
 }
 
-/// How far up the slope a body comes that starts rolling at this speed.
-pub fn way<const C: usize>(
+/// How far up the slope a body comes that starts rolling.
+fn way<const C: usize>(
     body: impl Mechanism<3, C>,
     start: MechanismState<3>,
     end: f64,
@@ -361,101 +340,89 @@ pub fn way<const C: usize>(
     Ok(motion_within(body, 1e-10, start, end)?.event("turns")?.before.q[0])
 }
 
-/// Arm of the normal force, 0.2 mm, and drag over the mass, for a cylinder of wood (700 kg/m^3,
-/// C = 1) in air: `rho C (2 R l)/(2 m)` with its length l. Both shorten the way up: to
-/// `1/(1 + b/(R tan))` of it, and to `log(1 + d)/d` with d the drag over the pull of the slope.
-pub fn resisting(p: &Parameters) -> [f64; 2] {
-    [2e-4, 1.204 / (700.0 * PI * p.radius)]
+/// Drag over the mass, for a cylinder of wood (700 kg/m^3, C = 1) in air: `rho C (2 R l)/(2 m)`
+/// with its length l.
+fn drag(p: &Parameters) -> f64 {
+    1.204 / (700.0 * PI * p.radius)
 }
 
-/// What `--with rolling` and `--with air` add: it does not come as far.
+/// What `--with rolling` and `--with air` add: it does not come as far. With the arm b to
+/// `1/(1 + b/(R tan))` of the way up, in air to `log(1 + d)/d`, d the drag over the pull of the slope.
 fn resisted(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (goal, v, [_, drag]) = (Goal::Top, p.speed, resisting(p));
     let body = Roller::new(p);
-    let (roller, start) = (Roller { goal, ..body }, body.rolling(v));
-    let end = -4.0 * v / body.acceleration();
-    let far = -0.5 * v * v / body.acceleration();
+    let (roller, start) = (Roller { goal: Goal::Top, ..body }, body.rolling(p.speed));
+    let end = -4.0 * p.speed / body.acceleration();
+    let far = -0.5 * p.speed * p.speed / body.acceleration();
+    let grips = |least: f64, why| at_least(least).because(why).check("friction", p.friction);
     if p.rolling.is_some() || p.air.is_some() {
         // What slides is slowed down otherwise.
-        let rolls = at_least(body.needed()).because("less does not let it roll");
-        rolls.check("friction", p.friction)?;
+        grips(body.needed(), "less does not let it roll")?;
     }
     if let Some(arm) = p.rolling {
         let resistance = arm / p.radius;
         // Beyond k tan(theta) it is the friction that keeps it turning.
         let needed = (resistance - p.shape * tan(p.angle)) / (1.0 + p.shape);
-        let turns =
-            at_least(needed).because("less does not keep it turning against the resistance");
-        turns.check("friction", p.friction)?;
-        let rolls = way(Resisted { roller, resistance }, start, end)?;
+        grips(needed, "less does not keep it turning against the resistance")?;
         let far = far / (1.0 + resistance / tan(p.angle));
         claims! { report,
             /// with rolling resistance: distance to the highest place
-            rolled_way: far, "m", "located event" => rolls, within 1e-8 * far;
+            rolled_way: far, "m", "located event" => way(Resisted { roller, resistance }, start, end)?, within 1e-8 * far;
         }?;
     }
     let Some(coefficient) = p.air else {
         return Ok(());
     };
-    let air = QuadraticDrag::new(coefficient * drag)?;
-    let number = air.number(v, p.gravity * sin(p.angle));
-    let rolls = at_least(body.needed() * (1.0 + number)).because("less lets it slip in the drag");
-    rolls.check("friction", p.friction)?;
+    let air = QuadraticDrag::new(coefficient * drag(p))?;
+    let number = air.number(p.speed, p.gravity * sin(p.angle));
+    grips(body.needed() * (1.0 + number), "less lets it slip in the drag")?;
     let far = far * log1p(number) / number;
-    let blown = way(roller.with(air), start, end)?;
     claims! { report,
         /// in air: distance to the highest place
-        blown_way: far, "m", "located event" => blown, within 1e-8 * far;
+        blown_way: far, "m", "located event" => way(roller.with(air), start, end)?, within 1e-8 * far;
     }
 }
 
+/// The card of effects: up to the highest place, with the effect in and without.
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (body, [arm, drag]) = (Roller::new(p), resisting(p));
-    let (v, sliding) = (p.speed, body.grip() < body.needed());
-    // With the effect in and without: up to the highest place.
-    let (up, start, end) =
-        (body.but(|body| body.goal = Goal::Top), body.rolling(v), -4.0 * v / body.acceleration());
-    let resisted = Resisted { roller: up, resistance: arm / p.radius };
-    let (still, air) = (way(up, start, end)?, QuadraticDrag::new(drag)?);
+    let (body, v, arm) = (Roller::new(p), p.speed, 2e-4);
+    let sliding = body.grip() < body.needed();
+    let (roller, start) = (Roller { goal: Goal::Top, ..body }, body.rolling(v));
+    let (end, air) = (-4.0 * v / body.acceleration(), QuadraticDrag::new(drag(p))?);
+    let still = way(roller, start, end)?;
+    let shorter = |way: f64| (1.0 - way / still).max(0.0);
     // What slides is not slowed down by what its turning meets.
     let all_but_held = arm > 10.0 * p.radius * tan(p.angle);
     let rolled = match sliding {
         true => Some(0.0),
         false if all_but_held => None,
-        false => Some((1.0 - way(resisted, start, end)? / still).max(0.0)),
+        false => {
+            let resisted = Resisted { roller, resistance: arm / p.radius };
+            Some(shorter(way(resisted, start, end)?))
+        }
     };
-    let arm = arm / (p.radius * tan(p.angle));
-    let drag = air.number(v, p.gravity * sin(p.angle));
+    let rolling = arm / (p.radius * tan(p.angle));
+    let held = if sliding { 0.0 } else { rolling / (1.0 + rolling) };
+    let number = air.number(v, p.gravity * sin(p.angle));
     // Slowed down much, it slips.
-    let slowed = match sliding || body.needed() * (1.0 + drag) > body.mu {
-        true => None,
-        false => Some((1.0 - way(up.with(air), start, end)? / still).max(0.0)),
-    };
+    let grips = !sliding && body.needed() * (1.0 + number) <= body.mu;
+    let slowed = when(grips, || Ok::<_, kit::Error>(shorter(way(roller.with(air), start, end)?)))?;
+    let blown = (1.0 - log1p(number) / number).max(0.0);
     let thick = Roller { mu: body.mu * 0.99, ..body }.acceleration() / body.acceleration() - 1.0;
-    let slips = effect("slipping");
     let slips = match p.friction > 0.0 {
-        true => slips.number("mu_min/mu", body.needed() / p.friction),
-        false => slips.number("mu/mu_min", 0.0),
+        true => effect("slipping").number("mu_min/mu", body.needed() / p.friction),
+        false => effect("slipping").number("mu/mu_min", 0.0),
     };
-    report.add(vec![
-        slips.costs(thick, "of x'' for 1 % less mu").included(),
-        effect("rolling resistance, arm 0.2 mm")
-            .number("b/(R tan theta)", arm)
-            .costs(if sliding { 0.0 } else { arm / (1.0 + arm) }, "of the distance")
-            .measured(rolled)
-            .within(1e-8),
-        effect("drag of the air, a cylinder of wood")
-            .number("rho C R l v^2/(m g sin theta)", drag)
-            .costs((1.0 - log1p(drag) / drag).max(0.0), "of the distance")
-            .measured(slowed)
-            .within(1e-8),
-    ])
+    report.add(slips.costs(thick, "of x'' for 1 % less mu").included())?;
+    effect_card! { report,
+        "rolling resistance, arm 0.2 mm": "b/(R tan theta)" = rolling, costs held, "of the distance",
+            measured rolled, within 1e-8;
+        "drag of the air, a cylinder of wood": "rho C R l v^2/(m g sin theta)" = number, costs blown, "of the distance",
+            measured slowed, within 1e-8;
+    }
 }
 
 /// Bodies that roll, in the order in which they arrive.
-fn race(p: &Parameters) -> Result<Table> {
-    let columns = "body, k, -x''/(g sin theta), mu_min/tan theta, t / s";
-    let mut table = Table::new("race", columns.split(", "))?;
+fn race(p: &Parameters, report: &mut Report) -> Result<()> {
     let bodies = [
         ("block without friction", 0.0),
         ("ball", 0.4),
@@ -463,41 +430,33 @@ fn race(p: &Parameters) -> Result<Table> {
         ("thin spherical shell", 2.0 / 3.0),
         ("hoop", 1.0),
     ];
-    for (name, k) in bodies {
-        let (over, share) = (1.0 / (1.0 + k), k / (1.0 + k));
+    let columns = "body, k, -x''/(g sin theta), mu_min/tan theta, t / s";
+    report.add(Table::of("race", columns.split(", "), bodies, |(name, k)| {
         let [_, time] = gripping(p, k).race(1.0, p.tolerance)?;
-        let numbers = [k, over, share, time].map(|x| short(x, 4));
-        table.push(core::iter::once(name.to_string()).chain(numbers))?;
-    }
-    Ok(table)
+        let numbers = [k, 1.0 / (1.0 + k), k / (1.0 + k), time].map(|x| short(x, 4));
+        Ok(core::iter::once(name.to_string()).chain(numbers))
+    })?)
 }
 
 /// The accuracy strip: up and back.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (body, v) = (Roller::new(p), p.speed);
     let end = -2.0 * v / body.acceleration();
+    report.in_closed_form(move |part| {
+        let t = part * end;
+        (v + 0.5 * body.acceleration() * t) * t
+    });
+    let asked = [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13];
     let run = move |tolerance| body.run(Goal::Never, v, end, tolerance);
-    let error = move |run: &Roll| {
+    report.controlled("contact by DOP853", asked, run, Roll::work, move |run| {
         let MechanismState { q, v: [back, ..] } = run.at(end)?;
         Ok(largest([q[0] / (v * end), back / v + 1.0]))
-    };
-    report.controlled(
-        "contact by DOP853",
-        [p.tolerance, 1e-3, 1e-6, 1e-9, 1e-13],
-        run,
-        Roll::work,
-        error,
-    )?;
-    report.set_closed_form(ClosedForm::new(move |part| {
-        let t = part * end;
-        Ok::<_, rotation_dynamics::Error>((v + 0.5 * body.acceleration() * t) * t)
-    }));
-    report.add(race(p)?)
+    })
 }
 
 example! {
     ch16_1_incline: "Section 16.1: a cylinder that rolls up an incline and back";
     "Rolling on an incline", "A round body rolls up a slope, stops, and rolls back.",
-    [claims, resisted, limits, effects, accuracy];
+    [claims, resisted, limits, effects, accuracy, race];
     figures::figures, figures::trajectory, figures::moving_picture
 }

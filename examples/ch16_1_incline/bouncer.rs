@@ -1,12 +1,8 @@
 //! A ball that is dropped onto the slope, bounces, and rolls.
 
-use super::{Parameters, Roller, gripping};
-use kit::prelude::*;
-use rotation_dynamics::Result;
+use super::*;
 use rotation_dynamics::integrators::Dop853;
-use rotation_dynamics::planar::contact::{
-    Contact, ContactMotion, Mechanism, MechanismState, motion,
-};
+use rotation_dynamics::planar::contact::motion;
 
 /// The part of its speed towards the slope that it returns.
 pub const RESTITUTION: f64 = 0.6;
@@ -65,6 +61,6 @@ impl Bouncer {
     /// Let go at rest above the slope, for twice the time until it rests.
     pub fn run(self, tolerance: f64) -> Result<ContactMotion<Self, 3, 1>> {
         let start = MechanismState::rest([0.0, (1.0 + HEIGHT) * self.0.radius, 0.0]);
-        motion(self, &Dop853::new(tolerance)?, start, 2.0 * self.rests())
+        Ok(motion(self, &Dop853::new(tolerance)?, start, 2.0 * self.rests())?)
     }
 }

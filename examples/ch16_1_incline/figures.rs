@@ -74,10 +74,11 @@ figures! { p: &Parameters;
     /// Distance rolled against time from rest, for a block without friction, a ball, a cylinder
     /// and a hoop: four parabolas; the block is first, the hoop last.
     race: {
-        let labels = [(0.0, 0.7, Side::Left), (0.4, 1.0, Side::AboveLeft), (0.5, 1.0, Side::AboveRight), (1.0, 0.4, Side::Right)];
-        let names = ["block", "ball", "cylinder", "hoop"];
         let mut panel = Panel::over_axes("$t$ / s", Axis::linear("way down / m").range(0.0, 1.15));
-        for ((k, high, side), name) in labels.into_iter().zip(names) {
+        for (name, k, high, side) in [
+            ("block", 0.0, 0.7, Side::Left), ("ball", 0.4, 1.0, Side::AboveLeft),
+            ("cylinder", 0.5, 1.0, Side::AboveRight), ("hoop", 1.0, 0.4, Side::Right),
+        ] {
             let body = gripping(p, k);
             let (a, last) = (-body.acceleration(), body.race(1.0, 1e-9)?[0]);
             let way = |t| Ok(-body.run(Goal::Never, 0.0, t, 1e-9)?.at(t)?.q[0]);
