@@ -4,21 +4,9 @@ use super::*;
 use rotation_dynamics::integrators::Solution;
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
-const WAYS: [LetGo; 3] = [LetGo::Motor, LetGo::Clamp, LetGo::All];
-
 /// The motion after the clamp, or more, is let go.
-fn motion(
-    body: &Cylinder,
-    what: LetGo,
-    end: f64,
-    step: f64,
-) -> rotation_dynamics::Result<Solution<4>> {
-    Dop853::new(step)?.solve(&body.let_go(what), 0.0, &body.start(), end, &[])
-}
-
-/// The cylinder of these proportions, H/R, with M R^2 = 1.
-fn shape(proportion: f64) -> Parameters {
-    Parameters { mass: 1.0, radius: 1.0, height: proportion, rate: 1.0, ..Parameters::default() }
+fn motion(body: &Cylinder, what: LetGo, end: f64, step: f64) -> Result<Solution<4>> {
+    Ok(Dop853::new(step)?.solve(&body.let_go(what), 0.0, &body.start(), end, &[])?)
 }
 
 figures! { p: &Parameters;
@@ -56,7 +44,7 @@ figures! { p: &Parameters;
         let mut panel = empty.level(0.0, Ink::Frame, "");
         let balance = 3.0_f64.sqrt();
         for (h, label, side) in [(0.0, "disc", Side::Above), (balance, r"$H=\sqrt{3}R$", Side::Above), (3.0, "$H=3R$", Side::Below)] {
-            let at = |tilt| Parameters { tilt, ..shape(h) };
+            let at = |tilt| Parameters { tilt, height: h, ..of_radius_one() };
             let apart = (3.0 - h * h) / 12.0;
             let exact = Curve::of(times(0.0, FRAC_PI_2, 90), |a| apart * sin(a) * cos(a), Ink::Ink);
             let summed = Curve::sampled(times(0.15, 1.4, 5), |a| Ok(by_grains(&at(a))?[1]), Ink::Force)?;
@@ -84,7 +72,7 @@ figures! { p: &Parameters;
             let curve = Curve::sampled(times(0.0, end / turn, 200), tilt, Ink::Body)?;
             panel = panel.curve(curve.label_at(name, at, tilt(at)?, side));
         }
-        let free = body.freed(0.0)?;
+        let free = body.freed()?;
         let exact = |t: f64| Ok(free.attitude(t * turn).euler_angles().theta);
         panel.curve(Curve::sampled(times(0.0, end / turn, 12), exact, Ink::Ink)?.dots())
     };
@@ -94,41 +82,47 @@ figures! { p: &Parameters;
 pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let body = Cylinder::new(p)?;
     let end = 2.0 * body.swung(LetGo::All)?[1];
-    let [motor, clamp, all] = WAYS.map(|what| motion(&body, what, end, p.tolerance));
-    let (motor, clamp, all) = (motor?, clamp?, all?);
+    let run = |what| motion(&body, what, end, p.tolerance);
+    let (motor, clamp, all) = (run(LetGo::Motor)?, run(LetGo::Clamp)?, run(LetGo::All)?);
     let columns = "t [s], theta motor [rad], theta fork [rad], theta free [rad], phi' free [rad/s]";
     Trajectory::sampled(columns.split(", "), times(0.0, end, 200), |t| {
         let free = all.at(t)?;
-        Ok(vec![t, motor.at(t)?[0], clamp.at(t)?[0], free[0], free[3]])
+        Ok([t, motor.at(t)?[0], clamp.at(t)?[0], free[0], free[3]])
     })
 }
-
-/// How far the table lies below the cylinder.
-const FLOOR: f64 = 0.95;
 
 /// A fork that stands on the table and holds a cylinder by two pins along `x`.
 fn fork(view: View, x: SpaceVector) -> View {
     let (wide, high) = (x * 0.46, UP * 0.82);
-    let rod = |view: View, from, to| view.solid(Solid::rod(from, to, 0.022), Ink::Frame);
-    let mut view = view;
-    for side in [1.0, -1.0] {
-        view = rod(view, high + wide * side, wide * side - high);
-        view = rod(view, wide * side, wide * (0.4 * side));
-        view = rod(view, high * side + wide, high * side - wide);
-        view = rod(view, high * side, high * (1.17 * side));
-    }
-    view
+    let rods = |side: f64| {
+        [
+            (high + wide * side, wide * side - high),
+            (wide * side, wide * (0.4 * side)),
+            (high * side + wide, high * side - wide),
+            (high * side, high * (1.17 * side)),
+        ]
+    };
+    let rods = [rods(1.0), rods(-1.0)].concat().into_iter();
+    rods.fold(view, |view, (from, to)| view.solid(Solid::rod(from, to, 0.022), Ink::Frame))
 }
 
 /// Held for a turn, then let go, with L and the angular velocity.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
-    let (body, turn) = (Cylinder::new(p)?, TAU / p.rate.abs());
-    let (free, nod) = (body.freed(0.0)?, body.swung(LetGo::All)?[1]);
+    let (body, turn, origin) = (Cylinder::new(p)?, TAU / p.rate.abs(), SpaceVector::zero());
+    let (free, nod) = (body.freed()?, body.swung(LetGo::All)?[1]);
     let end = turn + 1.1 * nod;
+    // The fork passes phi = 0 at the release.
+    let held_at = move |t: f64| body.held(body.rate * t - TAU.copysign(body.rate));
     let attitude = move |t: f64| match t < turn {
-        true => body.held(p_rate(&body, t)),
+        true => held_at(t),
         false => Ok(free.attitude(t - turn)),
     };
+    let momentum = move |now: &Attitude| {
+        let about = now.to_body(UP) * body.rate;
+        now.to_space(BodyVector::new(body.i1 * about.x(), body.i1 * about.y(), body.i3 * about.z()))
+    };
+    let at_release = momentum(&body.held(0.0)?);
+    let size = 1.0 / at_release.norm();
     let (radius, half) = (p.radius, 0.5 * p.height);
     let unit = 0.55 / half.max(radius);
     let seen = attitude.clone();
@@ -141,53 +135,33 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     MovingPicture::above(graph, 0.0..=end, stills, move |t| {
         let (now, held) = (attitude(t)?, t < turn);
         let axis = now.axis();
-        let momentum = |now: &Attitude| {
-            let about = now.to_body(UP) * body.rate;
-            now.to_space(BodyVector::new(
-                body.i1 * about.x(),
-                body.i1 * about.y(),
-                body.i3 * about.z(),
-            ))
-        };
-        let at_release = momentum(&body.held(0.0)?);
-        let size = 1.0 / at_release.norm();
         let l = if held { momentum(&now) } else { at_release } * size;
         // I1 Omega = L - (I3 - I1) Omega_z z, and Omega_z stays.
         let along = body.rate * cos(body.tilt);
         let omega = (l * (1.0 / size) - axis * ((body.i3 - body.i1) * along))
             * (0.95 / (body.i1 * body.rate.abs()));
-        let view = View::of(UP * -0.01, 1.36)
-            .size(340, 290)
-            .table(UP * -FLOOR, 1.12)
-            .corner(&format!("{t:.2} s"));
-        let view =
-            if held { fork(view, now.to_space(BodyVector::new(1.0, 0.0, 0.0))) } else { view };
-        let end = axis * (half * unit).max(0.02);
-        let circle = if held {
-            sampled(times(0.0, turn, 60), |t| Ok(momentum(&body.held(p_rate(&body, t))?) * size))?
-        } else {
-            sampled(times(turn, turn + nod, 60), |t| Ok(attitude(t)?.axis() * 0.95))?
-        };
-        let since = if held { 0.0 } else { turn };
-        let been = sampled(times((t - 0.7 * turn).max(since), t, 60), |t| {
-            Ok(if held { momentum(&attitude(t)?) * size } else { attitude(t)?.axis() * 0.95 })
-        })?;
+        // What goes round: the tip of L while it is held, that of the axis then.
+        let tip =
+            |t| Ok(if held { momentum(&held_at(t)?) * size } else { attitude(t)?.axis() * 0.95 });
+        let (from, to, ink) =
+            if held { (0.0, turn, Ink::Momentum) } else { (turn, turn + nod, Ink::Body) };
+        let circle = sampled(times(from, to, 60), tip)?;
+        let been = sampled(times((t - 0.7 * turn).max(from), t, 60), tip)?;
         // Above the fork, which would hide it.
-        let foot = if held { UP * 0.97_f64.copysign(body.rate) } else { SpaceVector::zero() };
-        let path = if held { Ink::Momentum } else { Ink::Body };
-        let scene = view
-            .solid(Solid::cylinder(-end, end, radius * unit), Ink::Body)
-            .dashed(circle, path)
-            .trail(been, path)
-            .arrow(end, axis * 0.95, Ink::Body, "$z$", Side::Above)
-            .vector(SpaceVector::zero(), l, Ink::Momentum, "$L$", Side::Left)
-            .vector(
-                foot,
-                foot + omega * if held { 0.38 } else { 1.0 },
-                Ink::Velocity,
-                r"$\Omega$",
-                Side::Right,
-            );
+        let (foot, long) =
+            if held { (UP * 0.97_f64.copysign(body.rate), 0.38) } else { (origin, 1.0) };
+        let cap = axis * (half * unit).max(0.02);
+        let scene = View::of(UP * -0.01, 1.36)
+            .size(340, 290)
+            .table(UP * -0.95, 1.12)
+            .corner(&format!("{t:.2} s"))
+            .only_if(held, |view| fork(view, now.to_space(BodyVector::new(1.0, 0.0, 0.0))))
+            .solid(Solid::cylinder(-cap, cap, radius * unit), Ink::Body)
+            .dashed(circle, ink)
+            .trail(been, ink)
+            .arrow(cap, axis * 0.95, Ink::Body, "$z$", Side::Above)
+            .vector(origin, l, Ink::Momentum, "$L$", Side::Left)
+            .vector(foot, foot + omega * long, Ink::Velocity, r"$\Omega$", Side::Right);
         let tilt = now.euler_angles().theta.to_degrees();
         let points = ["up", "down"][usize::from(body.rate < 0.0)];
         let alt = match held {
@@ -203,9 +177,4 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         };
         Ok((alt, scene))
     })
-}
-
-/// How far the fork has turned; it passes phi = 0 at the release.
-fn p_rate(body: &Cylinder, t: f64) -> f64 {
-    body.rate * t - TAU.copysign(body.rate)
 }
