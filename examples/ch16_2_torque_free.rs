@@ -109,7 +109,7 @@ impl Top {
 
     // ANCHOR: triangle
     /// (phi, theta, zeta) at a time, by the spherical triangle of Z, L and the axis.
-    pub fn angles(&self, t: f64) -> rotation_dynamics::Result<EulerAngles> {
+    pub fn angles(&self, t: f64) -> Result<EulerAngles> {
         let about_l = EulerAngles {
             phi: self.momentum() / self.i1 * t,
             theta: self.cone,
@@ -145,37 +145,37 @@ impl Top {
     }
 
     /// The motion from there, stepped.
-    pub fn stepped(&self, end: f64, step: f64) -> rotation_dynamics::Result<Solution<6>> {
-        Dop853::new(step)?.solve(&self.equations(), 0.0, &self.start(), end, &[])
+    pub fn stepped(&self, end: f64, step: f64) -> Result<Solution<6>> {
+        Ok(Dop853::new(step)?.solve(&self.equations(), 0.0, &self.start(), end, &[])?)
     }
 
     /// Turning point number `n` of theta.
-    pub fn turning(&self, n: u32, step: f64) -> rotation_dynamics::Result<(LocatedEvent<6>, Work)> {
-        Dop853::new(step)?.zero(&self.equations(), self.start(), n, 10.0 * self.nod(), |y| y[3])
+    fn turning(&self, n: u32, step: f64) -> Result<(LocatedEvent<6>, Work)> {
+        let until = 10.0 * self.nod();
+        Ok(Dop853::new(step)?.zero(&self.equations(), self.start(), n, until, |y| y[3])?)
     }
 
     /// The same motion by the library, which knows no Euler angles.
-    pub fn free_body(&self) -> rotation_dynamics::Result<FreeBody> {
+    pub fn free_body(&self) -> Result<FreeBody> {
         let [theta, ..] = self.start();
         let attitude = Attitude::from_euler(EulerAngles { phi: 0.0, theta, zeta: 0.0 })?;
         let across = self.momentum() * sin(self.cone) / self.i1;
         let omega = BodyVector::new(0.0, across, self.along);
-        FreeBody::new(PrincipalMoments::symmetric(self.i1, self.i3)?, attitude, omega)
+        Ok(FreeBody::new(PrincipalMoments::symmetric(self.i1, self.i3)?, attitude, omega)?)
     }
 }
 
 /// The wide wobble, if its axis keeps clear of Z.
 pub fn wide(p: &Parameters) -> Result<Top> {
     let (top, small) = (Top::new(p), Top::small(p));
-    let clear = from_to(5e-3, PI).because("at 0 the axis meets Z, and Euler angles fail");
-    clear.check("|lean - cone|", (p.lean - p.cone).abs())?;
-    clear.check("pi - lean - cone", PI - p.lean - p.cone)?;
-    let spins =
-        from_to(1e-6, PI).because("at 0 it does not wobble, and without spin it only tumbles");
-    spins.check("angle of the small wobble from the axis", sin(small.cone))?;
-    spins.check("its cosine", cos(small.cone).abs())?;
-    let turns = from_to(1e-6, 2.0).because("a thinner needle has no spin, and 2 is a disc");
-    turns.check("I3/I1", top.i3 / top.i1)?;
+    allowed! {
+        "|lean - cone|": (p.lean - p.cone).abs(), from_to(5e-3, PI), "at 0 the axis meets Z, and Euler angles fail";
+        "pi - lean - cone": PI - p.lean - p.cone, from_to(5e-3, PI), "at 0 the axis meets Z, and Euler angles fail";
+        "angle of the small wobble from the axis": sin(small.cone), from_to(1e-6, PI),
+            "at 0 it does not wobble, and without spin it only tumbles";
+        "its cosine": cos(small.cone).abs(), from_to(1e-6, PI), "at 0 it does not wobble, and without spin it only tumbles";
+        "I3/I1": top.i3 / top.i1, from_to(1e-6, 2.0), "a thinner needle has no spin, and 2 is a disc";
+    }?;
     Ok(top)
 }
 
@@ -239,7 +239,7 @@ fn limits(p: &Parameters, report: &mut Report) -> Result<()> {
     let (top, small) = (wide(p)?, Top::small(p));
     let at = |lean, cone| Top { lean, cone, ..top };
     let around = TAU * top.along.signum();
-    let turned = |top: Top| Ok::<_, rotation_dynamics::Error>(top.turning(2, 1e-14)?.0);
+    let turned = |top: Top| Ok::<_, kit::Error>(top.turning(2, 1e-14)?.0);
     let [_, steady, ..] = *small.stepped(1.0, 1e-14)?.end_state();
     limits! { report,
         /// Chapter 15: L/I1, all of it about L
@@ -285,46 +285,40 @@ pub fn squeezed(top: &Top, d: f64) -> Result<Option<f64>> {
 
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let (top, earth) = (wide(p)?, 7.292115e-5);
-    let (free, round) = (top.free_body()?, top.nod());
-    let predicted = unequal(&top, 0.01);
-    let seen = if predicted < 0.1 {
-        squeezed(&top, 0.01)?
-    } else {
-        None // It need not even go round the same axis.
-    };
+    let (free, round, predicted) = (top.free_body()?, top.nod(), unequal(&top, 0.01));
+    // Else it need not even go round the same axis.
+    let seen = when(predicted < 0.1, || squeezed(&top, 0.01))?.flatten();
     // Seen from a Z that has turned towards the axis, after a nod.
     let (s, c) = sincos(earth * round);
-    let (axis, up) = (free.attitude(round).axis(), SpaceVector::new(0.0, -s, c));
-    let leans = top.lean + top.cone - atan2(axis.cross(&up).norm(), axis.dot(&up));
-    // What pulls at the lower end more than at the upper one: 3 g/R_E.
-    let pull =
-        GravityGradient::fixed((9.80665_f64 / 6.371e6).sqrt(), SpaceVector::new(0.0, 0.0, -1.0))?;
-    let gradient = 1.5 * 9.80665 / 6.371e6 * (top.i1 - top.i3).abs() / top.momentum().abs() * round;
-    let body = RigidBody::new(PrincipalMoments::symmetric(top.i1, top.i3)?);
-    let (scene, start) = (Scene::new(body), free.state(0.0));
-    let weaker = scene.neglected_effects(&start, round, 1e-3)?.of_axis().line(
-        "gravity of the Earth weaker at the upper end",
-        "3 g (I1 - I3) T/(2 R_E L)",
-        gradient,
-        &pull,
-        "rad of the axis, a nod",
-    )?;
+    let (axis, turned) = (free.attitude(round).axis(), SpaceVector::new(0.0, -s, c));
+    let leans = top.lean + top.cone - atan2(axis.cross(&turned).norm(), axis.dot(&turned));
     effect_card! { report,
         "Z fixed to the turning Earth": "Omega_E T" = earth * round, costs earth * round, "rad of theta, a nod",
             measured leans, within 1e-12;
         "I1 and I2 differ by 1 %": "(I2 - I1)/I1" = 0.01, costs predicted.min(1.0), "of the cone, to first order",
             measured seen, within 1e-9;
     }?;
-    report.add(weaker)
+    // What pulls at the lower end more than at the upper one: 3 g/R_E.
+    let weaker = 9.80665_f64 / 6.371e6;
+    let pull = GravityGradient::fixed(weaker.sqrt(), SpaceVector::new(0.0, 0.0, -1.0))?;
+    let number = 1.5 * 9.80665 / 6.371e6 * (top.i1 - top.i3).abs() / top.momentum().abs() * round;
+    let scene = Scene::new(RigidBody::new(PrincipalMoments::symmetric(top.i1, top.i3)?));
+    let (name, start) = ("gravity of the Earth weaker at the upper end", free.state(0.0));
+    let candidates = scene.neglected_effects(&start, round, 1e-3)?.of_axis();
+    report.add(candidates.line(
+        name,
+        "3 g (I1 - I3) T/(2 R_E L)",
+        number,
+        &pull,
+        "rad of the axis, a nod",
+    )?)
 }
 
 /// The accuracy strip: a nod by Lagrange's equations.
 fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let top = wide(p)?;
     let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
-    report.set_closed_form(ClosedForm::new(move |part| {
-        Ok::<_, rotation_dynamics::Error>(top.angles(part * top.nod())?.theta)
-    }));
+    report.in_closed_form(move |part| top.angles(part * top.nod()));
     report.dial_of_return(asked, move |step| top.turning(2, step), top.nod(), top.lean + top.cone)
 }
 
