@@ -22,44 +22,24 @@ use core::f64::consts::{PI, TAU};
 use kit::prelude::*;
 use models::heavy_top::{Motion, Nod, Steady};
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
-use rotation_dynamics::integrators::{Ode, size_or};
+use rotation_dynamics::integrators::{Ode, ode, size_or};
 
 // ANCHOR: equations
-/// Equations (4) to (6). The state is theta, dtheta/dt', phi, zeta.
-pub struct Equations {
-    pub a: f64,
-    pub b: f64,
-    pub c: f64,
-    /// Torque of a bearing, -friction dtheta/dt'; 0 in the notes.
-    pub friction: f64,
-}
-
-impl Ode<4> for Equations {
-    fn derivative(&self, _t: f64, &[theta, nutation, _, _]: &[f64; 4]) -> [f64; 4] {
-        let Self { a, b, c, friction } = *self;
+/// Equations (4) to (6), of theta, dtheta/dt', phi, zeta. A bearing may add the torque
+/// -friction dtheta/dt'; in the notes it is 0.
+fn equations(top: ReducedTop, friction: f64) -> impl Ode<4> {
+    let (a, b, c) = (top.a(), top.b(), top.c());
+    ode(move |_, &[theta, nutation, _, _]: &[f64; 4]| {
         let (s, u) = sincos(theta);
         let precession = a.sqrt() * (b - u) / (s * s); // (5)
-        [
-            nutation,
-            // (4), solved for the second derivative
-            c * s - a * (b - u) * (1.0 - b * u) / (s * s * s) - friction * nutation,
-            precession,
-            1.0 / a.sqrt() - precession * u, // (6)
-        ]
-    }
-
-    fn scale(&self, y: &[f64; 4]) -> [f64; 4] {
-        size_or([1.0; 4])(y)
-    }
+        // (4), solved for the second derivative
+        let nods = c * s - a * (b - u) * (1.0 - b * u) / (s * s * s) - friction * nutation;
+        let spin = 1.0 / a.sqrt() - precession * u; // (6)
+        [nutation, nods, precession, spin]
+    })
+    .scaled(size_or([1.0; 4]))
 }
 // ANCHOR_END: equations
-
-impl Equations {
-    /// The equations of this top, without friction.
-    fn of(top: &ReducedTop) -> Self {
-        Self { a: top.a(), b: top.b(), c: top.c(), friction: 0.0 }
-    }
-}
 
 /// The five motions of figures 3 and 4: at the bottom of the valley and above
 /// it for b > 1; loops, cusps and waves for b < 1.
@@ -161,7 +141,7 @@ fn report(p: &Parameters) -> Result<Report> {
     };
     let mut report = Report::new("The gyroscope", description)?;
     for motion in &motions {
-        report.add(motion.claims(&Equations::of(&motion.top))?)?;
+        report.add(motion.claims(&equations(motion.top, 0.0))?)?;
     }
     let [_, nutating, loops, ..] = &motions[..] else {
         motions[0].strip(&mut report, p.tolerance)?;

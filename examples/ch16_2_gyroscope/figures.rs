@@ -21,7 +21,7 @@ pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
     if rotor::is_driven(p) {
         return rotor::driven(p)?.figures(camera());
     }
-    let angles = |motion: &Motion| motion.angles(&Equations::of(&motion.top));
+    let angles = |motion: &Motion| motion.angles(&equations(motion.top, 0.0));
     let [steady, nutating, below_one @ ..] = &motions[..] else {
         return Ok(vec![angles(&motions[0])?, motions[0].trace(camera())?]);
     };
@@ -30,7 +30,7 @@ pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
     let common = extents(below_one);
     for motion in below_one {
         all.push(motion.trace(camera())?);
-        all.push(motion.angles_over(common, &Equations::of(&motion.top))?);
+        all.push(motion.angles_over(common, &equations(motion.top, 0.0))?);
     }
     Ok(all)
 }

@@ -10,9 +10,8 @@ pub const FRICTION: f64 = 0.15;
 pub fn damped(end: f64) -> Result<Solution<4>> {
     let [a, b, c, _] = CUSPS;
     let lowest = Event::falling("lowest", |_t, y: &[f64; 4]| y[1]);
-    let equations = Equations { a, b, c, friction: FRICTION };
-    let start = [acos(b), 0.0, 0.0, 0.0];
-    Ok(Dop853::new(1e-13)?.solve(&equations, 0.0, &start, end, &[lowest])?)
+    let law = equations(ReducedTop::new(a, b, c)?, FRICTION);
+    Ok(Dop853::new(1e-13)?.solve(&law, 0.0, &[acos(b), 0.0, 0.0, 0.0], end, &[lowest])?)
 }
 
 /// The tilt at which it starts, and that of the bottom of its valley.

@@ -116,9 +116,9 @@ impl Rotor {
     fn can_be_held(&self, spin: f64) -> Result<bool> {
         let momentum = self.i3 * spin;
         let c = self.weight_moment() * self.i3 / (momentum * momentum);
-        let torque =
-            |b| -> Result<f64> { Ok(ReducedTop::new(self.i3 / self.i1, b, c)?.torque(self.theta)) };
-        let falls = |b| -> Result<bool> { Ok(torque(b + 0.01)? < torque(b - 0.01)?) };
+        let a = self.i3 / self.i1;
+        let torque = |b| ReducedTop::new(a, b, c).map(|top| top.torque(self.theta));
+        let falls = |b| Ok::<_, kit::Error>(torque(b + 0.01)? < torque(b - 0.01)?);
         let [b, _] = try_bisect([cos(self.theta), 10.0], 0.0, falls)?;
         Ok(torque(b)? <= 0.0)
     }
