@@ -19,8 +19,8 @@ pub fn all(p: &Parameters) -> Result<Vec<Figure>> {
     Ok(all)
 }
 
-const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
-const O: SpaceVector = SpaceVector::new(0.0, 0.0, 0.0);
+pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
+pub const O: SpaceVector = SpaceVector::new(0.0, 0.0, 0.0);
 
 /// A part of a circle about `centre`: in the plane of two unit vectors, between two angles.
 fn arc(

@@ -1,5 +1,6 @@
 //! The picture that moves: a sleeping top that wakes while its spin is braked.
 
+use super::figures::{O, UP};
 use super::*;
 use models::heavy_top::Pose;
 use rotation_dynamics::effects::CoulombBearing;
@@ -11,9 +12,6 @@ use rotation_dynamics::scene::Scene;
 const FROM: f64 = 1.05;
 const TO: f64 = 0.85;
 const UNITS: f64 = 50.0;
-
-const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
-const O: SpaceVector = SpaceVector::new(0.0, 0.0, 0.0);
 
 /// From the tip of a top of height 1 to its centre of mass.
 const CENTRE: f64 = 1.0 / 1.7;
