@@ -125,11 +125,6 @@ impl Cylinder {
         atan2(self.i1 * sin(self.tilt), self.i3 * cos(self.tilt))
     }
 
-    /// The rate of small swings about the tilt of rest, if a motor keeps the rate.
-    pub fn swing(&self) -> f64 {
-        self.rate.abs() * ((self.i1 - self.i3).abs() / self.i1).sqrt()
-    }
-
     /// The tilt at the far end of the swing, and the time of a whole one.
     pub fn swung(&self, what: LetGo) -> Result<[f64; 2]> {
         let (s, c) = sincos(self.tilt);
@@ -137,7 +132,9 @@ impl Cylinder {
         Ok(match what {
             LetGo::Motor => {
                 let modulus = Modulus::from_k(if self.long() { c } else { s })?;
-                [far, 4.0 * legendre::k(modulus)? / self.swing()]
+                // That of small swings about the tilt of rest.
+                let rate = self.rate.abs() * ((self.i1 - self.i3).abs() / self.i1).sqrt();
+                [far, 4.0 * legendre::k(modulus)? / rate]
             }
             LetGo::Clamp => [far, self.coasting()],
             LetGo::All => {
@@ -334,8 +331,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let part = way * (c - s) * (c + s) / (s * c);
     let weak = (1e-12..0.1).contains(&yields) && part < 0.5;
     let gives = when(weak, || yielding(p.tilt, way))?;
-    let cost = gives
-        .map_or("-".into(), |(_, work)| format!("closed form, {} derivatives", work.derivatives));
+    let told = |(_, work): (f64, Work)| format!("closed form, {} derivatives", work.derivatives);
+    let cost = gives.map_or("-".into(), told);
     let first = if weak { part / (1.0 - part) } else { part };
     let [_, alone] = by_grains(p)?;
     let moved = grains(p).map(|grain| grain + BodyVector::new(0.0, 0.0, aside));
