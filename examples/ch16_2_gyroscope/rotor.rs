@@ -179,13 +179,10 @@ pub fn claims(report: &mut Report) -> Result<()> {
     ];
     report.add(Table::of("variations", columns, changes, |(flag, rotor)| {
         let exact = rotor.motion()?.exact;
-        let (period, told) = (exact.nutation_period(), |x| supported_digits(x, 5e-6));
-        Ok([
-            flag.into(),
-            format!("{} rad", told(exact.theta_min())),
-            format!("{} rad", told(exact.theta_max())),
-            format!("{} s", told(period)),
-            format!("{} rad/s", told(exact.precession_per_period() / period)),
-        ])
+        let (period, walk) = (exact.nutation_period(), exact.precession_per_period());
+        let nod = [(exact.theta_min(), "rad"), (exact.theta_max(), "rad"), (period, "s")];
+        let told = |(x, unit)| format!("{} {unit}", supported_digits(x, 5e-6));
+        let cells = nod.into_iter().chain([(walk / period, "rad/s")]).map(told);
+        Ok(core::iter::once(flag.to_owned()).chain(cells))
     })?)
 }
