@@ -122,9 +122,8 @@ impl Body {
     fn moment_claim(&self, name: &str) -> Result<Claim> {
         let tensor = InertiaTensor::diagonal([self.i1, self.i1, self.i3])?;
         let centre = DesignVector::new(0.0, 0.0, self.length);
-        let about_tip =
-            MassProperties::new(self.mass, centre, tensor)?.about(DesignVector::zero())?;
-        let across = about_tip.moment_about(DesignVector::new(1.0, 0.0, 0.0))?;
+        let moved = MassProperties::new(self.mass, centre, tensor)?.about(DesignVector::zero())?;
+        let across = moved.moment_about(DesignVector::new(1.0, 0.0, 0.0))?;
         let meaning = format!("{name}: I1', across the axis about the fixed point");
         let claim = claim(format!("{name}_moment"), meaning, self.moment(), "kg m^2");
         Ok(claim
@@ -215,10 +214,8 @@ impl Parameters {
         let start = rigid.state(Attitude::from_euler(body.tilted())?, body.rates())?;
         if let Some(brake) = self.brake {
             // The angular momentum along the axis, over the second.
-            let turns = between(0.0, body.i3 * body.spin.abs());
-            turns
-                .because("more stops the spin in the time that is looked at")
-                .check("brake", brake)?;
+            let most = body.i3 * body.spin.abs();
+            allowed! { "brake": brake, between(0.0, most), "more stops the spin in the time that is looked at"; }?;
         }
         let added = Added { nodes: self.friction, dry: self.brake, ..Added::default() };
         let added = added.in_air(self.air, radius, body.spin)?;

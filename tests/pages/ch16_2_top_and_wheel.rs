@@ -1,7 +1,7 @@
 //! The top and the wheel: any motion asked for is either confirmed by a second route or
 //! refused in words; and what the page's tries say.
 
-use crate::answers::{self, cell, confirmed, refused};
+use crate::answers::{cell, confirmed, number, refused};
 use pages::ch16_2_top_and_wheel::{EXAMPLE, TOP};
 use rotation_dynamics::math::sin;
 use support::{Errors, assert_largest};
@@ -30,29 +30,25 @@ fn what_cannot_be_is_refused_in_words() {
     ]);
 }
 
-/// The number that this run prints under `key`.
-fn number(flags: &str, key: &str) -> f64 {
-    answers::number(&EXAMPLE, flags, key)
-}
-
 /// The commands of the page's tries print what their folded answers say.
 #[test]
 fn tries_give_what_the_page_says() {
     let depth = |flags: &str, body: &str| {
-        number(flags, &format!("{body}_theta_max")) - number(flags, &format!("{body}_theta_min"))
+        let [most, least] = ["max", "min"].map(|end| number(&EXAMPLE, flags, &format!("{body}_theta_{end}")));
+        most - least
     };
     let long = "--body wheel --length 0.3";
     for (found, key, within) in [
-        (number("--spin 139 --theta 1e-6", "top_theta_max"), "try_below", 1e-9),
+        (number(&EXAMPLE, "--spin 139 --theta 1e-6", "top_theta_max"), "try_below", 1e-9),
         (depth("--body wheel --precession 0.6754", "wheel"), "try_push", 1.5e-7),
         (depth(long, "wheel"), "try_lever_dip", 1e-11),
-        (number(long, "wheel_precession_rate"), "try_lever_rate", 1e-10),
+        (number(&EXAMPLE, long, "wheel_precession_rate"), "try_lever_rate", 1e-10),
         (depth("--spin 300", "top"), "try_fast_dip", 1e-11),
     ] {
-        let said = number("", key);
+        let said = number(&EXAMPLE, "", key);
         assert!((found - said).abs() <= within, "{key}: {found}, {said}");
     }
-    let above = number("--spin 141 --theta 1e-6", "top_theta_max");
+    let above = number(&EXAMPLE, "--spin 141 --theta 1e-6", "top_theta_max");
     assert!((1e-6..1e-5).contains(&above), "{above}");
 }
 
@@ -69,7 +65,7 @@ fn the_card_predicts_what_a_run_gives() {
         ("wheel: bearings", "wheel_bearing_lead", 1.0),
     ] {
         let predicted = cell(&EXAMPLE, "", ["effects", name, "error if left out"]);
-        let ratio = sine * number("", key) / predicted;
+        let ratio = sine * number(&EXAMPLE, "", key) / predicted;
         errors.push_at(ratio - 1.0, name);
         // The damaged twin: the lead grows with the square of the time.
         damaged.push_at(4.0 * ratio - 1.0, name);
