@@ -61,8 +61,7 @@ pub fn flights(p: &Parameters) -> Result<[Journey; 2]> {
 
 /// Along a parallel by so many radians of longitude to the east.
 pub fn parallel(latitude: f64, angle: f64, time: f64) -> Journey {
-    let pole = BodyVector::new(0.0, 0.0, 1.0);
-    Journey { from: place(latitude, 0.0), pole, angle, time }
+    Journey { from: place(latitude, 0.0), pole: BodyVector::new(0.0, 0.0, 1.0), angle, time }
 }
 
 /// Azimuth at the end of an axle set to the north and carried in space, with the whole turns of

@@ -41,12 +41,10 @@ figures! { p: &Parameters, [out, back] = flights(p)?, latitude = p.latitude.to_r
 
 /// What the start and the destination are called.
 fn names(p: &Parameters) -> [&'static str; 2] {
-    let [asked, page] = [p, &Parameters::default()]
-        .map(|p| [(p.latitude, p.longitude), (p.to_latitude, p.to_longitude)]);
-    [
-        if asked[0] == page[0] { "London" } else { "start" },
-        if asked[1] == page[1] { "Vancouver" } else { "destination" },
-    ]
+    let page = Parameters::default();
+    let from = (p.latitude, p.longitude) == (page.latitude, page.longitude);
+    let to = (p.to_latitude, p.to_longitude) == (page.to_latitude, page.to_longitude);
+    [if from { "London" } else { "start" }, if to { "Vancouver" } else { "destination" }]
 }
 
 /// There and back: how far it has turned on this leg, its journey, and the azimuth of the axle, rad.
