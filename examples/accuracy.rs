@@ -1,7 +1,7 @@
 //! What accuracy costs: every method on seven motions whose end is known.
 
-#[path = "accuracy/angles.rs"]
-mod angles;
+#[path = "accuracy/block.rs"]
+mod block;
 #[path = "accuracy/error_control.rs"]
 mod error_control;
 #[path = "accuracy/figures.rs"]
@@ -92,38 +92,27 @@ fn solved<E: Effect>(problem: &Problem<E>, tolerance: f64) -> Result<Solved> {
 }
 // ANCHOR_END: error_control
 
-/// Adds what RK4 pays for a digit.
-fn add_rk4(report: &mut Report, p: &Parameters) -> kit::Result<()> {
-    let curve = rk4(&motions::tumbling(p)?)?;
-    let Some(price) = curve.price_of_a_digit(1e-10, 1e-6) else {
-        return Ok(());
-    };
-    claims! { report,
-        /// order of RK4 on the free body, from the slope of error against work
-        rk4_order: price.order, "-", "its order" => 4.0, within 0.1, judged 0.05, in "the free body";
-    }
+/// The accuracy strips of the heavy top.
+fn strips(p: &Parameters, report: &mut Report) -> kit::Result<()> {
+    let all = prepared(p)?;
+    let mut asked = p.tolerance.map_or(ASKED.to_vec(), |one| vec![one]).into_iter();
+    asked.try_for_each(|error| all[1].motion.problem.add_strip(report, error))
 }
 
 fn report(p: &Parameters) -> kit::Result<Report> {
-    let all = prepared(p)?;
-    let told = format!(
-        "{} methods on seven motions whose end is known; errors of the attitude in rad",
-        Method::ALL.len()
-    );
-    let mut report = Report::new("What accuracy costs", told)?;
-    if p.are_default() {
-        add_rk4(&mut report, p)?;
-        tables::add_claims(&mut report, &all)?;
-    }
-    tables::add(&mut report, &all)?;
-    error_control::add(&mut report, &all)?;
-    limits::add(&mut report)?;
-    let pushed = lines::of(&all, "pushed").map_or(f64::NAN, |pushed| pushed.path_condition.1);
-    rough::add(&mut report, p, pushed)?;
-    let top = &all[1].motion.problem;
-    for error in p.tolerance.map_or(ASKED.to_vec(), |one| vec![one]) {
-        top.add_strip(&mut report, error)?;
-    }
+    let methods = Method::ALL.len();
+    let told = "methods on seven motions whose end is known; errors of the attitude in rad";
+    let mut report = Report::new("What accuracy costs", format!("{methods} {told}"))?;
+    let sections = [
+        tables::claims,
+        tables::tables,
+        error_control::tables,
+        limits::limits,
+        limits::effects,
+        rough::limits,
+        strips,
+    ];
+    sections.iter().try_for_each(|add| add(p, &mut report))?;
     Ok(report)
 }
 

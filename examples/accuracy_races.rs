@@ -1,6 +1,8 @@
 //! Races: long runs, and how errors grow in them. The races against other crates and over
 //! many bodies are measured by `benches`, and the page shows their records.
 
+#[path = "accuracy/block.rs"]
+mod block;
 #[path = "accuracy_races/drift.rs"]
 mod drift;
 #[path = "accuracy_races/growth.rs"]
@@ -8,11 +10,12 @@ mod growth;
 #[path = "accuracy_races/long.rs"]
 mod long;
 
-use drift::{Curve, Kind, curves};
-use kit::{Prepared, Report, Result, Trajectory};
+use drift::{Kind, Point, curves};
+use kit::prelude::*;
+use kit::{Prepared, rounded_up};
 use std::sync::Arc;
 
-kit::parameters! {
+parameters! {
     /// The long runs.
     pub struct Parameters {
         /// periods of the longest run of the heavy top
@@ -25,34 +28,25 @@ kit::parameters! {
 }
 
 /// How the errors of every method grow on the heavy top.
-pub fn prepared(p: &Parameters) -> rotation_dynamics::Result<Arc<Vec<Curve>>> {
-    static GROWN: Prepared<[f64; 2], Vec<Curve>> = Prepared::new();
-    GROWN.get(&[p.periods, p.starts], |[periods, starts]| {
+fn prepared(p: &Parameters) -> Result<Arc<Vec<drift::Curve>>> {
+    static GROWN: Prepared<[f64; 2], Vec<drift::Curve>> = Prepared::new();
+    Ok(GROWN.get(&[p.periods, p.starts], |[periods, starts]| {
         curves(Kind::Top, starts.round() as usize, *periods)
-    })
-}
-
-fn report(p: &Parameters) -> Result<Report> {
-    let mut report = Report::new(
-        "Races",
-        "long runs, free and heavy; errors of the attitude in rad, of what is kept relative",
-    )?;
-    growth::add(&mut report, &prepared(p)?)?;
-    long::add(&mut report, p.tolerance)?;
-    Ok(report)
+    })?)
 }
 
 fn trajectory(p: &Parameters) -> Result<Trajectory> {
     let mut rows = Trajectory::new(["method", "periods", "phase [rad]", "invariants"])?;
-    for (i, curve) in prepared(p)?.iter().enumerate() {
+    for (method, curve) in (1..).zip(prepared(p)?.iter()) {
         for point in &curve.points {
-            rows.push([(i + 1) as f64, point.periods, point.phase, point.invariants])?;
+            rows.push([f64::from(method), point.periods, point.phase, point.invariants])?;
         }
     }
     Ok(rows)
 }
 
-kit::example! {
+example! {
     accuracy_races: "Long runs: closed form or steps, and how errors grow";
-    report, |p| growth::figures(&prepared(p)?), trajectory
+    "Races", "long runs, free and heavy; errors of the attitude in rad, of what is kept relative",
+    [growth::powers, long::work, long::limits, long::effects]; growth::figures, trajectory
 }

@@ -9,9 +9,10 @@ use rough::heavy;
 const SCENES: u64 = 204;
 
 /// Adds what `solve` chose, and what it delivers on random scenes.
-pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
-    report.add(chosen(all)?)?;
-    if let Some(lopsided) = lines::of(all, "lopsided") {
+pub fn tables(p: &Parameters, report: &mut Report) -> Result<()> {
+    let all = prepared(p)?;
+    report.add(chosen(&all)?)?;
+    if let Some(lopsided) = lines::of(&all, "lopsided") {
         report.add(two_runs(lopsided)?)?;
     }
     report.add(honesty()?)

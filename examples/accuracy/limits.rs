@@ -1,31 +1,13 @@
 //! Limits in which the error of a method is known, and what the errors of physics are.
 
 use super::*;
+use block::{EARTH, gradient, rounded, steel};
 use core::f64::consts::TAU;
-use motions::{coasting, free_problem, generic_rates};
-use rotation_dynamics::effects::GravityGradient;
 use rotation_dynamics::integrators::Rk4;
 use rotation_dynamics::integrators::gauss_legendre::FreeRotation;
 
-/// Adds the limits and the card of effects.
-pub fn add(report: &mut Report) -> kit::Result<()> {
-    limits! { report,
-        /// the step's phase lacks (angle/2)^5/120, and an attitude turns twice the phase
-        "steady spin, RK4: error over (angle turned) (angle a step)^4":
-            steady_error()? => 1.0 / 1920.0, within 1e-6;
-        /// the flow between kicks is exact
-        "no torque, symmetric body, one step of Strang for 100 s: error in rad":
-            free_splitting()? => 0.0, within 1e-13;
-        /// a symmetric method run backwards undoes its own error
-        "10 periods there and back, Gauss-Legendre: off the start, in rad":
-            back()? => 0.0, within 1e-12;
-    }?;
-    effects(report)
-}
-
 /// A body without torque whose axes start along the fixed ones.
-fn free(moments: [f64; 3], rates: [f64; 3]) -> Result<(Scene<()>, State)> {
-    let [i1, i2, i3] = moments;
+fn free([i1, i2, i3]: [f64; 3], rates: [f64; 3]) -> Result<(Scene<()>, State)> {
     let body = RigidBody::new(PrincipalMoments::new(i1, i2, i3)?);
     let start = body.state(Attitude::IDENTITY, BodyVector::from_array(rates))?;
     Ok((Scene::new(body), start))
@@ -55,21 +37,28 @@ fn back() -> Result<f64> {
     Ok(start.attitude.angle_to(&back.attitude))
 }
 
-/// What a real free body does that the model does not: a block of steel of a decimetre,
-/// turning at nearly a radian a second for ten periods in a laboratory. Beside it the one error that no
-/// method is rid of.
-fn effects(report: &mut Report) -> kit::Result<()> {
-    let moments = PrincipalMoments::new(1.0, 2.0, 8.0 / 3.0)?;
-    let rates = generic_rates(moments);
-    let block = free_problem(moments, rates, 10.0)?;
-    let (rate, size) = (rates.norm(), 0.1);
-    let turned = rate * block.end;
-    let (gravity, radius): (f64, f64) = (9.81, 6.371e6);
-    let earth = 7.292e-5 / rate;
+/// Adds the limits.
+pub fn limits(_: &Parameters, report: &mut Report) -> kit::Result<()> {
+    limits! { report,
+        /// the step's phase lacks (angle/2)^5/120, and an attitude turns twice the phase
+        "steady spin, RK4: error over (angle turned) (angle a step)^4":
+            steady_error()? => 1.0 / 1920.0, within 1e-6;
+        /// the flow between kicks is exact
+        "no torque, symmetric body, one step of Strang for 100 s: error in rad":
+            free_splitting()? => 0.0, within 1e-13;
+        /// a symmetric method run backwards undoes its own error
+        "10 periods there and back, Gauss-Legendre: off the start, in rad":
+            back()? => 0.0, within 1e-12;
+    }
+}
+
+/// What ten periods of a real free body have that the model does not: the block of steel. Beside
+/// it the one error that no method is rid of.
+pub fn effects(_: &Parameters, report: &mut Report) -> kit::Result<()> {
+    let ((block, rate), size) = (steel(10.0)?, 0.1);
+    let (earth, turned) = (EARTH / rate, rate * block.end);
     let stretch = 7850.0 * rate * rate * size * size / 2e11;
-    let number = 3.0 * gravity / radius * (8.0 / 3.0 - 1.0) / 2.0 / (rate * rate);
-    let down = SpaceVector::new(0.0, 0.0, -1.0);
-    let pull = GravityGradient::fixed((gravity / radius).sqrt(), down)?;
+    let (pull, number) = gradient(rate)?;
     let candidates = (block.scene).neglected_effects(&block.start, block.end, 1e-3)?;
     let name = "gravity gradient of the Earth";
     let formula = "3 g (I3 - I1) / (R_E I2 omega^2)";
@@ -82,17 +71,6 @@ fn effects(report: &mut Report) -> kit::Result<()> {
     effect_card! { report,
         "stretch of the steel": "rho omega^2 d^2 / E" = stretch, costs stretch * turned, "rad";
         "rounding of the numbers": "2^-53" = EPS, costs EPS * turned, "rad",
-            measured rounded(&block)?, included;
+            measured rounded(&block, exp2(-20.0))?, included;
     }
-}
-
-/// What the start, rounded, makes of the end: two motions in closed form, their momenta apart by
-/// a part of 2^-20, and the angle between their ends in proportion.
-fn rounded(block: &Problem<()>) -> Result<f64> {
-    let apart = exp2(-20.0);
-    let end = |part: f64| -> Result<Attitude> {
-        let start = State::new(block.start.attitude, block.start.angular_momentum * part)?;
-        Ok(coasting(block.scene.body(), &start, block.end)?.attitude)
-    };
-    Ok(end(1.0)?.angle_to(&end(1.0 + apart)?) * EPS / apart)
 }

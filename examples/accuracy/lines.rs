@@ -44,11 +44,9 @@ fn settings(method: Method) -> Vec<f64> {
     // The error falls by a factor of about 4 from one to the next.
     let finer = 2.0 / f64::from(method.order().max(4));
     let to = if method.order() == 1 { TO_FOILS } else { TO };
-    let count = (to - FROM) / finer;
-    let mut settings: Vec<f64> = (0..=count as u32)
-        .map(|k| (exp2(FROM + finer * f64::from(k)) / in_a_step(method)).floor())
-        .filter(|n| *n >= 1.0)
-        .collect();
+    let evaluations = (0..=((to - FROM) / finer) as u32).map(|k| exp2(FROM + finer * f64::from(k)));
+    let steps = evaluations.map(|count| (count / in_a_step(method)).floor());
+    let mut settings: Vec<f64> = steps.filter(|n| *n >= 1.0).collect();
     settings.dedup();
     settings
 }
@@ -121,8 +119,7 @@ impl Measured {
                 let sweep = motion.sweep(settings(Method::SemiImplicitEuler), run);
                 lines.push(Line::new(method, (FLOW, "exact flow"), sweep)?);
             }
-            if let (Method::Aba1064, Some(angles)) = (method, &motion.angles) {
-                let in_angles = |tolerance| angles.run(tolerance, motion.end);
+            if let (Method::Aba1064, Some(in_angles)) = (method, &motion.in_angles) {
                 let sweep = motion.sweep(settings(Method::Dop853), in_angles);
                 let names = ("angles", "DOP853 on angles");
                 lines.push(Line::new(Method::Dop853, names, sweep)?);

@@ -2,9 +2,10 @@
 //! different moments, and a body pushed for a while.
 
 use super::*;
-use angles::Angles;
+use block::{coasting, generic_rates, over, tilted};
 use rotation_dynamics::accuracy::{Errors, Resolution, applies};
 use rotation_dynamics::exact::heavy_top::{HeavyTop, ReducedTop, Start};
+use rotation_dynamics::integrators::{ode, size_or};
 use rotation_dynamics::scene::Invariant;
 
 /// What is asked of a problem, whatever acts in it.
@@ -44,6 +45,7 @@ impl<E: Effect + Clone + Send + Sync + 'static> Raced for Problem<E> {
 pub type Names = (&'static str, &'static str);
 type StateAt = Box<dyn Fn(f64) -> Result<State> + Send + Sync>;
 type Continued = Box<dyn Fn(&State, f64) -> Result<Attitude> + Send + Sync>;
+type Run = Box<dyn Fn(f64) -> Result<(State, Work)> + Send + Sync>;
 
 /// A motion, with all that is asked of it.
 pub struct Motion {
@@ -57,8 +59,8 @@ pub struct Motion {
     state: StateAt,
     /// The attitude at the end of a motion that is in a state at a time.
     continued: Continued,
-    /// The top in the notes' angles.
-    pub angles: Option<Angles>,
+    /// Its end by DOP853 in the angles of the notes, with a tolerance: of a top.
+    pub in_angles: Option<Run>,
     /// Whether there is a closed form.
     exact: bool,
 }
@@ -85,7 +87,7 @@ pub fn all(p: &Parameters) -> Result<Vec<Motion>> {
     // From 1e-4 off the intermediate axis: two flips a period. It ends in the middle of a
     // flip, where the attitude is most sensitive.
     let half = 0.5 * p.periods - 0.25;
-    let flips = free_problem(p.moments()?, NEAR_MIDDLE, half)?;
+    let flips = free_problem(p, NEAR_MIDDLE, half)?;
     let longer = p.periods + THIRD;
     Ok(vec![
         free(("free", "free body"), tumbling(p)?, longer),
@@ -98,48 +100,20 @@ pub fn all(p: &Parameters) -> Result<Vec<Motion>> {
     ])
 }
 
-/// A body tilted as the free ones are, with these rates.
-pub fn tilted(moments: PrincipalMoments, rates: BodyVector) -> Result<(RigidBody, State)> {
-    let body = RigidBody::new(moments);
-    let (phi, theta, zeta) = (0.3, 0.7, -0.4);
-    let attitude = Attitude::from_euler(EulerAngles { phi, theta, zeta })?;
-    Ok((body, body.state(attitude, rates)?))
-}
-
-/// The state of a body without torque after a time.
-pub fn coasting(body: &RigidBody, state: &State, time: f64) -> Result<State> {
-    let motion = Scene::new(*body).exact(state)?;
-    State::new(motion.attitude(time), state.angular_momentum)
-}
-
-/// L = (0.8, 0.8, 0.9) on the body axes.
-pub fn generic_rates(moments: PrincipalMoments) -> BodyVector {
-    let [i1, i2, i3] = moments.to_array();
-    BodyVector::new(0.8 / i1, 0.8 / i2, 0.9 / i3)
-}
-
 /// The free body of the page.
 pub fn tumbling(p: &Parameters) -> Result<Problem<()>> {
-    let moments = p.moments()?;
-    free_problem(moments, generic_rates(moments), p.periods + THIRD)
+    free_problem(p, generic_rates(p.moments()?), p.periods + THIRD)
 }
 
-/// A free body for so many periods of its rates, or why it has none.
-pub fn free_problem(
-    moments: PrincipalMoments,
-    rates: BodyVector,
-    periods: f64,
-) -> Result<Problem<()>> {
-    let (body, start) = tilted(moments, rates)?;
+/// The free body with these rates for so many of their periods, or why it has none.
+fn free_problem(p: &Parameters, rates: BodyVector, periods: f64) -> Result<Problem<()>> {
+    let (body, start) = tilted(p.moments()?, rates)?;
     let exact = Scene::new(body).exact(&start)?;
-    let period = exact.rate_period();
-    if !period.is_finite() {
+    if !exact.rate_period().is_finite() {
         let allowed = "between I1 and I3, and equal to neither: the body must tumble";
-        return Err(Error::out_of_range("I2", moments.i2(), allowed));
+        return Err(Error::out_of_range("I2", p.i2, allowed));
     }
-    let end = periods * period;
-    let problem = Problem::new(Scene::new(body), start, end, coasting(&body, &start, end)?);
-    Ok(problem.in_closed_form(move |t| exact.attitude(t)))
+    over(periods, body, start, exact)
 }
 
 fn free(names: Names, problem: Problem<()>, periods: f64) -> Motion {
@@ -154,7 +128,7 @@ fn top(names: Names, (top, energy, at): (ReducedTop, f64, Start), periods: f64) 
     let body = RigidBody::new(PrincipalMoments::symmetric(1.0, top.a())?);
     let scene = Scene::new(body).with(GravityAtLever::new(top.c(), 1.0)?);
     let end = periods * exact.nutation_period();
-    let angles = Some(Angles::new(top, &exact, body));
+    let in_angles = Some(in_angles(top, &exact, body, end));
     let problem = Problem::new(scene, exact.state(0.0), end, exact.try_state(end)?);
     let sampled = exact.clone();
     let problem = problem.in_closed_form(move |t| sampled.attitude(t));
@@ -172,7 +146,31 @@ fn top(names: Names, (top, energy, at): (ReducedTop, f64, Start), periods: f64) 
     };
     let state = move |t| exact.try_state(t);
     let motion = Motion::new(names, problem, periods, state, continued);
-    Ok(Motion { angles, ..motion })
+    Ok(Motion { in_angles, ..motion })
+}
+
+/// Equations (4) to (6) of the notes, 16.2, for theta, its rate, phi and zeta. The state has no
+/// pole, the angles do.
+fn in_angles(top: ReducedTop, exact: &HeavyTop, body: RigidBody, end: f64) -> Run {
+    let (a, b, c) = (top.a(), top.b(), top.c());
+    let EulerAngles { phi, theta, zeta } = exact.angles(0.0);
+    let start = [theta, exact.theta_rate(0.0), phi, zeta];
+    let motion = ode(move |_, &[theta, rate, _, _]: &[f64; 4]| {
+        let (s, u) = sincos(theta);
+        let precession = a.sqrt() * (b - u) / (s * s);
+        let torque = c * s - a * (b - u) * (1.0 - b * u) / (s * s * s);
+        [rate, torque, precession, 1.0 / a.sqrt() - precession * u]
+    });
+    let motion = motion.scaled(size_or([1.0; 4]));
+    Box::new(move |tolerance| {
+        let (end, work) = Dop853::new(tolerance)?.advance(&motion, 0.0, &start, end)?;
+        let [theta, rate, phi, zeta] = end;
+        let ((s, u), (sin, cos)) = (sincos(theta), sincos(zeta));
+        let across = a.sqrt() * (b - u) / s;
+        let rates = [rate * cos + across * sin, across * cos - rate * sin, 1.0 / a.sqrt()];
+        let attitude = Attitude::from_euler(EulerAngles { phi, theta, zeta })?;
+        Ok((body.state(attitude, BodyVector::from_array(rates))?, work))
+    })
 }
 
 impl Motion {
@@ -194,7 +192,7 @@ impl Motion {
             problem: Box::new(problem),
             state: Box::new(state),
             continued: Box::new(continued),
-            angles: None,
+            in_angles: None,
         }
     }
 

@@ -2,7 +2,8 @@
 //! methods that share nothing but the scene agree there.
 
 use super::*;
-use motions::{Motion, THIRD, coasting, tilted, tumbling};
+use block::{coasting, tilted};
+use motions::{Motion, THIRD, tumbling};
 use rotation_dynamics::effects::{Conserved, Properties};
 use rotation_dynamics::integrators::gauss_legendre::BodyAxes;
 
@@ -17,12 +18,6 @@ fn fine([from, to]: [f64; 2]) -> Result<GaussLegendre> {
     GaussLegendre::new(((to - from).abs() * STEPS).ceil().max(1.0) as u64)
 }
 
-/// The heavy body on its own axes.
-fn carried(scene: &Scene<Gravity>, state: &State, [from, to]: [f64; 2]) -> Result<State> {
-    let axes = BodyAxes::new(scene)?;
-    Ok(fine([from, to])?.advance(&axes, from, state, to)?.0)
-}
-
 /// The heavy body of three different moments, and how it starts.
 pub fn heavy() -> Result<(Scene<Gravity>, State)> {
     let moments = PrincipalMoments::new(1.0, 1.5, 0.8)?;
@@ -34,9 +29,11 @@ pub fn heavy() -> Result<(Scene<Gravity>, State)> {
 pub fn lopsided(periods: f64) -> Result<Motion> {
     let (scene, start) = heavy()?;
     let end = 4.0 * periods;
-    let answer = carried(&scene, &start, [0.0, end])?;
-    let problem = Problem::new(scene, start, end, answer);
-    let carry = move |state: &State, span| carried(&scene, state, span);
+    let carry = move |state: &State, span: [f64; 2]| {
+        let axes = BodyAxes::new(&scene)?;
+        Ok(fine(span)?.advance(&axes, span[0], state, span[1])?.0)
+    };
+    let problem = Problem::new(scene, start, end, carry(&start, [0.0, end])?);
     let names = ("lopsided", "heavy, three moments");
     Ok(Motion::carried(names, problem, periods, carry))
 }
@@ -111,8 +108,7 @@ pub fn pushed(p: &Parameters) -> Result<Motion> {
     let (free, push) = thrust(p)?;
     let (body, start, end) = (*free.scene.body(), free.start, free.end);
     let carry = move |state: &State, span| piecewise(&body, push, state, span, fine);
-    let answer = carry(&start, [0.0, end])?;
-    let problem = Problem::new(free.scene.with(push), start, end, answer);
+    let problem = Problem::new(free.scene.with(push), start, end, carry(&start, [0.0, end])?);
     let names = ("pushed", "pushed for a while");
     Ok(Motion::carried(names, problem, p.periods + THIRD, carry))
 }
@@ -125,27 +121,23 @@ const STEP: f64 = 1e-14;
 /// over a hundred periods.
 const STEPS_ASTRAY: f64 = 1.6;
 
-/// The second routes to the two ends; `condition` is the path condition of the pushed body.
-pub fn add(report: &mut Report, p: &Parameters, condition: f64) -> kit::Result<()> {
-    let (scene, start) = heavy()?;
-    let end = 4.0 * p.periods;
-    let gauss = carried(&scene, &start, [0.0, end])?;
-    let splitting = Splitting::new(Scheme::KAHAN_LI17, (20.0 * end) as u64)?;
-    let (split, _) = splitting.advance(&scene, 0.0, &start, end)?;
-    let heavy = gauss.attitude.angle_to(&split.attitude);
-
+/// The second routes to the two ends.
+pub fn limits(p: &Parameters, report: &mut Report) -> kit::Result<()> {
+    let all = prepared(p)?;
+    let [lopsided, pushed] = ["lopsided", "pushed"].map(|key| lines::of(&all, key));
+    let (Some(lopsided), Some(pushed)) = (lopsided, pushed) else { return Ok(()) };
+    let heavy = &lopsided.motion;
+    let (split, _) = heavy.problem.run(Method::KahanLi17, 20.0 * heavy.end)?;
     let (free, push) = thrust(p)?;
     let (body, span) = (free.scene.body(), [0.0, free.end]);
-    let gauss = piecewise(body, push, &free.start, span, fine)?;
     let dop = piecewise(body, push, &free.start, span, |_| Dop853::new(STEP))?;
-    let pushed = gauss.attitude.angle_to(&dop.attitude);
-    let bound = STEPS_ASTRAY * p.periods * STEP * condition;
+    let bound = STEPS_ASTRAY * p.periods * STEP * pushed.path_condition.1;
     limits! { report,
         /// two methods that share nothing but the scene
         "heavy, three moments: Gauss-Legendre and Kahan-Li, apart in rad":
-            heavy => 0.0, within 1e-12;
+            heavy.problem.errors(&split).attitude => 0.0, within 1e-12;
         /// two methods on pieces that are smooth
         "pushed for a while: Gauss-Legendre and DOP853, started anew at each jump, apart in rad":
-            pushed => 0.0, within bound;
+            pushed.motion.problem.errors(&dop).attitude => 0.0, within bound;
     }
 }

@@ -14,7 +14,8 @@ pub fn price(line: &Line) -> Option<DigitPrice> {
 }
 
 /// Adds the tables.
-pub fn add(report: &mut Report, all: &[Measured]) -> Result<()> {
+pub fn tables(p: &Parameters, report: &mut Report) -> Result<()> {
+    let all = &prepared(p)?[..];
     report.add(vec![
         methods()?,
         choices(all)?,
@@ -178,13 +179,22 @@ const DIGITS: [(&[&str], f64); 2] =
 const RATIOS: [[&str; 3]; 3] =
     [["top", "rk4", "dop853"], ["top", "rk4", "srkn14"], ["pole", "angles", "dop853"]];
 
-/// Adds numbers that a second route confirms.
-pub fn add_claims(report: &mut Report, all: &[Measured]) -> Result<()> {
-    let line = |motion, method| lines::of(all, motion)?.line(method);
+/// Adds numbers that a second route confirms: of the page's own body.
+pub fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
+    if !p.are_default() {
+        return Ok(());
+    }
+    let (all, rk4) = (prepared(p)?, rk4(&motions::tumbling(p)?)?);
+    if let Some(price) = rk4.price_of_a_digit(1e-10, 1e-6) {
+        claims! { report,
+            /// order of RK4 on the free body, from the slope of error against work
+            rk4_order: price.order, "-", "its order" => 4.0, within 0.1, judged 0.05, in "the free body";
+        }?;
+    }
+    let line = |motion, method| lines::of(&all, motion)?.line(method);
     for (methods, bound) in DIGITS {
         let lines = methods.iter().filter_map(|method| line("top", method));
-        let digits = lines.filter_map(|line| digit(line, bound));
-        report.add(digits.collect::<Vec<_>>())?;
+        report.add(lines.filter_map(|line| digit(line, bound)).collect::<Vec<_>>())?;
     }
     if let Some(order) = line("top", "gauss").and_then(order_in_steps) {
         claims! { report,

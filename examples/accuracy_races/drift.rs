@@ -13,7 +13,7 @@
 //! `free_powers`).
 
 use rotation_dynamics::Result;
-use rotation_dynamics::accuracy::Errors;
+use rotation_dynamics::accuracy::{Errors, Resolution, Stepper, Variables};
 use rotation_dynamics::attitude::{Attitude, EulerAngles};
 use rotation_dynamics::body::{RigidBody, State};
 use rotation_dynamics::effects::GravityAtLever;
@@ -23,7 +23,7 @@ use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::gauss_legendre::FreeRotation;
 use rotation_dynamics::integrators::{
-    Dop853, GaussLegendre, Integrator, Method as Named, Projected, Rk4, Scheme, SpinFree, Splitting,
+    GaussLegendre, Integrator, Method as Named, Projected, SpinFree,
 };
 use rotation_dynamics::math::{log, pow};
 use rotation_dynamics::scene::Scene;
@@ -97,19 +97,6 @@ impl Subject {
         };
         (state.attitude.angle_to(&attitude), kept.invariants)
     }
-
-    /// The state at `t_end`, in the variables that suit the implicit method.
-    fn carried<M>(&self, method: M, t: f64, state: &State, t_end: f64) -> Result<State>
-    where
-        M: for<'s> Integrator<SpinFree<'s, Gravity>, State> + Integrator<FreeRotation, State>,
-    {
-        Ok(match self {
-            Self::Top { scene, .. } => method.advance(&SpinFree::new(scene)?, t, state, t_end)?.0,
-            Self::Free { scene, .. } => {
-                method.advance(&FreeRotation::new(scene), t, state, t_end)?.0
-            }
-        })
-    }
 }
 
 /// A method, with steps enough for its truncation to be small or, for the last two, to be
@@ -155,44 +142,40 @@ impl Method {
         }
     }
 
-    /// The state at `to` from that at `from`.
+    /// The state at `to` from that at `from`, in the variables that suit the method.
     pub fn carried(self, subject: &Subject, from: f64, state: &State, to: f64) -> Result<State> {
-        let periods = (to - from) / subject.period();
-        let steps = |per_period: f64| (periods * per_period).round().max(1.0) as u64;
         // Periods of the top are shorter, in its own time, than those of the free body.
-        let gauss = match subject {
-            Subject::Top { .. } => steps(6.0),
-            Subject::Free { .. } => steps(12.0),
+        let denser = if matches!(subject, Subject::Top { .. }) { 1.0 } else { 2.0 };
+        let periods = (to - from) / subject.period();
+        let steps = |per_period: f64| (periods * (denser * per_period)).round().max(1.0) as u64;
+        let (method, resolution) = match self {
+            Self::GaussProjected => {
+                let blocks = steps(6.0).div_ceil(1000);
+                let each = GaussLegendre::new(steps(6.0).div_ceil(blocks))?;
+                let method = Projected::new(each, blocks)?;
+                return Ok(match subject {
+                    Subject::Top { scene, .. } => {
+                        method.advance(&SpinFree::new(scene)?, from, state, to)?.0
+                    }
+                    Subject::Free { scene, .. } => {
+                        method.advance(&FreeRotation::new(scene), from, state, to)?.0
+                    }
+                });
+            }
+            Self::Gauss => (Named::GaussLegendre16, Resolution::Steps(steps(6.0))),
+            Self::Splitting => (Named::Srkn14, Resolution::Steps(steps(24.0))),
+            Self::Rk4 => (Named::Rk4, Resolution::Steps(steps(150.0))),
+            Self::Dop853 => (Named::Dop853, Resolution::Tolerance(1e-10)),
         };
-        match (self, subject) {
-            (Self::GaussProjected, _) => {
-                let blocks = gauss.div_ceil(1000);
-                let method = GaussLegendre::new(gauss.div_ceil(blocks))?;
-                let method = Projected::new(method, blocks)?;
-                subject.carried(method, from, state, to)
+        let (stepper, span) = (Stepper::new(method, resolution)?, [from, to]);
+        Ok(match subject {
+            Subject::Top { scene, .. } => {
+                stepper.advance(scene, Variables::best(method, scene), span, state)?.0
             }
-            (Self::Splitting, Subject::Top { scene, .. }) => {
-                let method = Splitting::new(Scheme::SRKN14, steps(24.0))?;
-                Ok(method.advance(scene, from, state, to)?.0)
+            Subject::Free { scene, .. } => {
+                stepper.advance(scene, Variables::best(method, scene), span, state)?.0
             }
-            (Self::Gauss | Self::Splitting, _) => {
-                subject.carried(GaussLegendre::new(gauss)?, from, state, to)
-            }
-            (Self::Rk4, Subject::Top { scene, .. }) => {
-                let method = Rk4::new(steps(150.0))?;
-                Ok(method.advance(&SpinFree::new(scene)?, from, state, to)?.0)
-            }
-            (Self::Rk4, Subject::Free { scene, .. }) => {
-                Ok(Rk4::new(steps(300.0))?.advance(scene, from, state, to)?.0)
-            }
-            (Self::Dop853, Subject::Top { scene, .. }) => {
-                let method = Dop853::new(1e-10)?;
-                Ok(method.advance(&SpinFree::new(scene)?, from, state, to)?.0)
-            }
-            (Self::Dop853, Subject::Free { scene, .. }) => {
-                Ok(Dop853::new(1e-10)?.advance(scene, from, state, to)?.0)
-            }
-        }
+        })
     }
 }
 
@@ -270,11 +253,10 @@ impl Curve {
             .map(|point| (log(point.periods), log(error(point))))
             .collect();
         let count = logs.len() as f64;
-        let (x0, y0) =
-            logs.iter().fold((0.0, 0.0), |(x, y), (lx, ly)| (x + lx / count, y + ly / count));
-        let (xy, xx) = logs.iter().fold((0.0, 0.0), |(xy, xx), (x, y)| {
-            (xy + (x - x0) * (y - y0), xx + (x - x0) * (x - x0))
-        });
-        xy / xx
+        let x0: f64 = logs.iter().map(|(x, _)| x / count).sum();
+        let y0: f64 = logs.iter().map(|(_, y)| y / count).sum();
+        let across: f64 = logs.iter().map(|(x, y)| (x - x0) * (y - y0)).sum();
+        let along: f64 = logs.iter().map(|(x, _)| (x - x0) * (x - x0)).sum();
+        across / along
     }
 }
