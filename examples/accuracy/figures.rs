@@ -3,7 +3,8 @@
 use super::*;
 use kit::Result;
 use kit::draw::Method as Look;
-use lines::{FLOW, Line};
+use lines::FLOW;
+use motions::Motion;
 use tables::price;
 
 /// All of them.
@@ -26,43 +27,32 @@ fn hidden(motion: &str) -> &'static [&'static str] {
     }
 }
 
-/// The runs from coarse to fine: a line that turns back has found shorter steps cheaper.
-fn drawn(line: &Line) -> Vec<(f64, f64)> {
-    let runs = line.sweep.runs().iter();
-    runs.map(|run| (run.work.torques() as f64, run.errors.attitude.max(1e-16)))
-        .filter(|(_, error)| *error <= 1.0)
-        .collect()
-}
-
-/// What is to be seen in the picture of a motion: who reaches 1e-9 first, and the floor.
-fn seen(measured: &Measured, floor: f64) -> String {
+/// Error of the attitude against evaluations.
+fn work(measured: &Measured) -> Result<Figure> {
+    let Motion { key, name, .. } = measured.motion;
+    // What round-off alone may do.
+    let floor = EPS * measured.path_condition.1;
     let first = match measured.first(1e-9) {
         Some((work, name)) => {
             format!("{name} is the first to reach 1e-9, with {work:.0} evaluations")
         }
         None => "no method reaches 1e-9".into(),
     };
-    format!(
-        "{}: error of the attitude against evaluations, both logarithmic. {first}; the level line of \
-         rounding lies at {}",
-        measured.motion.name,
+    let alt = format!(
+        "{name}: error of the attitude against evaluations, both logarithmic. {first}; the level \
+         line of rounding lies at {}",
         rounded_up(floor)
-    )
-}
-
-/// Error of the attitude against evaluations.
-fn work(measured: &Measured) -> Result<Figure> {
-    let key = measured.motion.key;
-    // What round-off alone may do.
-    let floor = EPS * measured.path_condition.1;
-    let mut panel = Panel::new(&format!("work_{key}"), &seen(measured, floor))
+    );
+    let mut panel = Panel::new(&format!("work_{key}"), &alt)
         .size(340, 340)
         .x(Axis::log("evaluations").range(30.0, 3e5))
         .y(Axis::log("error of the attitude / rad").range(1e-15, 1.0))
         .level(floor, Ink::Frame, "");
-    let shown = |line: &&Line| !hidden(key).contains(&line.key);
-    for line in measured.lines.iter().filter(shown) {
-        let points = drawn(line);
+    for line in measured.lines.iter().filter(|line| !hidden(key).contains(&line.key)) {
+        // From coarse to fine: a line that turns back has found shorter steps cheaper.
+        let runs = line.sweep.runs().iter();
+        let points = runs.map(|run| (run.work.torques() as f64, run.errors.attitude.max(1e-16)));
+        let points: Vec<_> = points.filter(|(_, error)| *error <= 1.0).collect();
         let Some(&(x, y)) = points.last() else {
             continue;
         };
@@ -118,10 +108,7 @@ fn digit(all: &[Measured]) -> Panel {
         let order = line.method.order();
         let label = labels.iter().position(|(of, _)| *of == order);
         let label = label.map_or("", |at| labels.remove(at).1);
-        let side = match order {
-            16 => Side::Above,
-            _ => Side::AboveRight,
-        };
+        let side = if order == 16 { Side::Above } else { Side::AboveRight };
         let ink = Look::named(line.name).ink();
         panel = panel.dot(f64::from(order), price.factor, ink, label, side);
     }

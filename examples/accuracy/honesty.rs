@@ -133,13 +133,12 @@ fn free(
     let turns = dice.scale(1.0, if governed { 10.0 } else { 30.0 });
     let t_end = turns * TAU / rates.norm();
     if !governed {
-        let exact = motion.attitude(t_end);
-        return Ok(Case::new(kind, scene, start, t_end, exact));
+        return Ok(Case::new(kind, scene, start, t_end, motion.attitude(t_end)));
     }
     let (decay, swing) = (dice.between(-0.5, 1.0) / t_end, dice.between(0.0, 0.3));
     let governor = Governor { decay, swing };
-    let (scene, exact) = (scene.with(governor), motion.attitude(governor.inner_time(t_end)));
-    Ok(Case::new(kind, scene, start, t_end, exact))
+    let exact = motion.attitude(governor.inner_time(t_end));
+    Ok(Case::new(kind, scene.with(governor), start, t_end, exact))
 }
 
 /// A heavy top with these moments, Euler angles and rates, for some turns of its axis.

@@ -7,10 +7,14 @@ use lines::{FLOW, Line, SIZE};
 use rotation_dynamics::accuracy::DigitPrice;
 use rotation_dynamics::math::log10;
 
-/// What a digit costs by this line: fitted where the steps are short and round-off is far.
+/// The price of a digit on a curve: fitted where the steps are short and round-off is far.
+fn fitted(curve: &WorkPrecision, line: &Line, coarsest: f64) -> Option<DigitPrice> {
+    curve.price_of_a_digit(30.0 * line.attitude.floor()?.error, coarsest)
+}
+
+/// What a digit costs by this line.
 pub fn price(line: &Line) -> Option<DigitPrice> {
-    let floor = line.attitude.floor()?.error;
-    line.attitude.price_of_a_digit(30.0 * floor, 1e-3)
+    fitted(&line.attitude, line, 1e-3)
 }
 
 /// Adds the tables.
@@ -216,19 +220,19 @@ fn digit(line: &Line, bound: f64) -> Option<Claim> {
     let meaning = format!("{}: factor in work for one more digit", line.name);
     let predicted = DigitPrice::predicted(order).ok()?;
     let halved = exp2(f64::from(order));
-    let claim = claim(key, meaning, price(line)?.factor, "-")
-        .agrees_with(&format!("10^(1/{order})"), predicted, bound)
-        .judged_within(0.05)
-        .answer("the heavy top: work for one more digit")
-        .slip(halved, "that is what half the step takes off the error");
-    Some(claim)
+    Some(
+        claim(key, meaning, price(line)?.factor, "-")
+            .agrees_with(&format!("10^(1/{order})"), predicted, bound)
+            .judged_within(0.05)
+            .answer("the heavy top: work for one more digit")
+            .slip(halved, "that is what half the step takes off the error"),
+    )
 }
 
 /// The order of a method in its steps.
 fn order_in_steps(line: &Line) -> Option<f64> {
-    let floor = line.attitude.floor()?.error;
-    let curve = (line.sweep).curve(Measure::Attitude, |work| work.steps);
-    Some(curve.ok()?.price_of_a_digit(30.0 * floor, 1e-8)?.order)
+    let in_steps = (line.sweep).curve(Measure::Attitude, |work| work.steps).ok()?;
+    Some(fitted(&in_steps, line, 1e-8)?.order)
 }
 
 /// By how much one method works more than another for 1e-9 rad.
@@ -243,12 +247,12 @@ fn ratio(motion: &str, dear: &Line, cheap: &Line) -> Option<Claim> {
         let part = log(before.error / ERROR) / log(before.error / reached.error);
         Some(before.work * pow(reached.work / before.work, part))
     };
-    let fitted = |line| price(line)?.work_for(ERROR).ok();
+    let by_fit = |line| price(line)?.work_for(ERROR).ok();
     let key = format!("{motion}_{}_over_{}", dear.key, cheap.key);
     let [much, little] = [dear.name, cheap.name];
     let meaning = format!("work of {much} over that of {little} for 1e-9 rad");
     let claim = claim(key, meaning, least(dear)? / least(cheap)?, "-")
-        .agrees_with("the fitted lines", fitted(dear)? / fitted(cheap)?, 1.0)
+        .agrees_with("the fitted lines", by_fit(dear)? / by_fit(cheap)?, 1.0)
         .judged_within(0.2);
     Some(claim)
 }

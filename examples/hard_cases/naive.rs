@@ -15,14 +15,27 @@ macro_rules! plain {
 }
 
 /// How far from the truth an end is (rad); NaN for none.
-pub fn off(truth: Attitude, end: Option<Attitude>) -> f64 {
+fn off(truth: Attitude, end: Option<Attitude>) -> f64 {
     end.map_or(f64::NAN, |end| truth.angle_to(&end))
 }
 
 plain! {
     ANGLES: "RK4 on Euler angles, 20 000 steps", |m, truth| off(truth, on_euler_angles(m, 20_000));
     FEWER: "RK4 on Euler angles, 2000 steps", |m, truth| off(truth, on_euler_angles(m, 2000));
-    YAW: "RK4 on yaw, pitch, roll, 20 000 steps", |m, truth| off(truth, on_yaw_pitch_roll(m));
+    /// With 1/cos(pitch) in their rates.
+    YAW: "RK4 on yaw, pitch, roll, 20 000 steps", |m, truth| {
+        let YawPitchRoll { yaw, pitch, roll } = m.attitude.yaw_pitch_roll();
+        let [p, q, r] = m.rates;
+        let slope = |&[_, pitch, roll, p, q, r]: &[f64; 6]| {
+            let ((s, c), (sr, cr)) = (sincos(pitch), sincos(roll));
+            let turn = (q * sr + r * cr) / c;
+            let [a, b, d] = rates_of(m, [p, q, r], [-s, c * sr]);
+            [turn, q * cr - r * sr, p + turn * s, a, b, d]
+        };
+        let end = path(slope, [yaw, pitch, roll, p, q, r], m.end, 20_000).last();
+        off(truth, end.and_then(|[yaw, pitch, roll, ..]|
+            Attitude::from_yaw_pitch_roll(YawPitchRoll { yaw, pitch, roll }).ok()))
+    };
     FLIPS_BY_RK4: "RK4 on quaternion and rates, 100 steps a flip", |m, truth| off(truth, on_quaternion(m, 1_000_050));
     FROM_MOMENTUM: "RK4 on the quaternion, rates from L, 5000 steps",
         |m, truth| off(truth, path_by_momentum(m, 5000).ok().and_then(|path| Some(path.last()?.0)));
@@ -31,14 +44,28 @@ plain! {
         let step = 0.01 * size(m.rates) / size(rates_of(m, m.rates, [0.0; 2]));
         off(truth, (step > 0.0).then(|| on_quaternion(m, (m.end / step).ceil() as u32)).flatten())
     };
-    AXIS: "axis by omega/|omega|", |m, truth| off(truth, by_axis(m));
-    ONE_STEP: "one step of 1e-6 s at most, axis by omega/|omega|", |m, truth| off(truth, by_axis(m));
+    /// Their size as it is squared and summed; then the angle |omega| t.
+    AXIS: "axis by omega/|omega|", |m, truth| {
+        let size = size(m.rates);
+        let (sin, cos) = sincos(0.5 * size * m.end);
+        let [x, y, z] = m.rates.map(|rate| sin * rate / size);
+        off(truth, Attitude::from_quaternion([cos, x, y, z]).ok().map(|turn| m.attitude * turn))
+    };
+    ONE_STEP: "one step of 1e-6 s at most, axis by omega/|omega|", |m, truth| AXIS.1(m, truth)?;
     JITTER: "a moment changed by 1e-9, so that nothing is 0/0", |m, truth| {
         let mut other = *m;
         other.moments[0] *= 1.0 + 1e-9;
         off(truth, other.truth().ok())
     };
-    GUARDED: "1e-30 added, so that nothing is divided by zero", |m, truth| off(truth, guarded(m));
+    /// 1e-30 kg m^2 to each moment before it divides the momentum.
+    GUARDED: "1e-30 added, so that nothing is divided by zero", |m, truth| {
+        let mut other = *m;
+        for i in 0..3 {
+            other.moments[i] += 1e-30;
+            other.rates[i] *= m.moments[i] / other.moments[i];
+        }
+        off(truth, other.truth().ok())
+    };
     ASLEEP: "at rest below 1e-4 rad/s",
         |m, truth| off(truth, Some(if m.rates.iter().all(|w| w.abs() < 1e-4) { m.attitude } else { truth }));
     ARC_COSINE: "tilt by the arc cosine", |_, truth| off(truth, by_arc_cosine(truth));
@@ -89,7 +116,15 @@ plain! {
         let [[a, b, c, d], [e, f, g, h]] = [truth, half.truth()?].map(|a| a.quaternion());
         2.0 * hypot(hypot(a - e, b - f), hypot(c - g, d - h))
     };
-    MODULO: "t modulo the period, in doubles", |m, truth| off(truth, by_modulo(m).ok());
+    /// The closed form, with whole periods dropped.
+    MODULO: "t modulo the period, in doubles", |m, truth| {
+        let exact = m.free_body()?;
+        let period = exact.rate_period();
+        let (count, rest) = ((m.end / period).floor(), m.end % period);
+        let phase = (count * exact.precession_per_period()) % TAU;
+        let turn = Attitude::about_space_axis(exact.angular_momentum(), phase)?;
+        truth.angle_to(&(turn * exact.attitude(rest)))
+    };
     /// Nobody asks whether it can be right.
     BELIEVED: "one run of DOP853 at 1e-15, believed", |m, truth| off(truth, m.reached(How::Dop853, QUATERNION, 0.0).ok());
     COARSE: "RK4 on quaternion and rates, 100 steps", |m, truth| off(truth, on_quaternion(m, 100));
@@ -142,7 +177,7 @@ fn rates_of(motion: &Motion, [p, q, r]: [f64; 3], [g1, g2]: [f64; 2]) -> [f64; 3
 }
 
 /// RK4 on the Euler angles of the notes and the body's rates, with 1/sin(theta) in them.
-pub fn on_euler_angles(motion: &Motion, count: u32) -> Option<Attitude> {
+fn on_euler_angles(motion: &Motion, count: u32) -> Option<Attitude> {
     let EulerAngles { phi, theta, zeta } = motion.attitude.euler_angles();
     let [p, q, r] = motion.rates;
     let slope = |&[_, theta, zeta, p, q, r]: &[f64; 6]| {
@@ -156,23 +191,8 @@ pub fn on_euler_angles(motion: &Motion, count: u32) -> Option<Attitude> {
     turned(phi, theta, zeta).ok()
 }
 
-/// RK4 on yaw, pitch and roll, with 1/cos(pitch) in their rates.
-pub fn on_yaw_pitch_roll(motion: &Motion) -> Option<Attitude> {
-    let YawPitchRoll { yaw, pitch, roll } = motion.attitude.yaw_pitch_roll();
-    let [p, q, r] = motion.rates;
-    let slope = |&[_, pitch, roll, p, q, r]: &[f64; 6]| {
-        let ((s, c), (sr, cr)) = (sincos(pitch), sincos(roll));
-        let turn = (q * sr + r * cr) / c;
-        let [a, b, d] = rates_of(motion, [p, q, r], [-s, c * sr]);
-        [turn, q * cr - r * sr, p + turn * s, a, b, d]
-    };
-    let path = path(slope, [yaw, pitch, roll, p, q, r], motion.end, 20_000);
-    let [yaw, pitch, roll, ..] = path.last()?;
-    Attitude::from_yaw_pitch_roll(YawPitchRoll { yaw, pitch, roll }).ok()
-}
-
 /// RK4 on the quaternion and the body's rates, with nothing kept.
-pub fn on_quaternion(motion: &Motion, count: u32) -> Option<Attitude> {
+fn on_quaternion(motion: &Motion, count: u32) -> Option<Attitude> {
     let ([w, x, y, z], [p, q, r]) = (motion.attitude.quaternion(), motion.rates);
     let slope = |&[w, x, y, z, p, q, r]: &[f64; 7]| {
         let vertical = [2.0 * (x * z - w * y), 2.0 * (y * z + w * x)];
@@ -250,33 +270,4 @@ pub fn rates_by_landau(motion: &Motion) -> [f64; 3] {
     // At the turning point of the middle rate a quarter of a period has passed.
     let functions = jacobi(rate * motion.end + quarter_period((1.0 - k2).max(0.0)), k2);
     [(0, 1), (1, 0), (2, 2)].map(|(i, f)| largest[i].max(0.0).sqrt() * functions[f])
-}
-
-/// 1e-30 kg m^2 added to each moment before it divides the momentum, "so that nothing is
-/// divided by zero".
-pub fn guarded(motion: &Motion) -> Option<Attitude> {
-    let mut other = *motion;
-    for i in 0..3 {
-        other.moments[i] += 1e-30;
-        other.rates[i] *= motion.moments[i] / other.moments[i];
-    }
-    other.truth().ok()
-}
-
-/// Axis by division by |omega|, as it is squared and summed; then the angle |omega| t.
-fn by_axis(motion: &Motion) -> Option<Attitude> {
-    let size = size(motion.rates);
-    let (sin, cos) = sincos(0.5 * size * motion.end);
-    let [x, y, z] = motion.rates.map(|rate| sin * rate / size);
-    Some(motion.attitude * Attitude::from_quaternion([cos, x, y, z]).ok()?)
-}
-
-/// The closed form of a free body with whole periods dropped in doubles.
-pub fn by_modulo(motion: &Motion) -> Solved<Attitude> {
-    let exact = motion.free_body()?;
-    let period = exact.rate_period();
-    let (count, rest) = ((motion.end / period).floor(), motion.end % period);
-    let phase = (count * exact.precession_per_period()) % TAU;
-    let turn = Attitude::about_space_axis(exact.angular_momentum(), phase)?;
-    Ok(turn * exact.attitude(rest))
 }

@@ -1,6 +1,6 @@
 //! The numbers of the page: what is claimed of the table, limits, and the tables themselves.
 
-use super::naive::{by_modulo, guarded, off, on_quaternion, on_yaw_pitch_roll};
+use super::naive::{FLIPS_BY_RK4, GUARDED, MODULO, YAW};
 use super::rotations::{FLIPPED, TRILLION, half_turn, late, locked, scaled};
 use super::*;
 use kit::rounded_up;
@@ -28,14 +28,10 @@ pub fn report(p: &Parameters) -> Result<Report> {
         "rounding of the numbers": "2^-53" = EPS, costs 0.5 * EPS, "rad per radian turned", included;
     }?;
     report.strip(&flip()?, &asked)?;
-    let mut elsewhere = Table::new("findings_elsewhere", ["found", "the test that sees it"])?;
-    for row in findings::ELSEWHERE {
-        elsewhere.push(row)?;
-    }
-    report.add(vec![elsewhere, summary(&all)?])?;
-    for one in &all {
-        report.add(tables(one)?)?;
-    }
+    let columns = ["found", "the test that sees it"];
+    report.add(Table::of("findings_elsewhere", columns, findings::ELSEWHERE, Ok)?)?;
+    report.add(summary(&all)?)?;
+    all.iter().try_for_each(|one| report.add(tables(one)?))?;
     Ok(report)
 }
 
@@ -46,16 +42,13 @@ fn claims(report: &mut Report, all: &[Arc<Computed>]) -> Result<()> {
     // About the middle axis of moments 1, 2, 2.5 a kick grows as exp(t sqrt(1/5)).
     let rate = 0.2_f64.sqrt();
     // The error of a naive method against the series, and once more against the closed form.
-    let errors = |motion: Motion, naive: Option<Attitude>| -> Result<[f64; 2]> {
-        Ok([off(motion.truth()?, naive), off(motion.in_closed_form()?, naive)])
+    let errors = |motion: Motion, (_, off): Plain| -> Result<[f64; 2]> {
+        Ok([off(&motion, motion.truth()?)?, off(&motion, motion.in_closed_form()?)?])
     };
-    let (locked, molecule) = (locked()?, scaled(1e-46, 1e12)?);
-    let flips = late(FLIPPED, [1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?;
-    let late = late(TRILLION, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?;
-    let a = errors(locked, on_yaw_pitch_roll(&locked))?;
-    let b = errors(flips, on_quaternion(&flips, 1_000_050))?;
-    let c = errors(late, Some(by_modulo(&late)?))?;
-    let d = errors(molecule, guarded(&molecule))?;
+    let a = errors(locked()?, YAW)?;
+    let b = errors(late(FLIPPED, [1.0, 2.0, 2.5], [0.0, 1.0, 1e-3])?, FLIPS_BY_RK4)?;
+    let c = errors(late(TRILLION, [1.0, 2.0, 2.5], [0.8, 0.4, 0.3])?, MODULO)?;
+    let d = errors(scaled(1e-46, 1e12)?, GUARDED)?;
     let total = |n: usize| all.iter().map(|one| one.count()[n]).sum::<usize>() as f64;
     let [cases, cells, holds, refused] = [0, 1, 2, 3].map(total);
     let due =
