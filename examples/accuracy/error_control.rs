@@ -59,21 +59,18 @@ fn two_runs(Measured { motion, .. }: &Measured) -> Result<Table> {
     let distance = change * moved.sqrt();
     let floor = 8.0 * EPS * (1.0 + solved.condition);
     let swept = solved.estimate - 2.0 * distance - floor;
-    let error = motion.problem.errors(&solved.state).attitude;
-    let first = solved.work.steps - solved.run.steps;
-    let price = short(solved.price, 3);
     let rows = [
         ("error requested / rad", rounded_up(tolerance)),
         ("change of the inputs of the first run", short(change, 2)),
-        ("steps of the first run", first.to_string()),
+        ("steps of the first run", (solved.work.steps - solved.run.steps).to_string()),
         ("steps of the second", solved.run.steps.to_string()),
         ("distance of the two / rad", short(distance, 3)),
         ("condition", short(solved.condition, 3)),
         ("floor / rad", short(floor, 2)),
         ("left by the sweeps / rad", short(swept, 2)),
         ("estimate / rad", short(solved.estimate, 3)),
-        ("true error / rad", rounded_up(error)),
-        ("work of both over that of the second", price),
+        ("true error / rad", rounded_up(motion.problem.errors(&solved.state).attitude)),
+        ("work of both over that of the second", short(solved.price, 3)),
     ];
     let cells = |(quantity, value): (&str, String)| Ok([quantity.to_owned(), value]);
     Table::of("two_runs", ["quantity", "value"], rows, cells)
@@ -110,9 +107,7 @@ type Quantile = fn(&Spread, f64) -> f64;
 
 /// The quantile that belongs to a part, against the request.
 fn line(spreads: &[Spread], of: Quantile, part: f64) -> Vec<(f64, f64)> {
-    let points = spreads.iter();
-    let points = points.map(|spread| (spread.tolerance, of(spread, part).max(1e-6)));
-    points.collect()
+    spreads.iter().map(|spread| (spread.tolerance, of(spread, part).max(1e-6))).collect()
 }
 
 /// What lies between the quartiles.

@@ -118,14 +118,48 @@ impl Governor {
     }
 }
 
-/// A free body and its end; if it is `governed`, with a torque along L.
-fn free(
-    kind: &'static str,
-    moments: PrincipalMoments,
-    rates: BodyVector,
-    governed: bool,
-    dice: &mut Dice,
-) -> Result<Case> {
+/// Kinds of scenes in turn, `count` in all.
+pub fn cases(count: u64) -> Result<Vec<Case>> {
+    (0..count).map(|n| case(n % KINDS, &mut Dice(n))).collect()
+}
+
+/// How many kinds there are.
+pub const KINDS: u64 = 12;
+
+fn case(kind: u64, dice: &mut Dice) -> Result<Case> {
+    // The first number of neighbouring seeds is not yet apart.
+    dice.part();
+    let size = dice.scale(0.1, 10.0);
+    let [i1, i3] = [1.0, dice.between(0.1, 1.9)].map(|i| i * size);
+    let lever = dice.between(0.3, 1.0) * size;
+    let angles = dice.attitude();
+    let small = dice.vector() * 0.3;
+    match kind {
+        0..=4 => free(kind, [i1, i3], dice),
+        _ => top(kind, [i1, i3], lever, angles, small, dice),
+    }
+}
+
+/// A free body and its end.
+fn free(kind: u64, [i1, i3]: [f64; 2], dice: &mut Dice) -> Result<Case> {
+    let (kind, moments, rates) = match kind {
+        0 => ("free body", dice.moments()?, dice.vector() * dice.scale(0.1, 10.0)),
+        1 => {
+            // Near the axis of the middle moment, which is no stable one.
+            let moments = PrincipalMoments::new(1.0, dice.between(1.2, 1.8), 2.2)?;
+            let [x, _, z] = (dice.vector() * dice.scale(1e-6, 1e-2)).to_array();
+            ("near the separatrix", moments, BodyVector::new(x, 1.0, z))
+        }
+        2 => {
+            let thin = dice.scale(1e-3, 1e-1);
+            let moments = PrincipalMoments::new(1.0, 1.0 + dice.between(0.0, 0.9) * thin, thin)?;
+            let [x, y, z] = dice.vector().to_array();
+            ("needle", moments, BodyVector::new(x, y, z / thin))
+        }
+        3 => ("symmetric free body", PrincipalMoments::symmetric(i1, i3)?, dice.vector()),
+        _ => ("own effect", dice.moments()?, dice.vector() * dice.scale(0.3, 3.0)),
+    };
+    let governed = kind == "own effect";
     let attitude = Attitude::from_euler(dice.attitude())?;
     let scene = Scene::new(RigidBody::new(moments));
     let start = scene.body().state(attitude, rates)?;
@@ -141,14 +175,41 @@ fn free(
     Ok(Case::new(kind, scene.with(governor), start, t_end, exact))
 }
 
-/// A heavy top with these moments, Euler angles and rates, for some turns of its axis.
+/// A heavy top for some turns of its axis, and its end.
 fn top(
-    kind: &'static str,
-    ([i1, i3], lever): ([f64; 2], f64),
-    angles: EulerAngles,
-    rates: BodyVector,
+    kind: u64,
+    [i1, mut i3]: [f64; 2],
+    mut lever: f64,
+    mut angles: EulerAngles,
+    small: BodyVector,
     dice: &mut Dice,
 ) -> Result<Case> {
+    let spin = |z: f64| BodyVector::new(small.x(), small.y(), z);
+    let (kind, rates) = match kind {
+        5 => ("top", spin(dice.between(-3.0, 3.0))),
+        6 => ("fast top", spin(dice.scale(10.0, 100.0))),
+        7 => ("slow top", spin(dice.between(-0.1, 0.1))),
+        8 => {
+            // A kick from near the vertical: the axis comes near it again and again.
+            angles.theta = dice.scale(1e-8, 1e-2);
+            ("near the pole", spin(dice.between(1.0, 5.0)))
+        }
+        9 => {
+            angles.theta = 0.0;
+            let critical = 2.0 * (i1 * lever).sqrt() / i3;
+            let (kick, spin) = (dice.scale(1e-4, 0.1), critical * dice.between(0.5, 2.0));
+            ("upright, kicked", BodyVector::new(kick, 0.0, spin))
+        }
+        10 => {
+            (angles.theta, lever) = (dice.scale(1e-6, 1.0), -lever);
+            ("hanging", spin(dice.between(-1.0, 1.0)))
+        }
+        _ => {
+            // A needle spinning fast about its axis.
+            i3 = i1 * dice.scale(1e-3, 1e-1);
+            ("spinning needle", spin(dice.between(5.0, 20.0) * i1 / i3))
+        }
+    };
     let weight = dice.scale(0.5, 2.0);
     let moment = (weight * lever).abs();
     let across = rates.x() * rates.x() + rates.y() * rates.y();
@@ -160,78 +221,6 @@ fn top(
     let body = SymmetricTop::new(i1, i3, weight, lever)?;
     let exact = HeavyTop::from_body(body, angles, rates)?.attitude(t_end);
     Ok(Case::new(kind, scene, start, t_end, exact))
-}
-
-/// Kinds of scenes in turn, `count` in all.
-pub fn cases(count: u64) -> Result<Vec<Case>> {
-    (0..count).map(|n| case(n % KINDS, &mut Dice(n))).collect()
-}
-
-/// How many kinds there are.
-pub const KINDS: u64 = 12;
-
-fn case(kind: u64, dice: &mut Dice) -> Result<Case> {
-    // The first number of neighbouring seeds is not yet apart.
-    dice.part();
-    let size = dice.scale(0.1, 10.0);
-    let mut shape = [1.0, dice.between(0.1, 1.9)].map(|i| i * size);
-    let mut lever = dice.between(0.3, 1.0) * size;
-    let mut angles = dice.attitude();
-    let small = dice.vector() * 0.3;
-    let spin = |z: f64| BodyVector::new(small.x(), small.y(), z);
-    let (kind, rates) = match kind {
-        0 => {
-            let (moments, rates) = (dice.moments()?, dice.vector() * dice.scale(0.1, 10.0));
-            return free("free body", moments, rates, false, dice);
-        }
-        1 => {
-            // Near the axis of the middle moment, which is no stable one.
-            let moments = PrincipalMoments::new(1.0, dice.between(1.2, 1.8), 2.2)?;
-            let [x, _, z] = (dice.vector() * dice.scale(1e-6, 1e-2)).to_array();
-            let rates = BodyVector::new(x, 1.0, z);
-            return free("near the separatrix", moments, rates, false, dice);
-        }
-        2 => {
-            let thin = dice.scale(1e-3, 1e-1);
-            let moments = PrincipalMoments::new(1.0, 1.0 + dice.between(0.0, 0.9) * thin, thin)?;
-            let [x, y, z] = dice.vector().to_array();
-            let rates = BodyVector::new(x, y, z / thin);
-            return free("needle", moments, rates, false, dice);
-        }
-        3 => {
-            let (moments, rates) = (PrincipalMoments::symmetric(size, shape[1])?, dice.vector());
-            return free("symmetric free body", moments, rates, false, dice);
-        }
-        4 => {
-            let (moments, rates) = (dice.moments()?, dice.vector() * dice.scale(0.3, 3.0));
-            return free("own effect", moments, rates, true, dice);
-        }
-        5 => ("top", spin(dice.between(-3.0, 3.0))),
-        6 => ("fast top", spin(dice.scale(10.0, 100.0))),
-        7 => ("slow top", spin(dice.between(-0.1, 0.1))),
-        8 => {
-            // A kick from near the vertical: the axis comes near it again and again.
-            angles.theta = dice.scale(1e-8, 1e-2);
-            ("near the pole", spin(dice.between(1.0, 5.0)))
-        }
-        9 => {
-            angles.theta = 0.0;
-            let critical = 2.0 * (shape[0] * lever).sqrt() / shape[1];
-            let (kick, spin) = (dice.scale(1e-4, 0.1), critical * dice.between(0.5, 2.0));
-            ("upright, kicked", BodyVector::new(kick, 0.0, spin))
-        }
-        10 => {
-            (angles.theta, lever) = (dice.scale(1e-6, 1.0), -lever);
-            ("hanging", spin(dice.between(-1.0, 1.0)))
-        }
-        _ => {
-            // A needle spinning fast about its axis.
-            shape[1] = shape[0] * dice.scale(1e-3, 1e-1);
-            let fast = dice.between(5.0, 20.0) * shape[0] / shape[1];
-            ("spinning needle", spin(fast))
-        }
-    };
-    top(kind, (shape, lever), angles, rates, dice)
 }
 
 /// What became of one request.
