@@ -45,7 +45,7 @@ impl<E: Effect + Clone + Send + Sync + 'static> Raced for Problem<E> {
 pub type Names = (&'static str, &'static str);
 type StateAt = Box<dyn Fn(f64) -> Result<State> + Send + Sync>;
 type Continued = Box<dyn Fn(&State, f64) -> Result<Attitude> + Send + Sync>;
-type Run = Box<dyn Fn(f64) -> Result<(State, Work)> + Send + Sync>;
+type ByTolerance = Box<dyn Fn(f64) -> Result<(State, Work)> + Send + Sync>;
 
 /// A motion, with all that is asked of it.
 pub struct Motion {
@@ -60,7 +60,7 @@ pub struct Motion {
     /// The attitude at the end of a motion that is in a state at a time.
     continued: Continued,
     /// Its end by DOP853 in the angles of the notes, with a tolerance: of a top.
-    pub in_angles: Option<Run>,
+    pub in_angles: Option<ByTolerance>,
     /// Whether there is a closed form.
     exact: bool,
 }
@@ -151,7 +151,7 @@ fn top(names: Names, (top, energy, at): (ReducedTop, f64, Start), periods: f64) 
 
 /// Equations (4) to (6) of the notes, 16.2, for theta, its rate, phi and zeta. The state has no
 /// pole, the angles do.
-fn in_angles(top: ReducedTop, exact: &HeavyTop, body: RigidBody, end: f64) -> Run {
+fn in_angles(top: ReducedTop, exact: &HeavyTop, body: RigidBody, end: f64) -> ByTolerance {
     let (a, b, c) = (top.a(), top.b(), top.c());
     let EulerAngles { phi, theta, zeta } = exact.angles(0.0);
     let start = [theta, exact.theta_rate(0.0), phi, zeta];

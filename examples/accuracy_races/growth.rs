@@ -14,8 +14,9 @@ const KEPT: Error = |point| point.invariants;
 
 /// Adds the powers of the time, and claims for those that truncation fixes.
 pub fn powers(p: &Parameters, report: &mut Report) -> Result<()> {
-    let (all, columns) = (prepared(p)?, "10 to 100, 100 to 1000, 1000 on, of what is kept");
-    let columns = format!("method, {columns}, phase / rad, what is kept");
+    let all = prepared(p)?;
+    let columns =
+        "method, 10 to 100, 100 to 1000, 1000 on, of what is kept, phase / rad, what is kept";
     report.add(Table::of("drift", columns.split(", "), all.iter(), |drift| {
         let power = |from, to| match drift.exponent_between(from, to, PHASE) {
             power if power.is_nan() => "-".to_owned(),
