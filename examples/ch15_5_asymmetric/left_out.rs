@@ -5,8 +5,9 @@ use kit::simpson;
 use rotation_dynamics::Error;
 use rotation_dynamics::effects::{Effect, GravityGradient};
 
-/// The drag coefficient of the cover, if none is given; and pieces of it along each edge.
+/// The drag coefficient of the cover, if none is given.
 const DRAG: f64 = 1.2;
+/// Pieces of the cover along each edge.
 const PIECES: u32 = 12;
 
 /// The torque of the air about the longest edge and the middle one. Each piece of the cover is

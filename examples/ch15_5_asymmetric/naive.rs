@@ -33,7 +33,8 @@ fn side(moments: [f64; 3], rates: [f64; 3]) -> f64 {
 
 /// Twice the energy of the book.
 fn energy(rates: [f64; 3]) -> f64 {
-    (0..3).map(|i| book().moments[i] * rates[i] * rates[i]).sum()
+    let moments = book().moments;
+    (0..3).map(|i| moments[i] * rates[i] * rates[i]).sum()
 }
 
 /// How many steps of a run are on one side.

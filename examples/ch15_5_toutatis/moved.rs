@@ -69,13 +69,13 @@ pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
     let [axis, eccentricity] = ORBIT;
     let round = ((1.0 - eccentricity) * (1.0 + eccentricity)).sqrt();
     let pressure = 4.56e-6 * (AU * AU) / (axis * axis * round);
-    let push = 0.01 * pressure * PI * 1.2e3 / (0.4 * 1.9e13);
+    let torque = 0.01 * pressure * PI * 1.2e3 / (0.4 * 1.9e13);
     // Tumbling bends it: rigidity times quality 5e12 Pa, 2500 kg/m^3, shape factor 0.03 (Harris).
     let w = start.angular_velocity.norm();
     let damping = 5e12 / (2500.0 * 0.03 * 1.2e3 * 1.2e3 * w * w * w);
     let friction = end / damping;
     // As if all of it turned the body about its long axis.
-    let (lit, by_light) = simulated(&start, super::push(push), end, 1e-14)?;
+    let (lit, by_light) = simulated(&start, push(torque), end, 1e-14)?;
     let lit = turned(lit)?.angle_to(&motion.attitude(end)).to_degrees();
     let kicked = by_kicks(&start, path, always, end)?.to_degrees();
     // What goes round too far comes back from the other side.
@@ -87,8 +87,8 @@ pub fn add(p: &Parameters, report: &mut Report) -> Result<()> {
             costs first_kicked, "deg in 2008, at most, to first order", measured told(first_kicked, first), within 1e-5, at_work by_first;
         "tide of the Sun": "3 (n/Omega)^2 (1 - I_z/I_max)" = number(&start, &path)?,
             costs kicked, "deg in 2008, to first order", measured told(kicked, sun), within 1e-5, at_work by_sun;
-        "push of light on a crooked body": "torque x t/(I Omega)" = push * end / w,
-            costs (0.5 * push * end * end).to_degrees(), "deg in 2008, about", measured lit, at_work by_light;
+        "push of light on a crooked body": "torque x t/(I Omega)" = torque * end / w,
+            costs (0.5 * torque * end * end).to_degrees(), "deg in 2008, about", measured lit, at_work by_light;
         "friction inside": "t over the time of damping" = friction, costs (friction * w * end).to_degrees(), "deg in 2008, about";
     }
 }

@@ -28,7 +28,7 @@ fn at<const N: usize>(times: [f64; N]) -> impl Iterator<Item = (Tumble, f64)> {
     tumbles().flat_map(move |tumble| times.map(|t| (tumble, t)))
 }
 
-/// What is measured in each case: errors, the last of them of a damaged twin.
+/// What is measured in each case: errors, the last of them of a damaged twin if there is one.
 fn measured_in<C, const N: usize>(cases: impl IntoIterator<Item = C>, errors: impl Fn(C) -> [f64; N]) -> [Errors; N] {
     let mut all = std::array::from_fn(|k| Errors::of(format!("error {k}")));
     for case in cases {

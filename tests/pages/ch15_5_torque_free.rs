@@ -75,7 +75,7 @@ fn bodies() -> [Top; 5] {
     [cylinder, disc, a, b, c]
 }
 
-/// What is measured on each of them at three times: errors, the last of them of a damaged twin.
+/// What is measured on each of them at three times: errors, the last of them of a damaged twin if there is one.
 fn everywhere<const N: usize>(name: &str, errors: impl Fn(&Top, &Seen) -> [f64; N]) -> [Errors; N] {
     let mut all = std::array::from_fn(|k| Errors::of(if k == 0 { name } else { "damaged" }));
     for (top, part) in bodies().into_iter().flat_map(|top| [0.13, 0.4, 0.77].map(|part| (top, part))) {

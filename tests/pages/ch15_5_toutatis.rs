@@ -46,6 +46,13 @@ fn what_cannot_be_is_refused() {
     ]);
 }
 
+/// Seconds against a calendar of another make (Python's): both routes to 2008 have this clock.
+#[test]
+fn the_clock_counts_leap_days() {
+    assert_eq!(seconds("2008-11-23T10:45:00") - seconds(EPOCH), 506_105_713.0);
+    assert_eq!(seconds("2000-03-01T00:00:00") - seconds("1999-12-31T00:00:00"), 61.0 * DAY);
+}
+
 /// The misses as an integration by SciPy gives them, to two digits after the point.
 #[test]
 fn the_misses_are_those_of_an_independent_integration() {
