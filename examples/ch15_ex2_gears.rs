@@ -139,19 +139,23 @@ impl Load<2> for Besides {
     }
 }
 
-/// When B is up to speed with them, the rates then, and what the simulation costs; the torque that
-/// a motor must hold from then on.
-fn with(
-    p: &Parameters,
-    [motor, bearing]: [f64; 2],
-    driven: bool,
-) -> Result<(f64, [f64; 2], Work, f64)> {
+/// What becomes of the wheels with them.
+#[derive(Clone, Copy)]
+struct UpToSpeed {
+    time: f64,       // until the rims no longer slip
+    rates: [f64; 2], // of A and B at that time
+    holds: f64,      // torque of the motor from then on, if it drives A
+    work: Work,      // of the simulation
+}
+
+/// The wheels with such a motor and such a bearing, until long after B is up to speed.
+fn with(p: &Parameters, [motor, bearing]: [f64; 2], driven: bool) -> Result<UpToSpeed> {
     let end = 1.5 * time(p) / (1.0 - bearing / (p.friction * p.radius_b));
     let wheels = Wheels { p: p.clone(), driven }.with(Besides { rate: p.rate, motor, bearing });
     let start = MechanismState { q: [0.0; 2], v: [p.rate, 0.0] };
     let run = motion_within(wheels, 1e-10, start, end)?;
-    let sticks = run.event("rims sticks")?;
-    Ok((sticks.t, sticks.after.v, run.work(), run.forces(end)?[1].normal))
+    let (sticks, holds) = (run.event("rims sticks")?, run.forces(end)?[1].normal);
+    Ok(UpToSpeed { time: sticks.t, rates: sticks.after.v, holds, work: run.work() })
 }
 
 /// What `--with bearing` adds: B takes longer, and then the motor has to go on.
@@ -162,12 +166,12 @@ fn rough(p: &Parameters, report: &mut Report) -> Result<()> {
         "bearing over the torque of the rims": bearing / grip, between(0.0, 0.99), "or the bearing holds B";
     }?;
     let longer = p.inertia_b * b / (grip - bearing);
-    let (sticks, _, _, holds) = with(p, [0.0, bearing], true)?;
+    let found = with(p, [0.0, bearing], true)?;
     claims! { report,
         /// with friction in the bearing: time until B is up to speed
-        rough_time: longer, "s", "located event" => sticks, within 1e-8 * longer;
+        rough_time: longer, "s", "located event" => found.time, within 1e-8 * longer;
         /// power of the motor from then on
-        rough_power: bearing * b, "W", "torque of the motor, simulated" => holds * p.rate, within 1e-8 * grip * b;
+        rough_power: bearing * b, "W", "torque of the motor, simulated" => found.holds * p.rate, within 1e-8 * grip * b;
     }
 }
 
@@ -189,14 +193,14 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let both = |[a, b]: [f64; 2]| p.inertia_a * a + p.inertia_b * b;
     effect_card! { report,
         "the motor gives way by 3 %": "dOmega1/Omega1" = droop, costs gives * whole, "kg m^2/s",
-            measured sluggish.map(|run| whole - both(run.1).abs()), within 1e-8 * all, at_work sluggish.map(|run| run.2);
+            measured sluggish.map(|run| whole - both(run.rates).abs()), within 1e-8 * all, at_work sluggish.map(|run| run.work);
         "creep of friction wheels, 1 %": "s" = creep, costs creep * of_b, "kg m^2/s";
         "a radius off by 0.1 mm": "dR/R2" = off, costs off * of_b, "kg m^2/s",
-            measured of_b - p.inertia_b * larger.1[1].abs(), within 1e-8 * all, at_work larger.2;
+            measured of_b - p.inertia_b * larger.rates[1].abs(), within 1e-8 * all, at_work larger.work;
         "bearing of B, 5 mm": "tau_b/(F R2)" = bearing, costs bearing * time(p), "s later",
-            measured rough.map(|run| run.0 - time(p)), within 1e-8 * time(p), at_work rough.map(|run| run.2);
+            measured rough.map(|run| run.time - time(p)), within 1e-8 * time(p), at_work rough.map(|run| run.work);
         "which of them is driven": "I2 R1^2/(I1 R2^2)" = which, costs p.rate - undriven(p), "rad/s of Omega1",
-            measured p.rate - free.1[0], within 1e-8 * p.rate, at_work free.2, included;
+            measured p.rate - free.rates[0], within 1e-8 * p.rate, at_work free.work, included;
     }
 }
 

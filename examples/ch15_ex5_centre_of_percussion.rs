@@ -202,7 +202,9 @@ fn in_pieces(p: &Parameters, e: f64) -> f64 {
 fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     let ([arm, hit], l, contact) = (arms(p), p.length, p.contact);
     let soft = Blow::new(Strike::soft(p), SOFT)?;
-    let stiffness = 12e9 / 650.0 * (p.mass / (650.0 * l)) / (4.0 * PI);
+    let area = p.mass / (650.0 * l);
+    // Bending stiffness over the mass of a unit of length: E/rho times area/(4 pi).
+    let stiffness = 12e9 / 650.0 * area / (4.0 * PI);
     let frequency = BETA * BETA / (2.0 * PI * l * l) * stiffness.sqrt();
     // The velocity at the handle by a push that lasts half a sine, over J/m.
     let x = 2.0 * frequency * contact;

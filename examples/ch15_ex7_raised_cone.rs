@@ -64,7 +64,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let contact = level(0.0) * h - UP * (h * tan(a));
     let (spin, sums) = (spin_at_rest(0.0, contact, rate)?, summed(p, rate)?);
     let (near, size) = (3e-11 / (s * s * c * c), unit * hypot(rho, vertical));
-    let (n, lifted) = (weight * pressure(a, w), lifting(p));
+    let (n, lifted, (_, asked)) = (weight * pressure(a, w), lifting(p), followed(p));
     // As the square of the rate, the force grows from that of the cone at rest.
     let grown = pressed(p, rate)? / weight - 0.75;
     claims! { report,
@@ -93,7 +93,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         pressure: n, "N", "24 particles" => pressed(p, rate)?, within near * n, in "The forces":
             weight => "the joint bears a part of the weight", 0.75 * weight => "so it is at rest";
         /// how high the axis points after a circuit, with that force in place of the table
-        level: 0.0, "rad", "solved" => rises(p, n)?, within 10.0 * followed(p).1;
+        level: 0.0, "rad", "solved" => rises(p, n)?, within 10.0 * asked;
         /// rate beyond which the joint must pull the vertex down
         omega_lift: lifted, "rad/s", "24 particles" => rate.abs() * (0.25 / grown).sqrt(), within near * lifted * (1.0 + 1.0 / grown),
         in "The forces":

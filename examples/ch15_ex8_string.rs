@@ -200,15 +200,11 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let state = move |t| [a.radius(t), a.angle(t), a.force(t)];
     report.in_closed_form(move |part| state(part * end));
     let run = move |step| Pulled::new(a.pull, hole, step, end);
-    report.stepped(
-        asked,
-        run,
-        |run| run.motion.work(),
-        move |run: &Pulled| {
-            let [x, y, _] = run.at(end)?.q;
-            Ok(hypot(x - r * c, y - r * s) / r)
-        },
-    )
+    let error = move |run: &Pulled| {
+        let [x, y, _] = run.at(end)?.q;
+        Ok(hypot(x - r * c, y - r * s) / r)
+    };
+    report.stepped(asked, run, |run| run.motion.work(), error)
 }
 
 example! {

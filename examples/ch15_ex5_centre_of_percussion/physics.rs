@@ -169,8 +169,8 @@ impl Blow {
 
     /// The largest of each.
     pub fn largest_forces(&self) -> Result<[f64; 2]> {
-        let (pushed, larger) =
-            (self.pushed()?, |a: f64, b: f64| if b.abs() > a.abs() { b } else { a });
+        let pushed = self.pushed()?;
+        let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
         Ok([0, 1].map(|k| pushed.iter().map(|(_, forces)| forces[k]).fold(0.0, larger)))
     }
 

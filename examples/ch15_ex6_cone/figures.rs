@@ -127,11 +127,8 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (p, a, page) = (p.clone(), p.half_angle, Parameters::default());
     let outward = |t: f64| sped_up(&p, t)[2] * cos(a);
     let share = Axis::linear(r"$d\,\cos\,\alpha/h$").range(outward(0.0).min(0.5), 1.05);
-    let graph = Panel::over_axes("$t$ / s", share).level(1.0, Ink::Frame, "rim").curve(Curve::of(
-        times(0.0, END, 120),
-        outward,
-        Ink::Force,
-    ));
+    let bearing = Curve::of(times(0.0, END, 120), outward, Ink::Force);
+    let graph = Panel::over_axes("$t$ / s", share).level(1.0, Ink::Frame, "rim").curve(bearing);
     let [l, l_page] = [a, ALPHA].map(|a| hypot(angular_momentum(a)[0], angular_momentum(a)[1]));
     let swift = size(a) * (sped_up(&page, END)[0] / sped_up(&p, END)[0].abs());
     let strong = swift * (l_page / l);

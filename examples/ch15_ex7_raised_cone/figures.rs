@@ -137,8 +137,9 @@ pub fn trajectory(p: &Parameters) -> Result<Trajectory> {
 /// the cone as those of the cone of the page.
 pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
     let (p, a, page) = (p.clone(), p.half_angle, Parameters::default());
-    let table = Curve::of(times(0.0, END, 120), |t| sped_up(&p, t)[2], Ink::Force);
-    let joint = Curve::of(times(0.0, END, 120), |t| 1.0 - sped_up(&p, t)[2], Ink::Force);
+    let share = |t: f64| sped_up(&p, t)[2];
+    let table = Curve::of(times(0.0, END, 120), share, Ink::Force);
+    let joint = Curve::of(times(0.0, END, 120), |t| 1.0 - share(t), Ink::Force);
     let graph = Panel::over_axes("$t$ / s", Axis::linear("force$/Mg$").range(-0.4, 1.4))
         .level(0.0, Ink::Frame, "")
         .curve(table.label_at("table", 2.0, 0.84, Side::Above))

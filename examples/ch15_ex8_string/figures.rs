@@ -17,24 +17,25 @@ fn lengths() -> Sweep {
     Sweep::over("$r/r_0$", 0.25, 1.0).at([0.3, 0.4, 0.55, 0.7, 0.85])
 }
 
-/// Energy, 0, or angular momentum, 1, over the start where this much of the string is left.
-fn pulled(k: usize) -> impl Fn(f64) -> Result<f64> {
+/// What the simulation of the pull says, of energy and angular momentum, where this much of the
+/// string is left.
+fn pulled(of: impl Fn(f64, f64) -> f64) -> impl Fn(f64) -> Result<f64> {
     move |r| {
         let t = (1.0 - r) / PULL;
         let state = Pulled::new(PULL, 0.1, 1e-9, t)?.at(t)?;
-        Ok([2.0 * energy(&state), radius(&state) * across(&state)][k])
+        Ok(of(energy(&state), radius(&state) * across(&state)))
     }
 }
 
 /// The same for a post of a fiftieth of the radius, on which the string winds: this much of it is
 /// free at last.
-fn wound(k: usize) -> impl Fn(f64) -> Result<f64> {
+fn wound(of: impl Fn(f64, f64) -> f64) -> impl Fn(f64) -> Result<f64> {
     move |free| {
         let (post, start) = (0.02, [1.0, -0.02, 0.0, 0.0, 1.0, 0.0]);
         // The free part turns at 1/l and winds up at post/l.
         let end = 0.5 * (1.0 - free * free) / post;
         let [place, v] = place_and_velocity(&after(end, &on_post(post), &start, 1e-12)?);
-        Ok([2.0 * (0.5 * v.dot(&v)), place.x() * v.y() - place.y() * v.x()][k])
+        Ok(of(0.5 * v.dot(&v), place.x() * v.y() - place.y() * v.x()))
     }
 }
 
@@ -64,8 +65,8 @@ figures! { _: &Parameters;
     energy: lengths().panel(Axis::linear("$K/K_0$").range(0.0, 16.0))
         .curve(lengths().exact(|r| 1.0 / (r * r) + PULL * PULL).label_at("hole", 0.4, 7.5, Side::Right))
         .curve(lengths().exact(|_| 1.0).label_at("post", 0.36, 1.0, Side::Above))
-        .curve(lengths().simulated(pulled(0))?)
-        .curve(lengths().simulated(wound(0))?);
+        .curve(lengths().simulated(pulled(|energy, _| 2.0 * energy))?)
+        .curve(lengths().simulated(wound(|energy, _| 2.0 * energy))?);
 
     /// Angular momentum about the hole, or the post, over that at the start against the length of string that
     /// is left. Through a hole it stays at one, on a post it falls in proportion to the length. Dots:
@@ -73,8 +74,8 @@ figures! { _: &Parameters;
     momentum: lengths().panel(Axis::linear("$L/L_0$").range(0.0, 1.2))
         .curve(lengths().exact(|_| 1.0).label_at("hole", 0.5, 1.0, Side::Above))
         .curve(lengths().exact(|r| r).label_at("post", 0.6, 0.6, Side::BelowRight))
-        .curve(lengths().simulated(pulled(1))?)
-        .curve(lengths().simulated(wound(1))?);
+        .curve(lengths().simulated(pulled(|_, momentum| momentum))?)
+        .curve(lengths().simulated(wound(|_, momentum| momentum))?);
 
     /// A piece of the inward spiral of the particle. Its velocity leans a little inward from the direction at
     /// right angles to the string, and the pull of the string, towards the hole, makes with it an angle of less

@@ -102,7 +102,8 @@ pub fn energy(MechanismState { v, .. }: &MechanismState<3>) -> f64 {
 /// How long the particle circles before the hand pulls.
 const BEFORE: f64 = 0.5;
 
-/// A motion of the particle, its mass, first radius and first speed 1; the hand pulls from the time 0 on.
+/// A motion of the particle; its mass, its first radius and its first speed are 1. The hand pulls
+/// from the time 0 on.
 pub struct Pulled {
     pub motion: ContactMotion<Pull, 3, 2>,
     before: f64, // how long the motion lasts before the time 0
@@ -125,7 +126,7 @@ impl Pulled {
         Ok(Self { motion: motion(pull, &Dop853::new(step)?, start, end)?, before: 0.0 })
     }
 
-    /// That of the motion, from the first to the last.
+    /// This time on the clock of the motion, kept between its beginning and its end.
     fn clock(&self, t: f64) -> f64 {
         (t + self.before).clamp(0.0, self.motion.end_time())
     }

@@ -15,7 +15,7 @@ pub type Plane = [f64; 2];
 #[derive(Debug, Clone, Copy)]
 pub struct Answer {
     pub ball: f64,   // velocity of the ball after the hit, along its own before
-    pub centre: f64, // velocity of the middle of the stick, in that direction; also the impulse
+    pub centre: f64, // velocity of the middle of the stick, in that direction; times m, the impulse
     pub angular_velocity: f64,
 }
 
@@ -86,10 +86,12 @@ impl Mechanism<5, 2> for Hit {
     }
 
     fn contacts(&self, state: &MechanismState<5>) -> [Contact<5>; 2] {
-        let ([ball, places @ ..], [v, moves @ ..]) = (places(&state.q), velocities(state));
+        let [ball, masses @ ..] = places(&state.q);
+        let [v, moves @ ..] = velocities(state);
         let contact = |name, k: usize| {
             let (arm, turn) = (arms(state.q[2])[k], state.v[2]);
-            let [x, y] = [0, 1].map(|i| places[k][i] - ball[i]);
+            // From the ball to the mass.
+            let [x, y] = [0, 1].map(|i| masses[k][i] - ball[i]);
             let far = hypot(x, y);
             let n = [x / far, y / far];
             // How fast the line of centres turns, and how the mass is kept on its circle.
@@ -175,8 +177,8 @@ pub fn held_back([u, v, turn]: [f64; 3]) -> f64 {
 /// The same part simulated, for a friction mu g l/v0^2; and the work.
 pub fn rubbed([u, v, turn]: [f64; 3], friction: f64) -> Result<(f64, Work)> {
     let law = ode(|_, &[_, _, angle, u, v, turn]: &[f64; 6]| {
-        let [x, y, moment] = rubbing(angle, [u, v, turn]).map(|force| friction * force);
-        [u, v, turn, x, y, 4.0 * moment]
+        let [fx, fy, moment] = rubbing(angle, [u, v, turn]).map(|force| friction * force);
+        [u, v, turn, fx, fy, 4.0 * moment]
     })
     .scaled(size_or([1.0; 6]));
     let (start, speed) = ([0.0, 0.0, 0.0, u, v, turn], hypot(u, v));

@@ -6,7 +6,7 @@ use core::f64::consts::{PI, TAU};
 use pages::ch15_ex9_dumbbell::physics::*;
 use pages::ch15_ex9_dumbbell::*;
 use rotation_dynamics::math::{acos, cos, hypot, sin};
-use support::{Errors, assert_largest};
+use support::{EPS, Errors, assert_largest};
 
 /// For a turn and a half the masses run along their cycloids, and the ball stays behind; the
 /// damaged twin does not turn.
@@ -25,6 +25,20 @@ fn the_masses_run_on_cycloids() {
     }
     assert_largest!(errors, 90, @"9.93e-16");
     damaged.exceed(0.008, 30);
+}
+
+/// At a cusp a mass is at rest: the struck one after half a turn, the other after a whole.
+#[test]
+fn each_mass_stands_still_once_a_turn() {
+    let mut errors = Errors::in_units_of(EPS, "speed at a cusp");
+    let run = Blow::new(Hit::across(1.0, 0.1), 1e-13, 10.0).unwrap();
+    for (at_rest, halves) in [(1, 1.0), (2, 2.0), (1, 3.0), (2, 4.0)] {
+        let moves = velocities(&run.at(halves * PI / run.after.v[2]).unwrap());
+        let [still, other] = [at_rest, 3 - at_rest].map(|k| hypot(moves[k][0], moves[k][1]));
+        errors.push(still);
+        assert!(other > 1.33);
+    }
+    assert_largest!(errors, 4, @"12.9");
 }
 
 /// Small masses do not meet again: at the height of the ball a mass is at a multiple of a half

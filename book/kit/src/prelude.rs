@@ -1,7 +1,8 @@
 //! What the file of a page names again and again: `use kit::prelude::*;`.
 //!
 //! The recipe only: the tables of a page, its figures and their drawing, elementary functions and
-//! constants, vectors. What the page is about (bodies, effects, closed forms, methods) it names itself.
+//! constants, vectors. What the page is about (bodies, effects, closed forms, methods) it names
+//! itself.
 
 pub use super::draw::{Axis, Curve, Ink, Panel, Side, Sketch, Solid, Stack, Sweep, View};
 pub use super::{But, CardLine, ClosedForm, Figure, MovingPicture, Report, Table, Trajectory};
