@@ -196,12 +196,8 @@ fn accuracy(p: &Parameters, report: &mut Report) -> Result<()> {
     let (q, release) = (ratio(p)?, p.release);
     report.in_closed_form(move |_| period(q, release));
     let asked = [p.tolerance, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-15];
-    report.dial_of_return(
-        asked,
-        move |step| turning(q, release, 2, step),
-        period(q, release)?,
-        release,
-    )
+    let swing = move |step| turning(q, release, 2, step);
+    report.dial_of_return(asked, swing, period(q, release)?, release)
 }
 
 example! {

@@ -172,7 +172,8 @@ fn effects(p: &Parameters, report: &mut Report) -> Result<()> {
     // If it gives by a radius or more, the turn is another; if hardly at all, it is the same.
     let spared = match (jerked < 1.0, firm < 1e7) {
         (true, true) => (1.0 - d.softly(&start, firm, 1e-12)?[0] / peak).abs(),
-        (gives, _) => f64::from(!gives),
+        (true, false) => 0.0,
+        (false, _) => 1.0,
     };
     let last = a * unwound(p, p.wound);
     let air = 0.5 * 1.204 * 2.0 * p.radius * width(p) * last * last / weight;

@@ -137,7 +137,7 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
     let (amplitude, round) = cycle(p);
     let ([stick, at, _], [stick_out, _, tip]) = (caught(p, 1.0), caught(p, -1.0));
     let goes_round = goes_round(p);
-    let simulated = if goes_round { stick_slip(p, &ride)? } else { [0.0; 3] };
+    let [carries, reaches, repeats] = if goes_round { stick_slip(p, &ride)? } else { [0.0; 3] };
     let event = |ride: &Ride, names| Ok::<_, kit::Error>(ride.event(p.event_there(names))?.t);
     claims! { report,
         /// force of the right roller over the weight, at the start, tops moving together
@@ -165,13 +165,13 @@ fn claims(p: &Parameters, report: &mut Report) -> Result<()> {
         stick: stick, "s", "located event" => event(&ride, ["left sticks", "right sticks"])?,
         within exact * (1.0 + v / (swing * at)) / swing, if stick.is_finite();
         /// how far beyond the middle the roller carries it
-        carried: carried, "m", "located event" => simulated[0], within wide * a, if goes_round, in "Stick and slip":
+        carried: carried, "m", "located event" => carries, within wide * a, if goes_round, in "Stick and slip":
             2.0 * carried => "from the middle between the rollers, half a distance is the most",
             0.5 * a * (p.holding - mu) / p.holding => "one roller holds, the other slips: the two forces are equal";
         /// amplitude of the cycle
-        amplitude: amplitude, "m", "largest |x|" => simulated[1], within wide * a, if goes_round;
+        amplitude: amplitude, "m", "largest |x|" => reaches, within wide * a, if goes_round;
         /// period of the cycle
-        cycle: round, "s", "located events" => simulated[2], within wide * (round + a / v) * (1.0 + widest / carried), if goes_round,
+        cycle: round, "s", "located events" => repeats, within wide * (round + a / v) * (1.0 + widest / carried), if goes_round,
         in "Stick and slip":
             period => "it is also carried", round - 2.0 * carried / v => "carried from one side to the other, and back";
     }

@@ -138,11 +138,11 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let (radius, [left, right]) = (0.16, [h + way, h - way].map(|y| 0.5 * scale * y));
         let sketch = Sketch::within((-1.0, 1.0), (-1.35, 0.4));
         let [.., t1, t2] = m.forces(grip, way);
-        let pull = |x: f64, hang: f64, tension: f64| ((x, -hang), (x, -hang + force * tension));
-        let (first, second) = (pull(-1.6 * radius, left, t1), pull(1.6 * radius, right, t2));
+        let (first, second) = ((-1.6 * radius, -left), (1.6 * radius, -right));
+        let tip = |(x, low): (f64, f64), tension: f64| (x, low + force * tension);
         let scene = drawn(sketch, radius, [left, right], 0.6 + 0.5 * scale * rim / radius, side)
-            .arrow(first.0, first.1, Ink::Force, "$T_1$", Side::Left)
-            .arrow(second.0, second.1, Ink::Force, "$T_2$", Side::Right);
+            .arrow(first, tip(first, t1), Ink::Force, "$T_1$", Side::Left)
+            .arrow(second, tip(second, t2), Ink::Force, "$T_2$", Side::Right);
         Ok((alt, scene))
     })
 }

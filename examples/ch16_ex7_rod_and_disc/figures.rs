@@ -98,7 +98,7 @@ figures! { p: &Parameters, m = Moments::new(p)?, felt = m.share.clamp(1e-8, 1.0)
         let rate = m.rate();
         let angles = Sweep::over(r"$\theta_0$ / rad", 0.01, 3.1).at([0.3, 0.8, 1.3, 1.8, 2.3, 2.7, 3.0]);
         let period = |moment: f64| move |angle| pendulum(p, moment, angle).map_or(f64::NAN, |q| q.period() * rate / (2.0 * PI));
-        let dots = |angle| Ok(returns(&two_angles(m.share, 0.0), angle, 1e-10)?.0.t / (2.0 * PI));
+        let dots = |angle| Ok(returns(&two_angles(m.share, 0.0), angle, LONG, 1e-10)?.0.t / (2.0 * PI));
         angles.panel(Axis::linear("$T/T_{free}$").range(0.9, 3.0))
             .curve(angles.exact(period(m.carried + m.own)).dashed())
             .curve(angles.exact(period(m.carried)).label_at("free, and dashed: fixed", 2.2, 1.5, Side::AboveLeft))

@@ -11,12 +11,8 @@ fn drawn(sketch: Sketch, p: &Parameters, turn: f64, [x, y, tilt]: [f64; 3]) -> S
     let up = 0.5 * (thick - p.thickness);
     let centre = (x - s * up, 0.5 * p.thickness + y + c * up);
     let roller = |sketch: Sketch, side: f64| {
-        sketch.roller(
-            (0.5 * side * a, -RADIUS * a),
-            RADIUS * a,
-            FRAC_PI_2 + side * turn,
-            Ink::Frame,
-        )
+        let axle = (0.5 * side * a, -RADIUS * a);
+        sketch.roller(axle, RADIUS * a, FRAC_PI_2 + side * turn, Ink::Frame)
     };
     let sketch = [-1.0, 1.0].into_iter().fold(sketch, roller);
     sketch.block(centre, (2.4 * a, thick), tilt, Ink::Body).dot(centre, Ink::Body, "", Side::Above)
@@ -164,6 +160,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
         let mut sketch = drawn(sketch, &p, sense * p.runs() * t / (RADIUS * a), q);
         let mut said = String::new();
         for (i, (side, name)) in [(-1.0, "left"), (1.0, "right")].into_iter().enumerate() {
+            let words = [Side::Left, Side::Right][i];
             let [push, rub] = [forces[i].normal, forces[i].tangential].map(|f| f / p.gravity);
             let at = (0.5 * side * a - RADIUS * a * s, RADIUS * a * (c - 1.0));
             let does = match modes[i] {
@@ -175,12 +172,7 @@ pub fn moving_picture(p: &Parameters) -> Result<MovingPicture> {
             sketch = sketch
                 .vector(at, (-s * push, c * push), 50.0, Ink::Force, "")
                 .vector(at, (c * rub, s * rub), 200.0, Ink::Force, "")
-                .text(
-                    (0.7 * side * a, -RADIUS * a),
-                    does,
-                    Ink::Frame,
-                    [Side::Left, Side::Right][i],
-                );
+                .text((0.7 * side * a, -RADIUS * a), does, Ink::Frame, words);
         }
         let alt = format!(
             "The plank after {t:.1} s with the forces of the rollers and its weight: its middle \

@@ -63,7 +63,9 @@ fn a_law_of_signs_chatters_and_has_no_cycle() {
             held += 1;
             turns += i32::from(slip * last < 0.0);
         }
-        widest = if t > 5.0 { widest.max(x.abs()) } else { widest };
+        if t > 5.0 {
+            widest = widest.max(x.abs());
+        }
         last = slip;
     }
     // Nearer to the middle the left roller all but balances the right one, and it takes longer.
