@@ -3,8 +3,11 @@
 
 use crate::answers::{self, confirmed, refused};
 use pages::ch15_5_torque_free::*;
+use rotation_dynamics::effects::GravityGradient;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
+use rotation_dynamics::integrators::{Dop853, Integrator};
 use rotation_dynamics::math::{atan2, cos, exp, sin};
+use rotation_dynamics::scene::Scene;
 use support::{Errors, assert_largest, assert_table, derivative};
 
 /// What is measured at one moment of a stepped motion.
@@ -293,6 +296,23 @@ fn what_is_no_wobbling_top_is_refused() {
         ("--drawn-tilt=2", "drawn_tilt = 2 is not allowed"),
         ("--tolerance=1e-17", "doubles allow"),
     ]);
+}
+
+/// The gradient of gravity turns L as the card says, at 45 degrees to the vertical, in twenty rounds.
+#[test]
+fn gravity_turns_the_momentum_as_the_card_says() {
+    let mut errors = Errors::of("turning over prediction, less one");
+    let mean_motion = (9.80665_f64 / 6.371e6).sqrt();
+    let twist = GravityGradient::fixed(mean_motion, SpaceVector::new(0.0, 1.0, 1.0)).unwrap();
+    for top in of_the_notes() {
+        let (scene, start) = (Scene::new(top.body().unwrap()).with(twist), top.state().unwrap());
+        let time = 20.0 * top.round();
+        let (end, _) = Dop853::new(1e-14).unwrap().advance(&scene, 0.0, &start, time).unwrap();
+        let (before, after) = (start.angular_momentum, end.angular_momentum);
+        let turned = atan2(before.cross(&after).norm(), before.dot(&after));
+        errors.push(turned / (gradient_rate(top) * time) - 1.0);
+    }
+    assert_largest!(errors, 2, @"5.43e-9");
 }
 
 /// What the card measures, by other routes: L goes round the direction of flight, as much as the
