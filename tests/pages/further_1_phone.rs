@@ -7,7 +7,7 @@ use pages::further_1_phone::throw::*;
 use pages::further_1_phone::*;
 use rotation_dynamics::frame::BodyVector;
 use rotation_dynamics::integrators::Dop853;
-use rotation_dynamics::math::{atan2, exp};
+use rotation_dynamics::math::{atan2, exp, log};
 use support::{Errors, assert_largest};
 
 /// The phone, a book, a brick and a long box, thrown with tilts to every side.
@@ -61,6 +61,16 @@ fn a_clock_that_is_too_slow_loses_the_flips() {
     for (flags, lost) in [("", false), ("--turns=30 --height=0.02", true), ("--turns=100 --height=0.001", true)] {
         let told = answer(&EXAMPLE, flags);
         assert_eq!((told.code, told.stdout.contains("lost")), (0, lost), "{flags}: {}", told.stderr);
+    }
+}
+
+/// A degree more, from however near to the axis: a logarithm, as the card says and measures.
+#[test]
+fn a_degree_more_brings_the_flip_forward_by_a_logarithm() {
+    for (flags, says) in [("", "0.020 s"), ("--tilt=0.0001", "0.35 s"), ("--tilt=1e-10", "1.3 s")] {
+        let told = answer(&EXAMPLE, flags).stdout;
+        let card = told.lines().find(|line| line.starts_with("a degree in the throw")).unwrap();
+        assert!(card.matches(says.trim_end_matches(" s")).count() == 2 && card.contains(says), "{card}");
     }
 }
 
@@ -124,6 +134,21 @@ fn closed_form_and_steps_agree() {
     damaged.exceed(0.01, 32);
 }
 
+/// Equation (6): what the logarithm leaves is of the order of the tilt, squared.
+#[test]
+fn the_wait_is_a_logarithm() {
+    let (mut errors, mut damaged) = (Errors::of("over the tilt, squared"), Errors::of("factor forgotten"));
+    for (tilt, side) in [(1e-2, 0.0), (1e-2, 2.0), (1e-3, -0.7), (1e-3, 0.5 * PI), (1e-3, 0.0)] {
+        let throw = Throw::new([1.0, 4.25, 5.22], 1.0, tilt, side);
+        let ([k1, _], pace) = (exchange(throw.moments), growth(throw.moments));
+        let first = throw.until_flip().unwrap();
+        errors.push((first * pace - log(4.0 * k1.sqrt() / throw.off())) / (tilt * tilt));
+        damaged.push(first * pace - log(1.0 / throw.off()));
+    }
+    assert_largest!(errors, 5, @"2.28");
+    damaged.exceed(1.0, 5);
+}
+
 /// A start on the direction that dies never turns over: from beside it, the nearer the later.
 #[test]
 fn there_is_a_direction_that_never_turns_over() {
@@ -139,6 +164,28 @@ fn there_is_a_direction_that_never_turns_over() {
         }
     }
     assert_eq!(ran, 6);
+}
+
+/// Ten flips in a row, by the library's motion of rates and attitude: at each the part of L along
+/// the short edge is zero, and its sign goes to and fro between. L stands still.
+#[test]
+fn ten_flips_in_a_row() {
+    let throw = Throw::new([1.0, 4.25, 5.22], TAU, 0.05, -0.4);
+    let (first, between) = (throw.until_flip().unwrap(), throw.between_flips().unwrap());
+    let free = throw.free().unwrap();
+    let along = |t: f64| throw.along(1, free.angular_velocity(t).to_array());
+    let (mut errors, mut damaged) = (Errors::of("L_2/L at a flip"), Errors::of("a tenth of a turn late"));
+    for n in 0..10 {
+        let t = first + f64::from(n) * between;
+        errors.push(along(t));
+        damaged.push(along(t + 0.1));
+        let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
+        assert!(sign * along(t - 0.4 * between) > 0.9 && sign * along(t + 0.4 * between) < -0.9);
+        let still = throw.body().unwrap().state(free.attitude(t), free.angular_velocity(t)).unwrap();
+        errors.push((still.angular_momentum - free.angular_momentum()).norm() / free.angular_momentum().norm());
+    }
+    assert_largest!(errors, 20, @"6.75e-15");
+    damaged.exceed(0.3, 10);
 }
 
 /// The phone is back after two turns, as it was thrown, but for a half turn about its long edge.

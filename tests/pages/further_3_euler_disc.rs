@@ -1,13 +1,13 @@
 //! Euler's disc. That simulations confirm the formulas is part of the report: a claim or a limit
 //! that differs from its oracle is an error.
 
-use crate::answers::{cell, confirmed, ledger, refused};
+use crate::answers::{cell, computed, confirmed, ledger, refused, value};
 use core::f64::consts::TAU;
 use pages::further_3_euler_disc::*;
 use rotation_dynamics::frame::SpaceVector;
 use rotation_dynamics::integrators::{Dop853, Ode, after, ode, size_or};
 use rotation_dynamics::math::sincos;
-use support::{Errors, assert_largest, second_derivative};
+use support::{EPS, Errors, assert_largest, second_derivative};
 
 const LOSSES: [Loss; 3] = [Loss::None, Loss::Rolling(3e-3), Loss::Air(2e-5)];
 
@@ -104,6 +104,17 @@ fn eq_8_9_the_law_holds_for_other_discs() {
         "--loss=rolling --rolling=2e-4 --left=0.5", "--loss=rolling --left=30",
         "--mass=0.01 --start=0.15 --film=1e-6", "--radius=0.012 --mass=0.004 --start=0.15",
     ], 4);
+}
+
+/// The start of Moffatt's note: about a hundred seconds. The law's first power alone.
+#[test]
+fn the_disc_of_moffatt_takes_a_hundred_seconds() {
+    let first = 1e-3 * 0.4 / (TAU * 1.78e-5 * 0.0375);
+    let mut errors = Errors::in_units_of(EPS, "law");
+    let whole = first * (1.0 + 73.0 / 54.0 * 0.01 * 0.6);
+    errors.add(value(&EXAMPLE, "t_end"), whole, whole);
+    assert_largest!(errors, 1, @"2.66");
+    assert!((first - 95.37).abs() < 0.01 && (computed(&EXAMPLE, "--mass=0.5", "t_end") / whole - 1.25).abs() < 1e-12);
 }
 
 /// Seen from both sides: an exponent smaller or larger by a hundredth bends the line one way or the other, in a

@@ -67,6 +67,26 @@ fn energy_and_angular_momentum_are_kept_and_the_unwinding_is_even() {
     damaged.exceed(3e-4, 120);
 }
 
+/// The formulas for both releases are those of the simulation, and those for the length of a
+/// string are their inverse: (5) to (8).
+#[test]
+fn any_spin_has_its_string() {
+    let (mut errors, mut damaged) = (Errors::of("spin"), Errors::of("strings exchanged"));
+    for inertia in [0.7, 80.0, 5000.0] {
+        let a = Answer { inertia };
+        for spin in [0.8, 0.3, 0.0, -0.2] {
+            let [outward, tangent] = [a.length_outward(spin), a.length_tangent(spin)];
+            let run = |length| YoYo { inertia, length }.run(1e-14).unwrap();
+            errors.push(run(outward).transition("outward").unwrap().before[2] - spin);
+            errors.push(run(tangent).transition("unwound").unwrap().before[2] - spin);
+            errors.push(a.spin_outward(outward) - spin);
+            damaged.push(a.spin_outward(tangent) - spin);
+        }
+    }
+    assert_largest!(errors, 36, @"4.88e-15");
+    damaged.exceed(1e-3, 12);
+}
+
 /// The stop does not depend on the spin before: the same strings, by Newton's law, at three spins. Strings a tenth
 /// longer leave the same part of each.
 #[test]
