@@ -4,6 +4,7 @@
 #[path = "accuracy/block.rs"]
 mod block;
 #[path = "accuracy_races/drift.rs"]
+#[allow(dead_code, reason = "the tests of the drift run a free body, too")]
 mod drift;
 #[path = "accuracy_races/growth.rs"]
 mod growth;

@@ -122,10 +122,10 @@ impl Top {
     fn rates(&self) -> BodyVector {
         BodyVector::new(0.0, self.omega_y, self.omega_z)
     }
-    fn body(&self) -> rotation_dynamics::Result<RigidBody> {
+    pub fn body(&self) -> rotation_dynamics::Result<RigidBody> {
         Ok(RigidBody::new(PrincipalMoments::symmetric(self.i1, self.i3)?))
     }
-    fn state(&self) -> rotation_dynamics::Result<State> {
+    pub fn state(&self) -> rotation_dynamics::Result<State> {
         self.body()?.state(self.attitude(0.0)?, self.rates())
     }
     /// The library's closed form, in which nothing of this page occurs.

@@ -116,11 +116,14 @@ fn eq_15_5_2_two_turns_not_at_right_angles() {
     wrong.exceed(0.5, 15);
 }
 
-/// Of each equation what is measured, its right side, and a damaged one that must miss by more than
-/// the number before them; the table has the errors relative to the right sides.
+/// What is measured, the right side of an equation, and a damaged one.
+type Sides = fn(&Seen) -> [f64; 3];
+
+/// Each equation with by how much its damaged side must miss at least; the table has the errors relative
+/// to the right sides.
 #[test]
 fn eq_15_5_3_to_15() {
-    let equations: [(&str, f64, fn(&Seen) -> [f64; 3]); 13] = [
+    let equations: [(&str, f64, Sides); 13] = [
         ("(3) along the axis", 5e-4, |s| {
             [s.along, s.spin + s.precession * cos(s.theta), s.spin + s.precession]
         }),

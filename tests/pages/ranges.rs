@@ -208,8 +208,11 @@ fn every_parameter_over_its_range() {
     assert!(!WHOLE || (answered > least[0] && refused > least[1]), "{answered} {refused}");
 }
 
-/// Motions that are mirrored, or far from those of the locked figures, and more figures than this.
-const MIRRORED: [(&str, &[(&str, f64)], usize); 6] = [
+/// A page, some of its flags, and a number that its figures exceed.
+type Mirrored = (&'static str, &'static [(&'static str, f64)], usize);
+
+/// Motions that are mirrored, or far from those of the locked figures.
+const MIRRORED: [Mirrored; 6] = [
     ("further_1_phone", &[("turns", -3.0), ("tilt", -0.05)], 5),
     ("further_2_gyrocompass", &[("spin", -1500.0), ("latitude", -0.9), ("speed", -10.0), ("release", -0.5)], 5),
     ("further_3_euler_disc", &[("inclination", 1.2), ("start", 0.05), ("radius", 0.012), ("left", 0.2)], 6),
