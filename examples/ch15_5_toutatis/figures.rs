@@ -81,7 +81,7 @@ figures! { p: &Parameters, start = published(p)?, motion = start.motion()?, (day
             .dot(last.t / DAY, miss, Ink::Body, "2008", Side::BelowLeft)
     };
 
-    /// Change of L, in thousandths, against days from the closest approach, for four directions of the Earth. All begin at zero,
+    /// Change of L, in thousandths, against days from the closest approach, for three directions of the Earth. All begin at zero,
     /// change within three days about the closest, and stay; by how much depends on the direction.
     passing: {
         let free = motion.angular_momentum();

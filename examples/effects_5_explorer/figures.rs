@@ -58,8 +58,8 @@ fn strong(body: &Lossy) -> Lossy {
 
 figures! { p: &Parameters, body = lossy(p)?, run = shown(p, &body)?;
 
-    /// Energy over its least value against the nutation angle, on a logarithmic axis, for a rod
-    /// and for a plate of the same momentum. The rod's falls from 3 to 1 as its axis goes from
+    /// Energy over its least value against the nutation angle for a rod and for a plate of the
+    /// same momentum. The rod's falls from 3 to 1 as its axis goes from
     /// upright to lying; the plate's rises from 1 to 2. Arrows point downhill along both.
     landscape: {
         let energy = |axial: f64| move |theta: f64| {
