@@ -50,7 +50,7 @@ pub struct Decision {
     /// Which.
     pub correction: Correction,
     /// n ln(S/S'), with the sums S and S' of squares without and with it, as of [`Flight::fit`]; rough where it is
-    /// many times the threshold, and 0 for a tau^2 that is best below 0 and for a steady spin.
+    /// many times the threshold, and 0 for a tau^2 or a gamma that is best below 0 and for a steady spin.
     pub improvement: f64,
     /// What chance reaches once in a thousand flights.
     pub threshold: f64,
@@ -78,14 +78,13 @@ struct Candidate {
 }
 
 impl Candidate {
-    /// Whether it may be chosen: at its minimum, and with a filter whose tau^2 is not below 0, which is best
-    /// without.
+    /// Whether it may be chosen: at its minimum, with no filter and no drag below 0, which is best without.
     fn stands(&self) -> bool {
-        self.fitted.off <= NEAR && self.filters()
+        self.fitted.off <= NEAR && self.is_physical()
     }
 
-    fn filters(&self) -> bool {
-        self.model.filters(&self.fitted.numbers)
+    fn is_physical(&self) -> bool {
+        self.model.is_physical(&self.fitted.numbers)
     }
 }
 
@@ -251,7 +250,8 @@ impl Flight {
         let best = tumble.or(spin);
         let bar =
             best.as_ref().map_or(f64::INFINITY, |best| cost(best) - HOPELESS - by_noise(samples));
-        let stuck = candidates.iter().filter(|of| of.filters() && !of.stands() && cost(of) < bar);
+        let stuck =
+            candidates.iter().filter(|of| of.is_physical() && !of.stands() && cost(of) < bar);
         let stuck = stuck.map(|of| of.fitted.off).fold(f64::INFINITY, f64::min);
         let Some(best) = best.filter(|_| stuck == f64::INFINITY) else {
             let allowed = "at most 0.05 standard deviations: the rates leave too much open; take more of the flight, or allow fewer corrections";
@@ -264,8 +264,9 @@ impl Flight {
                 let (more, less) = if needed { (best, *of) } else { (*of, best) };
                 !less.model.has(correction) && more.model == less.model.with(correction)
             };
-            let change =
-                |of: &Candidate| if of.filters() { (misfit(of) - misfit(best)).abs() } else { 0.0 };
+            let change = |of: &Candidate| {
+                if of.is_physical() { (misfit(of) - misfit(best)).abs() } else { 0.0 }
+            };
             let without = candidates.iter().filter(|of| needed && !of.model.has(correction));
             let without = without.map(|of| misfit(of) - misfit(best)).reduce(f64::min);
             // What was left out is worse by so much at least.
@@ -278,7 +279,7 @@ impl Flight {
         let least =
             candidates.iter().filter(|of| of.stands()).map(akaike).fold(f64::INFINITY, f64::min);
         let weight = |of: &Candidate| {
-            let near = of.fitted.off < 1.0 && of.filters();
+            let near = of.fitted.off < 1.0 && of.is_physical();
             if near { exp(0.5 * (least - akaike(of))) } else { 0.0 }
         };
         let other = |other: &Candidate| {

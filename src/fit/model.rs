@@ -255,13 +255,15 @@ impl Model {
         Ok(rates.into_iter().map(|rate| [0, 1, 2].map(|i| rate[i] + offset[i])).collect())
     }
 
-    /// Whether tau^2 is not below 0. If it is, the fit is best without a filter.
-    pub(super) fn filters(&self, numbers: &[f64]) -> bool {
-        self.place(Correction::Filter).is_none_or(|at| numbers[at] >= 0.0)
+    /// Whether neither tau^2 nor gamma is below 0, which no filter and no drag has. If one is, the fit is
+    /// best without it.
+    pub(super) fn is_physical(&self, numbers: &[f64]) -> bool {
+        let is = |correction| self.place(correction).is_none_or(|at| numbers[at] >= 0.0);
+        is(Correction::Filter) && is(Correction::Drag)
     }
 
-    /// The best numbers near these, for the first `count` samples; not all of the way if tau^2 is below 0
-    /// or the sum of squares above `hopeless`.
+    /// The best numbers near these, for the first `count` samples; not all of the way if tau^2 or gamma is
+    /// below 0, or the sum of squares above `hopeless`.
     pub(super) fn refined(
         &self,
         numbers: &[f64],
@@ -272,7 +274,9 @@ impl Model {
         let fastest = samples.rates.iter().flatten().fold(0.0_f64, |most, w| most.max(w.abs()));
         let given_up = |now: &Fitted, steps: usize| match count < samples.times.len() {
             true => now.off < ROUGH || steps >= FEW_STEPS,
-            false => steps >= FEW_STEPS && (now.squares > hopeless || !self.filters(&now.numbers)),
+            false => {
+                steps >= FEW_STEPS && (now.squares > hopeless || !self.is_physical(&now.numbers))
+            }
         };
         let mut last = None;
         least_squares::descend(numbers, &self.scales(fastest), &given_up, &mut |numbers| {
