@@ -204,7 +204,7 @@ fn every_parameter_over_its_range() {
     let (answered, refused) = all.iter().fold((0, 0), |(a, r), s| (a + s.answered, r + s.refused));
     println!("{answered} answered, {refused} refused");
     assert!(judged.is_empty(), "{} refusals without a reason:\n{}", judged.len(), judged.join("\n"));
-    let least = if widened.is_some() { [250, 450] } else { [80, 130] };
+    let least = if widened.is_some() { [250, 450] } else { [60, 140] };
     assert!(!WHOLE || (answered > least[0] && refused > least[1]), "{answered} {refused}");
 }
 
