@@ -248,19 +248,15 @@ fn a_cubic_table_is_the_natural_spline() {
     assert!((found - rate).abs() < 1e-13, "{found} {rate}");
 }
 
-/// Of random scenes, a third of them unless `PROPERTY_CASES` is set, none is above its request; with
-/// controls stronger by a thousandth all are that ask for more than that shows.
+/// Of random scenes none is above its request (the gate tries six times as many: `attack` of `benches`);
+/// with controls stronger by a thousandth all are that ask for more than that shows.
 #[test]
 fn random_controls_hold_their_requests() {
-    let (count, expected, worst) = match std::env::var_os("PROPERTY_CASES") {
-        Some(_) => (120, [232, 8], 0.0145..=0.0155),
-        None => (40, [76, 4], 0.001..=0.0155),
-    };
-    let scenes = attacked(0..count, laws::KINDS, laws::case).expect("sound scenes");
+    let scenes = attacked(0..40, laws::KINDS, laws::case).expect("sound scenes");
     let twins = attacked(0..30, laws::KINDS, |n| laws::stronger(n, 1.001)).expect("sound scenes");
     let (_, above) = twins;
-    assert_eq!((held(&scenes), above.len()), (expected, 44));
-    assert!(worst.contains(&largest(&scenes)), "{}", largest(&scenes));
+    assert_eq!((held(&scenes), above.len()), ([76, 4], 44));
+    assert!((0.001..=0.0155).contains(&largest(&scenes)), "{}", largest(&scenes));
 }
 
 /// A tumbling satellite under a sampled controller, and how often its law was called.
