@@ -68,7 +68,7 @@ impl<'s, E: Effect> BodyFixed<'s, E> {
     }
 
     /// The angular velocity I^-1 l (rad/s), without what slips.
-    pub(crate) fn rates(&self, &[.., l1, l2, l3]: &[f64; 7]) -> BodyVector {
+    fn rates(&self, &[.., l1, l2, l3]: &[f64; 7]) -> BodyVector {
         BodyVector::from_array(rates_of(&self.inverse, [l1, l2, l3]))
     }
 }

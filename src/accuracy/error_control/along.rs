@@ -236,12 +236,7 @@ impl SolvedMotion<'_> {
     /// The possible errors of the states, as [`Self::moved`] moves them: three turns (rad), three
     /// pushes.
     pub(super) fn errors(&self) -> [f64; 6] {
-        let Solved { estimate: turn, .. } = self.solved;
-        let push = if self.given.problem().slender.is_some() {
-            self.solved.rates_estimate
-        } else {
-            self.solved.momentum_estimate
-        };
+        let Solved { estimate: turn, momentum_estimate: push, .. } = self.solved;
         [turn, turn, turn, push, push, push]
     }
 
@@ -284,7 +279,7 @@ impl SolvedMotion<'_> {
         let at = |part: u64| begun + part as f64 / parts as f64 * (end - begun);
         if here.piece != piece {
             (here.piece, here.part) = (piece, 0);
-            here.stop = Stop { on_body: None, ..stop.clone() };
+            here.stop = stop.clone();
         }
         let problem = self.given.problem();
         let mut fewest = steps[piece];

@@ -64,14 +64,10 @@ impl Problem<'_> {
             PrincipalMoments::new(i1 * (1.0 + s1 * by), i2 * (1.0 + s2 * by), i3 * (1.0 + s3 * by))
         };
         // A flat body has no neighbours on one side, a thin one hardly any but larger and
-        // smaller ones. Those of a slender body count as exact: a change by eps of moments that
-        // are nearly equal turns it about the thin axis by I_max/I_min times as much.
-        let new = match self.slender {
-            Some(_) => old,
-            None => scaled(moments, by)
-                .or_else(|_| scaled(moments, -by))
-                .or_else(|_| scaled([moments[0]; 3], by))?,
-        };
+        // smaller ones.
+        let new = scaled(moments, by)
+            .or_else(|_| scaled(moments, -by))
+            .or_else(|_| scaled([moments[0]; 3], by))?;
         Ok(Self {
             body: RigidBody::new(new),
             strength: self.strength * (1.0 + strength * by),
@@ -81,7 +77,7 @@ impl Problem<'_> {
     }
 
     /// A state turned about the body's axes by `by` (rad), and its momentum pushed by as much of
-    /// its scale. A slender body turns along, and its rates are pushed.
+    /// its scale.
     pub(super) fn moved(
         &self,
         state: &State,
@@ -89,12 +85,6 @@ impl Problem<'_> {
         by: f64,
     ) -> Result<State> {
         let attitude = (state.attitude).turned_in_body(BodyVector::new(a, b, c) * by)?;
-        if let Some(slender) = self.slender {
-            let [i1, i2, i3] = self.body.moments().to_array();
-            let push = BodyVector::new(x * i1, y * i2, z * i3) * (by * slender.rate);
-            let momentum = self.body.angular_momentum(state) + push;
-            return State::new(attitude, attitude.to_space(momentum));
-        }
         State::new(
             attitude,
             state.angular_momentum

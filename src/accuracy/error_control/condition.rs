@@ -8,7 +8,6 @@ use super::method::Method;
 use super::problem::{Distances, Problem};
 use super::refine::Refinement;
 use super::run::{Fine, Run, Steps, Stop};
-use super::slender::opposite_rows;
 use crate::accuracy::larger;
 use crate::body::State;
 use crate::error::Result;
@@ -130,9 +129,7 @@ impl Refinement<'_> {
         let slopes = slopes?;
         let floor = self.floor(method, slopes[0]);
         let is_hopeless = floor.is_finite() && floor > HOPELESS * self.tolerance;
-        // Two rows have told it of a slender body.
-        let is_known = self.problem.slender.is_some() || self.is_far_below(method, slopes[0]);
-        if is_hopeless || is_known {
+        if is_hopeless || self.is_far_below(method, slopes[0]) {
             return Ok(slopes);
         }
         self.slopes_with_care(method, run)
@@ -142,7 +139,7 @@ impl Refinement<'_> {
     /// would grow if it came later.
     pub(super) fn is_steep(&self) -> bool {
         let exact = self.problem.exact_motion();
-        self.problem.slender.is_none() && exact.is_some_and(|motion| motion.is_near_separatrix())
+        exact.is_some_and(|motion| motion.is_near_separatrix())
     }
 
     /// True if the floor is so far below the tolerance that the condition need not be known well: so
@@ -153,10 +150,7 @@ impl Refinement<'_> {
     }
 
     fn slopes(&mut self, method: Method, run: &Run, precision: f64) -> Result<Distances> {
-        let rows = match self.problem.slender {
-            Some(_) => opposite_rows(self.problem.body.moments().to_array()).to_vec(),
-            None => vec![self.problem.most_sensitive_row()?],
-        };
+        let row = self.problem.most_sensitive_row()?;
         let fewest: Vec<Steps> = run.steps.iter().map(|steps| steps.again(method)).collect();
         let mut by = if method.is_adaptive() {
             CHANGE_ADAPTIVE
@@ -173,18 +167,14 @@ impl Refinement<'_> {
                 precision: if method.sweeps() { NEARER * by } else { 0.0 },
                 budget: self.limits.budget,
             };
-            let mut changed = Vec::new();
-            for row in &rows {
-                let problem = self.problem.changed(*row, by)?;
-                changed.push(self.run(&problem, method, fine)?);
-            }
+            let problem = self.problem.changed(row, by)?;
+            let changed = self.run(&problem, method, fine)?;
             // Nor may they part on the way and meet again.
-            let farthest = (changed.iter())
-                .flat_map(|changed| run.passed.iter().zip(&changed.passed))
+            let farthest = (run.passed.iter().zip(&changed.passed))
                 .map(|(a, b)| self.problem.apart(&a.1.state, &b.1.state)[0])
                 .fold(0.0, larger);
             if farthest <= LINEAR {
-                let changed: Vec<_> = changed.iter().map(|run| self.places(run)).collect();
+                let changed = [self.places(&changed)];
                 return Ok(self.problem.slopes(by, &self.places(run), &changed).0);
             }
             by *= SMALLER;
@@ -231,8 +221,7 @@ impl Refinement<'_> {
             }
             let span = [k, k + 1].map(|k| problem.time_at(k, intervals));
             let budget = self.limits.left(self.work.torques() + work.torques())?;
-            let start = Stop { on_body: None, ..stop };
-            let run = method.run(&problem, span, &start, Fine { budget, ..fine }, work);
+            let run = method.run(&problem, span, &stop, Fine { budget, ..fine }, work);
             stop = run.map_err(|error| self.of_whole_span(error))?.end();
             passed.push(stop.state);
         }

@@ -192,12 +192,6 @@ pub(super) const SLENDER: f64 = 16.0;
 /// the fixed axes: it turns mostly about the thin axis. (A cone that rolls has 4.9.)
 pub(super) const TUMBLING: f64 = 5.0;
 
-/// The error of a step of the trial run: DOP853 at its coarsest level.
-pub(super) const TRIAL: f64 = 6e-3;
-
-/// The part of the budget that the trial may take.
-pub(super) const TRIAL_PART: u64 = 10;
-
 // Motion that slides along a switch.
 
 /// A switch that comes after less than this part of a step is one back at once. On a surface on which

@@ -11,7 +11,6 @@ use super::limits::Limits;
 use super::problem::{Acting, Distances, Problem};
 use super::refine::Refinement;
 use super::run::Stop;
-use super::slender::Slender;
 use super::{ExactMotion, Solved};
 use crate::accuracy::tolerance_of_attitude;
 use crate::body::{RigidBody, State};
@@ -54,9 +53,6 @@ pub(super) struct Given<'s> {
     /// True if the torque on the body as it starts was seen to change with the time.
     varies: bool,
     longest_step: f64,
-    /// The result of a trial run of a slender body, and its work.
-    slender: Option<Slender>,
-    trial: Work,
 }
 
 impl<'s> Given<'s> {
@@ -94,12 +90,11 @@ impl<'s> Given<'s> {
             varies: false,
             longest_step: limits.longest_step,
             checked,
-            slender: None,
-            trial: Work::default(),
         };
         finite("kinetic energy of the start", body.kinetic_energy(start))?;
         let properties = effects.properties();
-        finite("the fastest rate that the energy allows", given.problem().fastest())?;
+        let bound =
+            finite("the fastest rate that the energy allows", given.problem().bound_on_rate())?;
         let seen = if properties.on_time && t_end != limits.t_start {
             given.checked.looked(LOOKS as usize)
         } else {
@@ -112,13 +107,10 @@ impl<'s> Given<'s> {
             given.breaks.extend(jumps.into_iter().chain(kinks));
             given.breaks = limits.sorted(given.breaks, t_end);
         }
-        if given.problem().exact_motion().is_none() && !given.problem().has_laws() {
-            (given.slender, given.trial) = given.slender()?;
-        }
-        let rate = given.problem().fastest();
-        given.longest_step = limits.longest_step(effects, &given.checked, &seen, rate, t_end);
+        given.longest_step = limits.longest_step(effects, &given.checked, &seen, bound, t_end);
         if given.problem().exact_motion().is_none() {
             // Runs are cut there too, and what effects say of themselves is tried.
+            let rate = given.problem().fastest();
             let cuts = (rate * (t_end - limits.t_start).abs() / CUT).clamp(1.0, MOST_CUTS) as usize;
             let problem = given.problem();
             let near = NEAR / LOOKS * (t_end - limits.t_start).abs();
@@ -134,13 +126,6 @@ impl<'s> Given<'s> {
         }
         given.damping = given.problem().fastest_damping();
         Ok(given)
-    }
-
-    /// The result of a trial of a slender body, and its work.
-    fn slender(&self) -> Result<(Option<Slender>, Work)> {
-        let mut trial = Work::default();
-        let slender = Slender::of(&self.problem(), self.limits.budget, &mut trial)?;
-        Ok((slender, trial))
     }
 
     pub(super) const fn body(&self) -> &RigidBody {
@@ -166,19 +151,12 @@ impl<'s> Given<'s> {
             damping: self.damping,
             checked: &self.checked,
             known: self.effects.integrable_case(),
-            slender: self.slender,
         }
     }
 
     /// The requested motion, in closed form unless it is to be stepped.
     pub(super) fn answer(&self, places: Places, step: bool) -> Result<Answer> {
-        let (mut problem, mut trial) = (self.problem(), self.trial);
-        if step && problem.exact_motion().is_some() {
-            (problem.slender, trial) = self.slender()?;
-        }
-        if let (Places::End, Some(slender)) = (places, &mut problem.slender) {
-            slender.held = 0.0;
-        }
+        let mut problem = self.problem();
         let places = match places {
             Places::End => 1,
             Places::Along => {
@@ -213,7 +191,7 @@ impl<'s> Given<'s> {
         // Runs are cut where they are compared.
         let breaks = self.limits.sorted([&self.breaks[..], &times].concat(), self.t_end);
         problem.breaks = &breaks;
-        let refinement = Refinement::new(&problem, self.tolerance, &self.limits, &times, trial);
+        let refinement = Refinement::new(&problem, self.tolerance, &self.limits, &times);
         let delivered = (refinement.solve()).map_err(|error| self.reason(error))?;
         let solved = Solved::of(&delivered, &problem, self.looked_every());
         let mut passed = vec![(problem.t_start, Stop::at(problem.start))];

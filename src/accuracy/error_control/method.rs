@@ -32,7 +32,7 @@ pub(super) struct Method {
     pub finest: f64,
     /// The smallest error that it reaches, in units of eps (1 + condition): the largest of 600 random
     /// motions.
-    floor: f64,
+    pub floor: f64,
     /// The error that rounding adds to the attitude in a step, in units of eps. Measured on runs of
     /// DOP853 of up to a million steps: 0.15; of Gauss-Legendre over 155 000 steps of a pulse: 0.11.
     pub rounded: f64,
@@ -85,7 +85,7 @@ const RESISTED_6: Method = Method {
     ..RESISTED_14
 };
 
-/// DOP853 on attitude and momentum; on the body's axes where that is slender.
+/// DOP853 on attitude and momentum.
 const ADAPTIVE: Method = Method {
     name: Named::Dop853.name(),
     named: Named::Dop853,
@@ -100,6 +100,9 @@ const ADAPTIVE: Method = Method {
     rounded: 0.5,
 };
 
+/// The same on the axes of a slender body.
+const ON_BODY: Method = Method { variables: Variables::Body, ..ADAPTIVE };
+
 impl Method {
     /// Those that are tried for this error, the first that converges to it delivers.
     pub(super) fn candidates(problem: &Problem, tolerance: f64) -> &'static [Self] {
@@ -108,7 +111,8 @@ impl Method {
         let is_thick = RESISTED_14.angle * problem.damping > problem.fastest();
         let resisted = !is_thick && problem.is_resisted();
         match problem.acting {
-            _ if problem.slender.is_some() || problem.has_laws() => &[ADAPTIVE],
+            _ if problem.has_laws() => &[ADAPTIVE],
+            _ if problem.is_slender() => &[ON_BODY],
             Acting::Weight(_) | Acting::OnAxis(_) if symmetric => &[SPIN_FREE_GAUSS, ADAPTIVE],
             Acting::Nothing | Acting::Weight(_) | Acting::OnAxis(_) => &[BODY_GAUSS, ADAPTIVE],
             _ if resisted && tolerance > ORDER_FOUR => &[RESISTED_6, ADAPTIVE],
@@ -135,12 +139,6 @@ impl Method {
         let grown = if self.is_adaptive() { turns * turns } else { turns };
         let levels = self.first + self.with_torque * torque - log(error / grown) / LEVEL;
         (levels / self.falls).clamp(self.coarsest, self.finest - 1.0)
-    }
-
-    /// The smallest error that it reaches, in units of eps (1 + condition). The rates of a slender
-    /// body are blurred besides.
-    pub(super) fn floor(self, problem: &Problem) -> f64 {
-        self.floor + problem.slender.map_or(0.0, |slender| slender.held + slender.brought)
     }
 
     /// True if its steps are solved by sweeps, which leave something.

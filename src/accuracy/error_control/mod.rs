@@ -15,7 +15,6 @@
 //! | `method` | the methods, each with one setting, and what it does on a turn |
 //! | `run` | a run over the pieces of the way |
 //! | `laws` | runs over what goes on in pieces: samples, and switches located as events |
-//! | `slender` | bodies with one small moment, in variables of their own |
 //! | `sliding` | why steps collapse |
 //!
 //! A tolerance goes from [`Scene::solve`] through `given` to `refine`, where it is last compared.
@@ -38,7 +37,6 @@ mod method;
 mod problem;
 mod refine;
 mod run;
-mod slender;
 mod sliding;
 #[cfg(test)]
 mod tests;
@@ -87,9 +85,7 @@ pub struct Solved {
     /// the floor far below the tolerance it is measured by a single change of all inputs, with the
     /// error of the coarser run in it. So it is mostly too large, and at most 1.9 times too small,
     /// as measured (`a_stepped_condition_covers_that_of_the_closed_form` in
-    /// `tests/accuracy/error_control`). The moments of a slender body count as exact: a relative
-    /// change of two that are nearly equal turns it about its thin axis by I_max/I_min times as
-    /// much.
+    /// `tests/accuracy/error_control`).
     pub condition: f64,
     /// No step was longer (s; 0 for a closed form). A feature of the torque that is
     /// narrower, and that nothing names, may have been stepped over by every run.

@@ -1,7 +1,7 @@
 //! The problem to be solved, and how a method steps it.
 
+use super::constants::{SLENDER, TUMBLING};
 use super::exact_motion::ExactMotion;
-use super::slender::Slender;
 use crate::accuracy::{Stepper, Variables};
 use crate::body::{RigidBody, State};
 use crate::effects::erased::{AnyEffect, AxisOnly};
@@ -13,7 +13,7 @@ use crate::error::{Error, Result};
 use crate::frame::SpaceVector;
 use crate::integrators::gauss_legendre::SideBySide;
 use crate::integrators::{BodyFixed, Integrator, Resisted, Work};
-use crate::math::Lane;
+use crate::math::{Lane, order_of_three};
 use crate::scene::Scene;
 
 /// The effects that act, as far as they matter to how the problem is stepped. Each kind is compiled
@@ -67,12 +67,7 @@ pub(super) struct Problem<'e> {
     pub damping: f64,
     pub checked: &'e Checked<'e>,
     pub known: IntegrableCase,
-    /// The result of a trial run of a slender body.
-    pub slender: Option<Slender>,
 }
-
-/// A scene as it is stepped on the axes of a slender body.
-pub(super) type OnBodyAxes<'s> = BodyFixed<'s, ((), Strengthened<'s, false, true>)>;
 
 /// An effect behind a pointer with its torque multiplied, between two times at which it may
 /// jump.
@@ -162,6 +157,17 @@ impl<'e> Problem<'e> {
     ) -> Result<State> {
         let span = [0.0, to - from];
         match (self.acting, stepper, variables) {
+            (acting, Stepper::Dop853(m), Variables::Body) => {
+                let effects: &dyn AnyEffect = match &acting {
+                    Acting::Nothing => &(),
+                    Acting::Weight(gravity) => gravity,
+                    Acting::OnAxis(all) | Acting::Smooth(all) | Acting::Anything(all) => *all,
+                };
+                let scene = self.scene::<false, true>(effects, [from, to]);
+                let fixed = BodyFixed::new(&scene, self.torque, effects.properties().slips);
+                let start = fixed.components(start);
+                fixed.state(&m.advance_counting(&fixed, 0.0, &start, to - from, work)?)
+            }
             (Acting::Nothing, _, Variables::Body) => {
                 stepper.advance_free(&self.body, span, start, work)
             }
@@ -242,27 +248,6 @@ impl<'e> Problem<'e> {
         }
     }
 
-    /// The state that `run` leads to between two times without a jump, by the scene on the body's
-    /// axes and the components of the start; and its own components.
-    pub(super) fn on_body_axes(
-        &self,
-        [from, to]: [f64; 2],
-        (start, on_body): (&State, Option<[f64; 7]>),
-        run: impl FnOnce(&OnBodyAxes, [f64; 7]) -> Result<[f64; 7]>,
-    ) -> Result<(State, [f64; 7])> {
-        let effects: &dyn AnyEffect = match &self.acting {
-            Acting::Nothing => &(),
-            Acting::Weight(gravity) => gravity,
-            Acting::OnAxis(effects) | Acting::Smooth(effects) | Acting::Anything(effects) => {
-                *effects
-            }
-        };
-        let scene = self.scene::<false, true>(effects, [from, to]);
-        let fixed = BodyFixed::new(&scene, self.torque, effects.properties().slips);
-        let end = run(&fixed, on_body.unwrap_or_else(|| fixed.components(start)))?;
-        Ok((fixed.state(&end)?, end))
-    }
-
     /// The times that cut the motion from `t` to `t_end` where the torque jumps, with
     /// both ends.
     pub(super) fn pieces(&self, [t, t_end]: [f64; 2]) -> Vec<f64> {
@@ -336,15 +321,34 @@ impl<'e> Problem<'e> {
         ExactMotion::of(self.known, self.strength, &self.body, &self.start)
     }
 
-    /// A bound on the rates (rad/s) that the body reaches: by its energy, or of a slender body as
-    /// a trial run shows it.
+    /// A bound on the rates (rad/s) that the body reaches, by its energy.
+    pub(super) fn bound_on_rate(&self) -> f64 {
+        self.rate_about(0)
+    }
+
+    /// The fastest rate (rad/s) to be expected: that bound, or of a slender body what the energy allows
+    /// about its other axes.
     pub(super) fn fastest(&self) -> f64 {
-        if let Some(slender) = self.slender {
-            return slender.rate;
+        if self.is_slender() {
+            return self.rate_about(1) + self.body.angular_velocity(&self.start).norm();
         }
-        let [i1, i2, i3] = self.body.moments().to_array();
+        self.bound_on_rate()
+    }
+
+    /// The rate (rad/s) that the energy allows about an axis, by the order of their moments.
+    fn rate_about(&self, axis: usize) -> f64 {
+        let moments = self.body.moments().to_array();
         let energy = self.body.kinetic_energy(&self.start);
-        ((2.0 * energy + 4.0 * self.torque) / i1.min(i2).min(i3)).sqrt()
+        ((2.0 * energy + 4.0 * self.torque) / moments[order_of_three(moments)[axis]]).sqrt()
+    }
+
+    /// True if one moment is far below the others, and the body does not turn mostly about that axis.
+    /// Then L on the fixed axes blurs the rate about it ([`BodyFixed`]), and DOP853 would follow that.
+    pub(super) fn is_slender(&self) -> bool {
+        let moments = self.body.moments().to_array();
+        let [least, _, most] = order_of_three(moments).map(|axis| moments[axis]);
+        let rate = self.body.angular_velocity(&self.start).norm();
+        most > SLENDER * least && !self.is_spin_free() && self.bound_on_rate() > TUMBLING * rate
     }
 
     /// The size against which a change of the momentum counts: its length, or the momentum that the

@@ -42,15 +42,14 @@ pub(super) struct Refinement<'p> {
 }
 
 impl<'p> Refinement<'p> {
-    /// Nothing has been run but a trial.
+    /// Nothing has been run.
     pub(super) fn new(
         problem: &'p Problem<'p>,
         tolerance: f64,
         limits: &'p Limits<'p>,
         times: &'p [f64],
-        trial: Work,
     ) -> Self {
-        Self { problem, tolerance, limits, times, work: trial, probes: Work::default() }
+        Self { problem, tolerance, limits, times, work: Work::default(), probes: Work::default() }
     }
 
     /// The run of the first method that delivers.
@@ -99,7 +98,7 @@ impl<'p> Refinement<'p> {
 
     /// The least error that a motion of this condition leaves.
     pub(super) fn floor(&self, method: Method, condition: f64) -> f64 {
-        method.floor(self.problem) * EPS * (1.0 + condition)
+        method.floor * EPS * (1.0 + condition)
     }
 
     /// Runs of one method, finer and finer until one delivers.

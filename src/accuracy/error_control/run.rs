@@ -4,7 +4,6 @@ use super::constants::{FEW, LEVEL, OF_A_STEP};
 use super::laws;
 use super::method::Method;
 use super::problem::Problem;
-use super::slender;
 use crate::accuracy::{Resolution, Stepper};
 use crate::body::State;
 use crate::error::{Error, Result};
@@ -70,15 +69,13 @@ pub(super) struct Fine<'f> {
 #[derive(Debug, Clone)]
 pub(super) struct Stop {
     pub state: State,
-    /// The same as a slender body is stepped: a [`State`] would blur its rates.
-    pub on_body: Option<[f64; 7]>,
     /// The values that the laws held until here; nothing at the start.
     pub held: Vec<[f64; 3]>,
 }
 
 impl Stop {
     pub(super) const fn at(state: State) -> Self {
-        Self { state, on_body: None, held: Vec::new() }
+        Self { state, held: Vec::new() }
     }
 }
 
@@ -177,14 +174,9 @@ impl Method {
             least = least.max(of_level.ceil() as u64);
             Stepper::new(self.named, Resolution::Stages(least, fine.precision))?
         };
-        let end = match (problem.slender, stepper) {
-            (_, Stepper::Dop853(dop853)) if problem.has_laws() => {
+        let end = match stepper {
+            Stepper::Dop853(dop853) if problem.has_laws() => {
                 laws::carried(problem, dop853, [t, t_end], start, steps.of_a_sample(), spent)
-            }
-            (Some(_), Stepper::Dop853(dop853)) => {
-                let (start, on_body) = (&start.state, start.on_body);
-                slender::carried(problem, &dop853, [t, t_end], start, on_body, spent)
-                    .map(|(state, on_body)| Stop { on_body: Some(on_body), ..Stop::at(state) })
             }
             _ => (problem.carried(&stepper, self.variables, [t, t_end], &start.state, spent))
                 .map(Stop::at),

@@ -46,7 +46,6 @@ fn a_symmetric_body_stays_one() {
         checked: &checked,
         known: IntegrableCase::Free,
         damping: 0.0,
-        slender: None,
     };
     for row in 0..12 {
         let [i1, i2, i3] = problem.changed(row, 1e-6).expect("a body").body.moments().to_array();

@@ -230,24 +230,6 @@ impl Dop853 {
         let (end, next) = end?;
         Ok((to, end, all, longest.max(next)))
     }
-
-    /// [`Integrator::advance_counting`]; `seen` is shown the state at the end of every step.
-    pub(crate) fn advance_watched<const N: usize>(
-        &self,
-        ode: &dyn Ode<N>,
-        [t, t_end]: [f64; 2],
-        start: &[f64; N],
-        work: &mut Work,
-        mut seen: impl FnMut(&[f64; N]),
-    ) -> Result<[f64; N]> {
-        let mut done = Work::default();
-        let end = self.drive(&ByRef(ode), t, start, t_end, &mut done, &mut |trial, _, _| {
-            seen(&trial.end.value);
-            Ok(ControlFlow::Continue(()))
-        });
-        *work += done;
-        Ok(end?.0)
-    }
 }
 
 impl<const N: usize, O: Ode<N> + ?Sized> Integrator<O, [f64; N]> for Dop853 {
