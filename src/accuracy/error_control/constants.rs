@@ -201,21 +201,3 @@ pub(super) const AT_ONCE: f64 = 1e-6;
 
 /// So many in a row are no graze, which is two: the motion slides.
 pub(super) const SLIDES: u32 = 8;
-
-/// The same where the torque jumps with the state and nothing names it: a run is watched, of this
-/// tolerance,
-pub(super) const WATCHED: f64 = 1e-9;
-/// and of so many steps at most.
-pub(super) const WATCHED_STEPS: u64 = 20_000;
-
-/// It slides with more than one jump in a step of the whole run; or with so many,
-pub(super) const SOME_JUMPS: f64 = 0.1;
-/// if it comes to rest: if the second half of the steps covers less than this part of the time that
-/// the first half covers. Measured: at least 0.27 jumps in a step where a motion slides late, and
-/// up to 0.28 where jumps are crossed a hundred times in a turn: the number alone does not tell.
-pub(super) const STAND: f64 = 0.1;
-
-/// Two states nearer than this (rad, and as a part of the momentum)
-pub(super) const BESIDE: f64 = 1e-6;
-/// whose torques differ by more than this part are on two sides of a jump.
-pub(super) const JUMP: f64 = 1e-3;

@@ -50,8 +50,6 @@ pub(super) struct Given<'s> {
     /// The largest torque, and where it jumps.
     torque: f64,
     breaks: Vec<f64>,
-    /// True if the torque on the body as it starts was seen to change with the time.
-    varies: bool,
     longest_step: f64,
 }
 
@@ -87,7 +85,6 @@ impl<'s> Given<'s> {
             damping: 0.0,
             torque: effects.torque_scale(limits.t_start, body, start).max(checked.at_start()),
             breaks: limits.breaks(effects, t_end),
-            varies: false,
             longest_step: limits.longest_step,
             checked,
         };
@@ -100,7 +97,6 @@ impl<'s> Given<'s> {
         } else {
             Vec::new()
         };
-        given.varies = seen.windows(2).any(|two| two[0] != two[1]);
         if !properties.smooth && !seen.is_empty() {
             let jumps = given.checked.jumps(&seen);
             let kinks = given.checked.kinks(&seen, &given.breaks);
@@ -216,49 +212,18 @@ impl Given<'_> {
         unnamed.then(|| (self.t_end - self.limits.t_start).abs() / LOOKS)
     }
 
-    /// True if the torque on the body as it starts is another one just before this time and after.
-    fn jumps_at(&self, t: f64) -> bool {
-        let [from, to] = self.span();
-        let near = 1e-9 * (to - from).abs();
-        let [before, after] = [t - near, t + near].map(|t| {
-            let t = t.max(from.min(to)).min(from.max(to));
-            self.effects.torque(t, &self.body, &self.start)
-        });
-        (before - after).norm() > 1e-6 * before.norm().max(after.norm())
-    }
-
-    /// Why nothing comes of all runs, where it shows in the torque: it jumps with the state, or may
-    /// have what was not seen.
+    /// Why nothing comes of all runs over a torque that nothing declares.
     fn reason(&self, error: Error) -> Error {
-        let unclear = match error {
-            Error::LimitReached { .. } | Error::StepUnderflow { clock: None, .. } => true,
-            Error::NotDelivered { best, .. } => !best.is_finite(),
-            _ => false,
-        };
-        if !unclear {
-            return error;
-        }
-        let effect = || self.effects.names().join(" and ");
-        if let Some(t) = self.problem().slides(self.limits.budget) {
-            return Error::Sliding { effect: effect(), t };
-        }
-        if let Error::StepUnderflow { t, .. } = error
-            && !self.jumps_at(t)
-        {
-            return error;
-        }
         let limit = match error {
             Error::LimitReached { limit, .. } => Some(limit),
-            _ => None,
+            Error::NotDelivered { best, .. } if !best.is_finite() => None,
+            _ => return error,
         };
-        match self.looked_every() {
-            Some(every)
-                if !self.effects.properties().smooth && (limit.is_none() || self.varies) =>
-            {
-                Error::Unseen { effect: effect(), requested: self.tolerance, every, limit }
-            }
-            _ => error,
+        if self.effects.properties().smooth {
+            return error;
         }
+        let effect = self.effects.names().join(" and ");
+        Error::Undeclared { effect, requested: self.tolerance, every: self.looked_every(), limit }
     }
 }
 

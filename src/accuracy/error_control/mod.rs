@@ -15,7 +15,6 @@
 //! | `method` | the methods, each with one setting, and what it does on a turn |
 //! | `run` | a run over the pieces of the way |
 //! | `laws` | runs over what goes on in pieces: samples, and switches located as events |
-//! | `sliding` | why steps collapse |
 //!
 //! A tolerance goes from [`Scene::solve`] through `given` to `refine`, where it is last compared.
 //!
@@ -37,7 +36,6 @@ mod method;
 mod problem;
 mod refine;
 mod run;
-mod sliding;
 #[cfg(test)]
 mod tests;
 
@@ -152,9 +150,9 @@ impl<E: AnyEffect> Scene<E> {
     /// [`Error::NotDelivered`](crate::Error::NotDelivered) if the inputs, as doubles, do not
     /// determine the end so closely, or no method converges to it;
     /// [`Error::LimitReached`](crate::Error::LimitReached) if it takes more torques than
-    /// [`Limits::budget`]; [`Error::Sliding`](crate::Error::Sliding) where the torque jumps with the
-    /// state and drives the motion back from both sides; [`Error::Unseen`](crate::Error::Unseen) where runs do not agree, over
-    /// a torque that depends on the time and may have features shorter than was looked for;
+    /// [`Limits::budget`]; [`Error::Sliding`](crate::Error::Sliding) where a declared switch drives the
+    /// motion back from both sides; [`Error::Undeclared`](crate::Error::Undeclared) where runs do not
+    /// agree, or take too much, over a torque that is not called smooth;
     /// [`Error::StepUnderflow`](crate::Error::StepUnderflow) where the motion itself is singular.
     pub fn solve(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Solved> {
         self.solve_with(start, t_end, tolerance, &Limits::default())
