@@ -1,13 +1,10 @@
 //! The condition: by how much the motion moves per relative change of the inputs.
 
-use super::constants::{
-    CHANGE, CHANGE_ADAPTIVE, FAR_BELOW, FINE_ENOUGH, GATHERED, GONE_FAR, HOPELESS, INTERVALS,
-    LINEAR, LOST, MOVED, NEARER, REGULAR, ROWS, SMALLER, STRAIGHT,
-};
+use super::constants::{FAR_BELOW, FINE_ENOUGH, INTERVALS, MOVED, REGULAR, ROWS, SMALLER};
 use super::method::Method;
 use super::problem::{Distances, Problem};
 use super::refine::Refinement;
-use super::run::{Fine, Run, Steps, Stop};
+use super::run::{Fine, Run, Stop};
 use crate::accuracy::larger;
 use crate::body::State;
 use crate::error::Result;
@@ -34,10 +31,6 @@ impl Probe {
     /// For stepping.
     pub(super) const STEPPED: Self =
         Self { changes: &[1e-6, 1e-9, 1e-12, 64.0 * EPS], linear: 3e-3, again: None };
-
-    fn smallest(&self) -> f64 {
-        self.changes.last().copied().unwrap_or(0.0)
-    }
 }
 
 impl Problem<'_> {
@@ -56,42 +49,15 @@ impl Problem<'_> {
             let (places, changed) = motions(by)?;
             Ok(self.slopes(by, &places, &changed))
         };
-        // The change before this one, its slopes, and how far it went.
-        let mut coarser: Option<(f64, Distances, f64)> = None;
-        // Slopes that wait for a finer change to bear them out.
-        let mut waiting: Option<Distances> = None;
         for &by in probe.changes {
             let (slopes, farthest) = slopes_of(by)?;
-            let smallest = by <= probe.smallest();
             if farthest <= probe.linear {
-                let unsure = waiting.is_none();
-                let slopes = waiting.map_or(slopes, |waiting| larger_of(slopes, waiting));
-                if let Some((before, _, went)) = coarser
-                    && unsure
-                    && went > GONE_FAR
-                {
-                    if !smallest {
-                        waiting = Some(slopes);
-                        continue;
-                    }
-                    if slopes[0] * before < GATHERED * probe.linear {
-                        return Ok([f64::INFINITY; 3]);
-                    }
-                }
                 return match probe.again.filter(|again| *again < by) {
                     // Near a separatrix a change may carry the motion past its own steepness.
                     Some(again) => Ok(larger_of(slopes, slopes_of(again)?.0)),
                     None => Ok(slopes),
                 };
             }
-            if smallest {
-                // A slope, if it is the same as that of a larger change.
-                let same = coarser.is_some_and(|(_, slope, _)| slopes[0] <= STRAIGHT * slope[0]);
-                let known = same && farthest <= LOST;
-                return Ok(if known { slopes } else { [f64::INFINITY; 3] });
-            }
-            waiting = None;
-            coarser = Some((by, slopes, farthest));
         }
         Ok([f64::INFINITY; 3])
     }
@@ -102,39 +68,6 @@ fn larger_of(a: Distances, b: Distances) -> Distances {
 }
 
 impl Refinement<'_> {
-    /// True if two runs are so near that a changed one in the steps of the coarser shows a slope.
-    pub(super) fn is_near(&self, method: Method, apart: f64) -> bool {
-        let most = if method.is_adaptive() {
-            (NEARER * CHANGE_ADAPTIVE).max(0.5 * self.tolerance).min(LINEAR)
-        } else {
-            LINEAR
-        };
-        apart <= most
-    }
-
-    /// The condition: by one change of all inputs in the steps of this run, or with care where the
-    /// floor that this puts is near the tolerance.
-    pub(super) fn condition(
-        &mut self,
-        method: Method,
-        run: &Run,
-        precision: f64,
-    ) -> Result<Distances> {
-        if self.is_steep() {
-            return self.slopes_with_care(method, run);
-        }
-        let before = self.work;
-        let slopes = self.slopes(method, run, precision);
-        self.probes += self.work.since(&before);
-        let slopes = slopes?;
-        let floor = self.floor(method, slopes[0]);
-        let is_hopeless = floor.is_finite() && floor > HOPELESS * self.tolerance;
-        if is_hopeless || self.is_far_below(method, slopes[0]) {
-            return Ok(slopes);
-        }
-        self.slopes_with_care(method, run)
-    }
-
     /// True near a separatrix, as the closed form knows: there a change of the start may die away that
     /// would grow if it came later.
     pub(super) fn is_steep(&self) -> bool {
@@ -149,41 +82,8 @@ impl Refinement<'_> {
         FAR_BELOW * saddle * self.floor(method, condition) < self.tolerance
     }
 
-    fn slopes(&mut self, method: Method, run: &Run, precision: f64) -> Result<Distances> {
-        let row = self.problem.most_sensitive_row()?;
-        let fewest: Vec<Steps> = run.steps.iter().map(|steps| steps.again(method)).collect();
-        let mut by = if method.is_adaptive() {
-            CHANGE_ADAPTIVE
-        } else {
-            // Ten times what the sweeps of this run leave.
-            CHANGE.max(10.0 * precision)
-        };
-        // A smaller change is mostly rounding.
-        while by > 64.0 * EPS {
-            let fine = Fine {
-                // In the same steps, where a method does not choose its own.
-                level: if method.is_adaptive() { run.level } else { method.coarsest },
-                fewest: &fewest,
-                precision: if method.sweeps() { NEARER * by } else { 0.0 },
-                budget: self.limits.budget,
-            };
-            let problem = self.problem.changed(row, by)?;
-            let changed = self.run(&problem, method, fine)?;
-            // Nor may they part on the way and meet again.
-            let farthest = (run.passed.iter().zip(&changed.passed))
-                .map(|(a, b)| self.problem.apart(&a.1.state, &b.1.state)[0])
-                .fold(0.0, larger);
-            if farthest <= LINEAR {
-                let changed = [self.places(&changed)];
-                return Ok(self.problem.slopes(by, &self.places(run), &changed).0);
-            }
-            by *= SMALLER;
-        }
-        Ok([f64::INFINITY; 3])
-    }
-
-    /// The same by some changes, with the state moved on the way as rounding does.
-    pub(super) fn slopes_with_care(&mut self, method: Method, run: &Run) -> Result<Distances> {
+    /// The condition by some changes, with the state moved on the way as rounding does.
+    pub(super) fn condition(&mut self, method: Method, run: &Run) -> Result<Distances> {
         let problem = self.problem;
         let level = if method.is_adaptive() { run.level.max(FINE_ENOUGH) } else { run.level };
         let turned = method.turned(problem, problem.span());

@@ -92,26 +92,12 @@ pub(super) const FAR_BELOW: f64 = 30.0;
 /// counts as passing no saddle.
 pub(super) const REGULAR: f64 = 6.0;
 
-/// A floor so many times above the tolerance is refused at once.
-pub(super) const HOPELESS: f64 = 10.0;
-
 // The condition, as runs of its own show it.
 
-/// By how much the inputs are changed: more than round-off by as many digits as it is below a turn,
-pub(super) const CHANGE: f64 = 1e-8;
-/// and of DOP853, which answers with a jump of a part of its error, so much more,
-pub(super) const CHANGE_ADAPTIVE: f64 = 1e-4;
-/// that its error is this part of the change at most.
-pub(super) const NEARER: f64 = 0.1;
-
-/// A changed motion that moves by more than this (rad) shows no slope any more.
-pub(super) const LINEAR: f64 = 0.03;
-
-/// The next change, where one moves the end too far; and the part of a change that sweeps may leave
-/// where it is measured with care.
+/// The part of a change that sweeps may leave.
 pub(super) const SMALLER: f64 = 1e-3;
 
-/// Where the floor is not far below the tolerance, nor hopelessly above: so many changes,
+/// So many changes,
 pub(super) const ROWS: usize = 5;
 /// each with the state moved on the way, once in so many radians that the body turns: what passes a
 /// saddle must be moved on its way there;
@@ -122,25 +108,6 @@ pub(super) const INTERVALS: f64 = 512.0;
 /// The level of DOP853 there, at least. It answers a small change with a small jump, of its error: at
 /// this level of some 1e-11 a step.
 pub(super) const FINE_ENOUGH: f64 = 5.0;
-
-// Measured on 2400 requests beside separatrices and uprights: without the smallest change's own rules
-// (`STRAIGHT`, `GATHERED`, `LOST`) 26 more are refused, and none can be told its floor.
-
-/// Slopes of two changes are one slope if they differ by no more than this.
-pub(super) const STRAIGHT: f64 = 10.0;
-
-/// An end that moves by more than this (rad) has gone far. If it hardly moves by a smaller change,
-/// that may be a slope. Or the end is where all motions wait for a while, as a top does that has
-/// all but stopped on the vertical: they gather there, and part again. A finer change tells.
-pub(super) const GONE_FAR: f64 = 0.5;
-
-/// Where none is left: a slope by which the next larger change would have moved the end by
-/// less than this part of what is linear, where in truth it went far, is none.
-pub(super) const GATHERED: f64 = 1e-2;
-
-/// An attitude that moves by more than this (rad) when the inputs change as little as
-/// doubles can: nothing is known of it.
-pub(super) const LOST: f64 = 0.05;
 
 // Closed forms.
 

@@ -122,9 +122,13 @@ impl<'p> Refinement<'p> {
                 let (slopes, _) =
                     self.problem.slopes(by, &self.places(&fine), &[self.places(&coarse)]);
                 condition = self.is_far_below(method, slopes[0]).then_some(slopes);
-            } else if condition.is_none() && self.is_near(method, apart[0]) {
-                // 4. The condition, where the distance does not show it.
-                condition = Some(self.condition(method, &coarse, precision)?);
+            }
+            let step = fine.level - coarse.level;
+            let counted = self.counted(method.falls, apart, before, step);
+            let error = counted.map_or([f64::INFINITY; 3], |all| all.map(|n| SAFETY * n));
+            // 4. The condition, where the distance does not show it.
+            if condition.is_none() && error[0] <= self.tolerance {
+                condition = Some(self.condition(method, &fine)?);
             }
             // 5. The floor, and what else no finer run takes away.
             let left = match condition {
@@ -132,16 +136,13 @@ impl<'p> Refinement<'p> {
                 None => [0.0; 3],
             };
             // 6. The estimate.
-            let step = fine.level - coarse.level;
-            if let Some(counted) = self.counted(method.falls, apart, before, step) {
-                let estimate = [0, 1, 2].map(|n| SAFETY * counted[n] + left[n]);
-                if let Some(condition) = condition
-                    && estimate[0] <= self.tolerance
-                {
-                    return self.delivered(method, precision, fine, estimate, condition);
-                }
-                reached = reached.min(estimate[0]);
+            let estimate = [0, 1, 2].map(|n| error[n] + left[n]);
+            if let Some(condition) = condition
+                && estimate[0] <= self.tolerance
+            {
+                return self.delivered(method, precision, fine, estimate, condition);
             }
+            reached = reached.min(estimate[0]);
             // 7. Finer, by sweeps as the condition asks for.
             let kept = condition.map_or(precision, |condition| {
                 let swept = self.swept(fine.work.steps as f64);
@@ -156,7 +157,7 @@ impl<'p> Refinement<'p> {
                 // It may be the sweeps that differ.
                 (precision, stuck) = (0.0, 0);
             } else if stuck == STUCK || fine.level + 0.1 >= finest && !loosely {
-                return Err(self.refused(method, &fine, reached));
+                return Err(self.refused(method, &fine, condition, reached));
             }
             let budget = 0.5 * (self.tolerance - left[0]).max(EPS);
             let wanted = log(SAFETY * apart[0] / budget) / (LEVEL * method.falls);
@@ -212,9 +213,15 @@ impl<'p> Refinement<'p> {
             .map(|condition| self.floor(method, condition) + swept * (1.0 + condition) + rounded))
     }
 
-    /// Why finer runs come no nearer: the condition, which is now measured with care, or the method.
-    fn refused(&mut self, method: Method, run: &Run, reached: f64) -> Error {
-        match self.slopes_with_care(method, run) {
+    /// Why finer runs come no nearer: the condition, which is measured if it is not known, or the method.
+    fn refused(
+        &mut self,
+        method: Method,
+        run: &Run,
+        known: Option<Distances>,
+        reached: f64,
+    ) -> Error {
+        match known.map_or_else(|| self.condition(method, run), Ok) {
             Ok([condition, ..]) => {
                 let floor = self.floor(method, condition);
                 if floor >= self.tolerance {

@@ -34,11 +34,6 @@ impl Steps {
         self.sampled.ceil() as u64
     }
 
-    /// The steps of another run in the same steps; an adaptive method takes its own.
-    pub(super) fn again(self, method: Method) -> Self {
-        Self { fewest: if method.is_adaptive() { self.fewest } else { self.made }, ..self }
-    }
-
     /// The steps of a run that is finer by so many levels, on every piece. Runs that took the same
     /// steps over one of them would agree on it, and say nothing of its error.
     pub(super) fn finer(self, method: Method, levels: f64) -> Self {
