@@ -1,6 +1,6 @@
 //! The condition: by how much the motion moves per relative change of the inputs.
 
-use super::constants::{FAR_BELOW, FINE_ENOUGH, INTERVALS, MOVED, REGULAR, ROWS, SMALLER};
+use super::constants::{FAR_BELOW, FINE_ENOUGH, INTERVALS, MOVED, REGULAR, ROWS};
 use super::method::Method;
 use super::problem::{Distances, Problem};
 use super::refine::Refinement;
@@ -90,8 +90,7 @@ impl Refinement<'_> {
         let intervals = (turned / MOVED).clamp(1.0, INTERVALS) as usize;
         let mut work = Work::default();
         let condition = problem.condition(&Probe::STEPPED, |by| {
-            // What the sweeps leave must not be mistaken for a change.
-            let fine = Fine { level, fewest: &[], precision: SMALLER * by, budget: 0 };
+            let fine = Fine { level, fewest: &[], budget: 0 };
             let places = self.moved(method, (0, 0.0), intervals, fine, &mut work)?;
             let changed =
                 (0..ROWS).map(|row| self.moved(method, (row, by), intervals, fine, &mut work));

@@ -59,24 +59,6 @@ pub(super) const FEW: f64 = 8.0;
 /// took one more at 1e-11.
 pub(super) const LATER: f64 = 4.0;
 
-// The iterations (sweeps) by which Gauss-Legendre solves its steps.
-
-/// The part of the tolerance that they may leave.
-pub(super) const SWEEPS: f64 = 0.1;
-
-/// A run by sweeps so many times coarser than its condition allows is made again, even where its steps
-/// can be no finer. Of 200 answers on damped bodies the worst is 0.05 of its request with 2, and 0.20
-/// with 1.
-pub(super) const LOOSELY: f64 = 2.0;
-
-/// To this precision at least steps are solved.
-pub(super) const SWEPT_AT_MOST: f64 = 1e-6;
-
-/// The error that the sweeps of n steps leave is the condition times n times this, in units of the
-/// precision: it is mostly on one side. Measured on 600 free bodies and tops over 30 to 30 000 steps:
-/// 0.0038 at most, whatever their number.
-pub(super) const SWEPT: f64 = 0.004;
-
 // The condition, as the distance of two runs shows it.
 
 /// The change of the inputs of the first run, as a part of the tolerance, for each radian that a
@@ -93,9 +75,6 @@ pub(super) const FAR_BELOW: f64 = 30.0;
 pub(super) const REGULAR: f64 = 6.0;
 
 // The condition, as runs of its own show it.
-
-/// The part of a change that sweeps may leave.
-pub(super) const SMALLER: f64 = 1e-3;
 
 /// So many changes,
 pub(super) const ROWS: usize = 5;

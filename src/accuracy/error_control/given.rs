@@ -197,7 +197,6 @@ impl<'s> Given<'s> {
             form: Form::Stepped {
                 method: delivered.method,
                 level: delivered.run.level,
-                precision: delivered.precision,
                 passed,
                 steps: delivered.run.steps,
             },

@@ -141,11 +141,6 @@ impl Method {
         (levels / self.falls).clamp(self.coarsest, self.finest - 1.0)
     }
 
-    /// True if its steps are solved by sweeps, which leave something.
-    pub(super) const fn sweeps(self) -> bool {
-        matches!(self.named, Named::GaussLegendre16)
-    }
-
     /// True if it chooses its steps itself, and so answers a small change of the start
     /// with a small jump.
     pub(super) const fn is_adaptive(self) -> bool {

@@ -4,8 +4,7 @@
 //! The numbers in [`Refinement::refine`] are those of the page `book/src/how_error_control.md`.
 
 use super::constants::{
-    CHANGED, FAR_BELOW, KINKED, LATER, LEVEL, LOOSELY, MOST_LEVELS, ROUND_OFF, SAFETY, STUCK,
-    SWEEPS, SWEPT, SWEPT_AT_MOST,
+    CHANGED, FAR_BELOW, KINKED, LATER, LEVEL, MOST_LEVELS, ROUND_OFF, SAFETY, STUCK,
 };
 use super::limits::Limits;
 use super::method::Method;
@@ -20,7 +19,6 @@ use crate::math::{EPS, exp, expm1, log};
 /// The result of a run.
 pub(super) struct Delivered {
     pub method: Method,
-    pub precision: f64,
     pub run: Run,
     pub work: Work,
     pub probes: Work,
@@ -105,8 +103,7 @@ impl<'p> Refinement<'p> {
     fn refine(&mut self, method: Method) -> Result<Delivered> {
         // 1. The first run, its inputs a little changed.
         let mut change = self.first_change(method);
-        let mut precision = self.first_precision(method);
-        let mut coarse = self.first(method, change, precision)?;
+        let mut coarse = self.first(method, change)?;
         // Where steps are short for another reason than the rotation, their order begins later.
         let later = if method.is_adaptive() { 0.0 } else { coarse.level + LATER };
         let finest = method.finest.max(later);
@@ -115,7 +112,7 @@ impl<'p> Refinement<'p> {
         let (mut nearest, mut reached) = (f64::INFINITY, f64::INFINITY);
         loop {
             // 2. A finer run.
-            let fine = self.finer(method, &coarse, ahead, precision)?;
+            let fine = self.finer(method, &coarse, ahead)?;
             // 3. Their distance.
             let apart = self.distance(&coarse, &fine);
             if let Some(by) = change.take() {
@@ -132,7 +129,7 @@ impl<'p> Refinement<'p> {
             }
             // 5. The floor, and what else no finer run takes away.
             let left = match condition {
-                Some(condition) => self.left(method, &fine, condition, precision)?,
+                Some(condition) => self.left(method, &fine, condition)?,
                 None => [0.0; 3],
             };
             // 6. The estimate.
@@ -140,23 +137,13 @@ impl<'p> Refinement<'p> {
             if let Some(condition) = condition
                 && estimate[0] <= self.tolerance
             {
-                return self.delivered(method, precision, fine, estimate, condition);
+                return self.delivered(method, fine, estimate, condition);
             }
             reached = reached.min(estimate[0]);
-            // 7. Finer, by sweeps as the condition asks for.
-            let kept = condition.map_or(precision, |condition| {
-                let swept = self.swept(fine.work.steps as f64);
-                SWEEPS * (self.tolerance - self.floor(method, condition[0]))
-                    / (swept * (1.0 + condition[0]))
-            });
-            let loosely = precision > LOOSELY * kept;
-            precision = precision.min(kept);
+            // 7. Finer.
             stuck = if apart[0] <= 0.5 * nearest { 0 } else { stuck + 1 };
             nearest = nearest.min(apart[0]);
-            if stuck == STUCK && precision > 0.0 {
-                // It may be the sweeps that differ.
-                (precision, stuck) = (0.0, 0);
-            } else if stuck == STUCK || fine.level + 0.1 >= finest && !loosely {
+            if stuck == STUCK || fine.level + 0.1 >= finest {
                 return Err(self.refused(method, &fine, condition, reached));
             }
             let budget = 0.5 * (self.tolerance - left[0]).max(EPS);
@@ -176,41 +163,14 @@ impl<'p> Refinement<'p> {
         (!self.is_steep() && FAR_BELOW * floor < self.tolerance).then_some(by)
     }
 
-    /// To what its sweeps are solved, at twice the condition of a motion that is only late.
-    fn first_precision(&self, method: Method) -> f64 {
-        if !method.sweeps() {
-            return 0.0;
-        }
-        let level = method.level_for(self.problem, self.tolerance);
-        let steps = method.steps(self.problem, self.problem.span(), level);
-        let steps = steps.max((self.problem.span() / self.problem.longest_step).abs());
-        let condition = 2.0 * self.angle_turned();
-        (SWEEPS * self.tolerance / (self.swept(steps) * (1.0 + condition))).min(SWEPT_AT_MOST)
-    }
-
-    /// The error that the sweeps of so many steps leave, in units of the precision and of 1 +
-    /// condition.
-    fn swept(&self, steps: f64) -> f64 {
-        1.0 + SWEPT * steps
-    }
-
-    /// The error of rounding and sweeps, whatever the distance of two runs is.
-    fn left(
-        &self,
-        method: Method,
-        run: &Run,
-        condition: Distances,
-        precision: f64,
-    ) -> Result<Distances> {
+    /// The error of rounding, whatever the distance of two runs is.
+    fn left(&self, method: Method, run: &Run, condition: Distances) -> Result<Distances> {
         let floor = self.floor(method, condition[0]);
         if floor.is_nan() || floor >= self.tolerance {
             return Err(self.beyond(floor, condition[0]));
         }
-        let steps = run.work.steps as f64;
-        let rounded = method.rounded * EPS * steps;
-        let swept = precision * self.swept(steps);
-        Ok(condition
-            .map(|condition| self.floor(method, condition) + swept * (1.0 + condition) + rounded))
+        let rounded = method.rounded * EPS * run.work.steps as f64;
+        Ok(condition.map(|condition| self.floor(method, condition) + rounded))
     }
 
     /// Why finer runs come no nearer: the condition, which is measured if it is not known, or the method.
@@ -264,7 +224,6 @@ impl<'p> Refinement<'p> {
     fn delivered(
         &self,
         method: Method,
-        precision: f64,
         run: Run,
         estimate: Distances,
         condition: Distances,
@@ -275,15 +234,7 @@ impl<'p> Refinement<'p> {
             checked.at(*t, state)?;
         }
         checked.remembers_nothing(&passed)?;
-        Ok(Delivered {
-            method,
-            precision,
-            work: self.work,
-            probes: self.probes,
-            run,
-            estimate,
-            condition,
-        })
+        Ok(Delivered { method, work: self.work, probes: self.probes, run, estimate, condition })
     }
 
     fn not_delivered(&self, reached: f64) -> Error {
@@ -317,7 +268,7 @@ impl<'p> Refinement<'p> {
 
     /// The first run, its inputs changed if that is asked for: as fine as is expected to do, or at the
     /// first finer level that comes to its end.
-    fn first(&mut self, method: Method, change: Option<f64>, precision: f64) -> Result<Run> {
+    fn first(&mut self, method: Method, change: Option<f64>) -> Result<Run> {
         let problem = match change {
             Some(by) => &self.problem.changed(self.problem.most_sensitive_row()?, by)?,
             None => self.problem,
@@ -326,7 +277,7 @@ impl<'p> Refinement<'p> {
         let level = method.level_for(self.problem, self.tolerance / SAFETY);
         let mut level = level.min(most);
         loop {
-            let fine = Fine { level, fewest: &[], precision, budget: self.limits.budget };
+            let fine = Fine { level, fewest: &[], budget: self.limits.budget };
             match self.run(problem, method, fine) {
                 Err(error) if !stops(&error) && level + 1.0 < method.finest => level += 1.0,
                 run => return run,
@@ -335,11 +286,11 @@ impl<'p> Refinement<'p> {
     }
 
     /// A run finer by so many levels, and by one step at least on every piece.
-    fn finer(&mut self, method: Method, coarse: &Run, ahead: f64, precision: f64) -> Result<Run> {
+    fn finer(&mut self, method: Method, coarse: &Run, ahead: f64) -> Result<Run> {
         let finer = |steps: &Steps| steps.finer(method, ahead);
         let fewest: Vec<Steps> = coarse.steps.iter().map(finer).collect();
         let (level, budget) = (coarse.level + ahead, self.limits.budget);
-        self.run(self.problem, method, Fine { level, fewest: &fewest, precision, budget })
+        self.run(self.problem, method, Fine { level, fewest: &fewest, budget })
     }
 
     /// A run of the whole span within what is left of the budget; its work is counted.

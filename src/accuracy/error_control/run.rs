@@ -54,8 +54,6 @@ pub(super) struct Fine<'f> {
     pub level: f64,
     /// On each piece so many steps at least; one on those beyond the last.
     pub fewest: &'f [Steps],
-    /// To which the stages of Gauss-Legendre are solved; 0 for round-off.
-    pub precision: f64,
     /// So many torques at most.
     pub budget: u64,
 }
@@ -167,7 +165,7 @@ impl Method {
                 return Err(over);
             }
             least = least.max(of_level.ceil() as u64);
-            Stepper::new(self.named, Resolution::Stages(least, fine.precision))?
+            Stepper::new(self.named, Resolution::Steps(least))?
         };
         let end = match stepper {
             Stepper::Dop853(dop853) if problem.has_laws() => {
