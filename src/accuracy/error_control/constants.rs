@@ -55,10 +55,6 @@ pub(super) const OF_A_STEP: f64 = 1e-3;
 /// More steps of a piece than these are refined by the error allowed for each.
 pub(super) const FEW: f64 = 8.0;
 
-/// So many levels are left to a run whose steps were short from the first: a bump whose width is named
-/// took one more at 1e-11.
-pub(super) const LATER: f64 = 4.0;
-
 // The condition, as the distance of two runs shows it.
 
 /// The change of the inputs of the first run, as a part of the tolerance, for each radian that a

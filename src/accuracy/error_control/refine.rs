@@ -3,9 +3,7 @@
 //!
 //! The numbers in [`Refinement::refine`] are those of the page `book/src/how_error_control.md`.
 
-use super::constants::{
-    CHANGED, FAR_BELOW, KINKED, LATER, LEVEL, MOST_LEVELS, ROUND_OFF, SAFETY, STUCK,
-};
+use super::constants::{CHANGED, FAR_BELOW, KINKED, LEVEL, MOST_LEVELS, ROUND_OFF, SAFETY, STUCK};
 use super::limits::Limits;
 use super::method::Method;
 use super::problem::{Acting, Distances, Problem};
@@ -104,9 +102,6 @@ impl<'p> Refinement<'p> {
         // 1. The first run, its inputs a little changed.
         let mut change = self.first_change(method);
         let mut coarse = self.first(method, change)?;
-        // Where steps are short for another reason than the rotation, their order begins later.
-        let later = if method.is_adaptive() { 0.0 } else { coarse.level + LATER };
-        let finest = method.finest.max(later);
         let (mut condition, mut before): (Option<Distances>, Option<Distances>) = (None, None);
         let (mut ahead, mut stuck) = (1.0, 0);
         let (mut nearest, mut reached) = (f64::INFINITY, f64::INFINITY);
@@ -143,13 +138,13 @@ impl<'p> Refinement<'p> {
             // 7. Finer.
             stuck = if apart[0] <= 0.5 * nearest { 0 } else { stuck + 1 };
             nearest = nearest.min(apart[0]);
-            if stuck == STUCK || fine.level + 0.1 >= finest {
+            if stuck == STUCK || fine.level + 0.1 >= method.finest {
                 return Err(self.refused(method, &fine, condition, reached));
             }
             let budget = 0.5 * (self.tolerance - left[0]).max(EPS);
             let wanted = log(SAFETY * apart[0] / budget) / (LEVEL * method.falls);
             // Where three runs count, one more is to have room.
-            let room = (finest - fine.level) / if self.may_have_kinks() { 2.0 } else { 1.0 };
+            let room = (method.finest - fine.level) / if self.may_have_kinks() { 2.0 } else { 1.0 };
             ahead = wanted.clamp(1.0, MOST_LEVELS).min(room.max(0.0));
             (coarse, before) = (fine, Some(apart));
         }
