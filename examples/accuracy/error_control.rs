@@ -58,7 +58,6 @@ fn two_runs(Measured { motion, .. }: &Measured) -> Result<Table> {
     let moved = solved.condition * solved.condition - late * late;
     let distance = change * moved.sqrt();
     let floor = 8.0 * EPS * (1.0 + solved.condition);
-    let swept = solved.estimate - 2.0 * distance - floor;
     let rows = [
         ("error requested / rad", rounded_up(tolerance)),
         ("change of the inputs of the first run", short(change, 2)),
@@ -67,7 +66,6 @@ fn two_runs(Measured { motion, .. }: &Measured) -> Result<Table> {
         ("distance of the two / rad", short(distance, 3)),
         ("condition", short(solved.condition, 3)),
         ("floor / rad", short(floor, 2)),
-        ("left by the sweeps / rad", short(swept, 2)),
         ("estimate / rad", short(solved.estimate, 3)),
         ("true error / rad", rounded_up(motion.problem.errors(&solved.state).attitude)),
         ("work of both over that of the second", short(solved.price, 3)),
