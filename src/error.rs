@@ -65,9 +65,9 @@ pub enum Error {
     },
     /// The torque jumps with the state, back and forth in every step, and the steps collapse.
     Sliding { effect: String, t: f64 },
-    /// Runs do not agree, or not within this `limit` of torques, over a torque that is not called smooth;
-    /// it was looked at once `every` so many seconds, if it depends on the time.
-    Undeclared { effect: String, requested: f64, every: Option<f64>, limit: Option<u64> },
+    /// Runs take more than this `limit` of torques over one that is not called smooth; it was looked at
+    /// once `every` so many seconds.
+    Undeclared { effect: String, requested: f64, every: f64, limit: u64 },
     /// The scene, the method or the start does not allow these effects.
     Incompatible { effects: String, reason: Cow<'static, str> },
     /// The way to `t_end` takes more "torques" (from `t` on), or more "steps" or "changes of phase"
@@ -223,18 +223,12 @@ impl fmt::Display for Error {
                  value to the other over a small width, as tanh does, give it hysteresis, sample it at \
                  a rate (`Torque::sampled`), or end the motion there", brief(*t);
             Undeclared { effect, requested, every, limit } =>
-                "an error of {requested:e} {}: nothing says that the torque of \"{effect}\" is smooth{}; \
+                "an error of {requested:e} takes more than the {limit} torques that are allowed: nothing \
+                 says that the torque of \"{effect}\" is smooth, and it was looked at only every {} s; \
                  where it jumps or bends with the time, name its break points or its narrowest feature; \
                  where it jumps with the state, make it a switch (`Switched`), sample it at a rate \
                  (`Torque::sampled`), or let it pass from one value to the other over a small width, as \
-                 tanh does{}",
-                limit.map_or("is asked for, and runs do not agree".into(), |limit| {
-                    format!("takes more than the {limit} torques that are allowed")
-                }),
-                every.map_or(String::new(), |every| {
-                    format!(", and it was looked at only every {} s", brief(every))
-                }),
-                limit.map_or("", |_| "; or allow more torques, a larger error or a shorter time");
+                 tanh does; or allow more torques, a larger error or a shorter time", brief(*every);
             Incompatible { reason, .. } => "{reason}";
             LimitReached { what: "torques", t, t_end, limit } =>
                 "from t = {} to {} this takes more than the {limit} torques that are allowed: \

@@ -170,7 +170,7 @@ fn jacobis_integral_is_kept() {
         kept.add(jacobi(t), jacobi(0.0), energy(0.0));
         lost = lost.max((energy(t) / energy(0.0) - 1.0).abs());
     }
-    assert_largest!(kept, 50, @"2.79e-15");
+    assert_largest!(kept, 50, @"1.73e-15");
     assert!(lost > 0.1, "{lost:e}");
     // The power is what the energy changes by.
     let (t, h) = (12_345.0, 2.0);
@@ -187,7 +187,7 @@ fn a_fixed_direction_keeps_the_energy() {
     let scene = Scene::new(body).with(GravityGradient::fixed(N0, towards).expect("a direction"));
     let start = tumbling(&body);
     let end = scene.solve(&start, 20_000.0, 1e-10).expect("solved").state;
-    assert_error!(scene.energy(&end), scene.energy(&start), 0.0);
+    assert_error!(scene.energy(&end), scene.energy(&start), 1.20e-15);
     let about = |state: &State| state.angular_momentum.dot(&towards);
     assert_error!(about(&end), about(&start), 5.17e-16);
     assert!((end.angular_momentum - start.angular_momentum).norm() > 0.1 * about(&start).abs());

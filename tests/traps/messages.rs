@@ -53,8 +53,7 @@ fn all(x: f64, y: f64, z: f64) -> Vec<Error> {
             allowed: z,
         },
         Error::Sliding { effect: text(), t: x },
-        Error::Undeclared { effect: text(), requested: x, every: None, limit: None },
-        Error::Undeclared { effect: text(), requested: x, every: Some(y), limit: Some(n) },
+        Error::Undeclared { effect: text(), requested: x, every: y, limit: n },
         Error::Incompatible { effects: text(), reason: allowed.into() },
         Error::Cancelled { torques: n },
         Error::NoConvergence { t: x, h: y, change: z },
@@ -185,8 +184,8 @@ fn messages_are_short() {
     }
     // At most 25 of the library, and seven of pages.
     assert_eq!(names.len(), 25 + 7);
-    // Nine have two messages or cases, one of them three.
-    assert_eq!(told.len(), names.len() + 10);
+    // Eight have two messages or cases, one of them three.
+    assert_eq!(told.len(), names.len() + 9);
     // The damaged twin: the same number as it is printed without care.
     assert!(digits(&format!("{}", 1e300)) > 300);
 }

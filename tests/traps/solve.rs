@@ -492,12 +492,15 @@ fn a_jump_with_the_state_is_to_be_declared() -> Result<()> {
         let law = switched("switching law", kind, size);
         let error = (Scene::new(body).with(law)).solve_with(&start, 100.0, 1e-7, &limits);
         let error = error.expect_err("it slides");
-        let Error::Undeclared { effect, limit: Some(1_000_000), every: Some(_), .. } = &error else {
+        let Error::Undeclared { effect, limit: 1_000_000, .. } = &error else {
             panic!("{n}: {error}");
         };
         assert_eq!(effect, "switching law");
         let said = error.to_string();
-        assert!(said.contains("where it jumps with the state, make it a switch (`Switched`)"), "{said}");
+        assert!(
+            said.contains("where it jumps with the state, make it a switch (`Switched`)"),
+            "{said}"
+        );
         ran += 1;
     }
     assert_eq!(ran, 12);
@@ -521,7 +524,7 @@ fn a_jump_with_the_state_is_to_be_declared() -> Result<()> {
 fn what_looks_may_miss_is_said() -> Result<()> {
     let body = body()?;
     let limits = Limits { budget: 300_000, ..Limits::default() };
-    let (mut said, mut unseen, mut over, mut refused) = (0, 0, 0, 0);
+    let (mut said, mut over, mut refused) = (0, 0, 0);
     let day = 86_400.0;
     let slow = body.state(Attitude::IDENTITY, BodyVector::new(3e-4, 2e-4, 1e-3))?;
     for n in 0..24 {
@@ -546,18 +549,18 @@ fn what_looks_may_miss_is_said() -> Result<()> {
                     assert_eq!(solved.looked_every, Some(day / 4096.0));
                     said += 1;
                 }
-                Err(Error::Undeclared { effect, every, limit, .. }) => {
-                    assert!(effect == name && every == Some(day / 4096.0));
-                    let counted = if limit.is_none() { &mut unseen } else { &mut over };
-                    *counted += 1;
+                Err(Error::Undeclared { effect, every, .. }) => {
+                    assert!(effect == name && every == day / 4096.0);
+                    over += 1;
                 }
-                Err(Error::NotDelivered { condition: None, .. }) => refused += 1,
+                Err(Error::NotDelivered { condition: None, .. } | Error::StepUnderflow { .. }) => {
+                    refused += 1;
+                }
                 Err(error) => panic!("{n} {name}: {error}"),
             }
         }
     }
-    assert_eq!(said + unseen + over + refused, 48);
-    assert!(said > 0 && unseen > 0 && over > 0, "{said} {unseen} {over} {refused}");
+    assert_eq!([said, over, refused], [18, 28, 2]);
     // Named, it is met; and where nothing depends on the time, nothing was looked for.
     let named = Torque::on_body("thruster", |t: f64, _: &RigidBody, _: &State| {
         BodyVector::new(if (1e3..1005.0).contains(&t) { 1e-4 } else { 0.0 }, 0.0, 0.0)

@@ -167,14 +167,15 @@ fn motor(moments: [f64; 3]) -> impl Effect {
 const TOLERANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
 /// Of both kinds of variables the better one is taken: the run that is returned never costs more than
-/// twice the cheapest of both kinds that is as good. All runs together cost at most 3.8 times the
+/// 2.6 times the cheapest of both kinds that is as good. To 1e-9 needles are refused: the momentum of a state
+/// is on the fixed axes, where rounding blurs the spin about the thin axis. All runs together cost at most 5.2 times the
 /// cheapest two that show as good an error.
 #[test]
 fn shapes_effects_and_tolerances() {
     let shapes = [
-        ("needle", [0.01, 100.0, 100.0], 0),
-        ("needle that is not round", [0.01, 100.0, 100.005], 1),
-        ("strip", [1e-4, 1.0, 1.0001], 0),
+        ("needle", [0.01, 100.0, 100.0], 3),
+        ("needle that is not round", [0.01, 100.0, 100.005], 2),
+        ("strip", [1e-4, 1.0, 1.0001], 1),
         ("thin disc", [1.0, 0.5, 0.50001], 0),
         ("near sphere", [1.0, 1.0001, 1.0002], 0),
         ("plate", [0.3, 0.7, 1.0], 0),
@@ -240,6 +241,7 @@ fn slender_bodies_without_torque() {
     ];
     let mut errors = Errors::of("error over the one asked for");
     let mut torques = Errors::of("torques");
+    let mut refused = Vec::new();
     for ([i1, i2, i3], rates, t_end) in cases {
         let moments = PrincipalMoments::new(i1, i2, i3).expect("a body");
         let rates = BodyVector::from_array(rates);
@@ -247,15 +249,24 @@ fn slender_bodies_without_torque() {
         let body = RigidBody::new(moments);
         let start = body.state(Attitude::IDENTITY, rates).expect("a start");
         for tolerance in [1e-3, 1e-6] {
-            let solved = Scene::new(body).solve_by_stepping(&start, t_end, tolerance);
-            let solved = solved.unwrap_or_else(|error| panic!("{rates:?} {tolerance}: {error}"));
+            let solved = match Scene::new(body).solve_by_stepping(&start, t_end, tolerance) {
+                Ok(solved) => solved,
+                Err(Error::NotDelivered { best, condition: Some(_), .. }) => {
+                    assert!(best > tolerance, "{rates:?} {tolerance}: {best}");
+                    refused.push((i1, tolerance));
+                    continue;
+                }
+                Err(error) => panic!("{rates:?} {tolerance}: {error}"),
+            };
             let error = solved.state.attitude.angle_to(&exact.attitude(t_end));
             errors.push_at(error / tolerance, (rates, tolerance));
             torques.push_at(solved.work.torques() as f64, (rates, tolerance));
         }
     }
-    assert_largest!(errors, 8, @"6.03e-4");
-    assert_largest!(torques, 8, @"8.50e5");
+    // What rounding leaves of two moments a billionth apart turns a needle a million times as much.
+    assert_eq!(refused, [(1e-6, 1e-6); 2]);
+    assert_largest!(errors, 6, @"6.03e-4");
+    assert_largest!(torques, 6, @"8.50e5");
 }
 
 #[test]

@@ -36,6 +36,7 @@ pub(super) enum Form {
     Stepped {
         method: Method,
         level: f64,
+        precision: f64,
         /// The start, and the ends of the pieces of the run, with their times.
         passed: Vec<(f64, Stop)>,
         /// The steps asked for on each piece, and made.
@@ -259,10 +260,12 @@ impl SolvedMotion<'_> {
     /// The state at a time, from where those before it were found.
     pub(super) fn state(&self, t: f64, here: &mut Found) -> Result<State> {
         let [from, to] = self.span();
-        let (method, level, passed, steps) = match &self.form {
+        let (method, level, precision, passed, steps) = match &self.form {
             Form::Still(state) => return Ok(*state),
             Form::Exact(motion) => return motion.at(t - from),
-            Form::Stepped { method, level, passed, steps } => (*method, *level, passed, steps),
+            Form::Stepped { method, level, precision, passed, steps } => {
+                (*method, *level, *precision, passed, steps)
+            }
         };
         let is_after = |other: f64| if to < from { other < t } else { other > t };
         let piece = passed.partition_point(|(at, _)| !is_after(*at)) - 1;
@@ -294,7 +297,7 @@ impl SolvedMotion<'_> {
             if budget == 0 {
                 return Err(over);
             }
-            let fine = Fine { level, fewest: &[fewest], budget };
+            let fine = Fine { level, fewest: &[fewest], precision, budget };
             match method.run(&problem, [from, to], &here.stop, fine, &mut here.work) {
                 Err(Error::LimitReached { .. }) => Err(over),
                 run => Ok(run?.end()),

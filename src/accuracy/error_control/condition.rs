@@ -1,10 +1,12 @@
 //! The condition: by how much the motion moves per relative change of the inputs.
 
-use super::constants::{FAR_BELOW, FINE_ENOUGH, INTERVALS, MOVED, REGULAR, ROWS};
+use super::constants::{
+    FAR_BELOW, FINE_ENOUGH, GATHERED, HOPELESS, INTERVALS, MOVED, REGULAR, ROWS,
+};
 use super::method::Method;
 use super::problem::{Distances, Problem};
 use super::refine::Refinement;
-use super::run::{Fine, Run, Stop};
+use super::run::{Fine, Run, Steps, Stop};
 use crate::accuracy::larger;
 use crate::body::State;
 use crate::error::Result;
@@ -49,15 +51,33 @@ impl Problem<'_> {
             let (places, changed) = motions(by)?;
             Ok(self.slopes(by, &places, &changed))
         };
-        for &by in probe.changes {
+        // The change that went too far, and the slopes of the one after it, which the next is to bear out.
+        let (mut too_far, mut waiting): (Option<f64>, Option<Distances>) = (None, None);
+        for (n, &by) in probe.changes.iter().enumerate() {
             let (slopes, farthest) = slopes_of(by)?;
-            if farthest <= probe.linear {
-                return match probe.again.filter(|again| *again < by) {
-                    // Near a separatrix a change may carry the motion past its own steepness.
-                    Some(again) => Ok(larger_of(slopes, slopes_of(again)?.0)),
-                    None => Ok(slopes),
-                };
+            if farthest > probe.linear {
+                (too_far, waiting) = (Some(by), None);
+                continue;
             }
+            let is_last = n + 1 == probe.changes.len();
+            let slopes = match (too_far, waiting) {
+                (None, _) => slopes,
+                (_, Some(waiting)) => larger_of(slopes, waiting),
+                (Some(before), None)
+                    if is_last && slopes[0] * before >= GATHERED * probe.linear =>
+                {
+                    slopes
+                }
+                _ => {
+                    waiting = Some(slopes);
+                    continue;
+                }
+            };
+            return match probe.again.filter(|again| *again < by) {
+                // Near a separatrix a change may carry the motion past its own steepness.
+                Some(again) => Ok(larger_of(slopes, slopes_of(again)?.0)),
+                None => Ok(slopes),
+            };
         }
         Ok([f64::INFINITY; 3])
     }
@@ -82,15 +102,56 @@ impl Refinement<'_> {
         FAR_BELOW * saddle * self.floor(method, condition) < self.tolerance
     }
 
-    /// The condition by some changes, with the state moved on the way as rounding does.
+    /// The condition: by one change of all inputs in the steps of this run, or with care where the
+    /// floor that this puts is near the tolerance.
     pub(super) fn condition(&mut self, method: Method, run: &Run) -> Result<Distances> {
+        if !self.is_steep() {
+            let before = self.work;
+            let slopes = self.slopes_by_one(method, run)?;
+            self.probes += self.work.since(&before);
+            // The push of a slender body about its thin axis outweighs all others.
+            let is_known = |slopes: &Distances| {
+                self.problem.is_slender()
+                    || self.is_far_below(method, slopes[0])
+                    || self.floor(method, slopes[0]) > HOPELESS * self.tolerance
+            };
+            if let Some(slopes) = slopes.filter(is_known) {
+                return Ok(slopes);
+            }
+        }
+        self.condition_with_care(method, run)
+    }
+
+    /// The slopes that one change of all inputs shows in the steps of this run, unless the motion goes too
+    /// far by any.
+    fn slopes_by_one(&mut self, method: Method, run: &Run) -> Result<Option<Distances>> {
+        let row = self.problem.most_sensitive_row()?;
+        let fewest: Vec<Steps> = run.steps.iter().map(|steps| steps.again(method)).collect();
+        let level = if method.is_adaptive() { run.level } else { method.coarsest };
+        for &by in &Probe::STEPPED.changes[1..] {
+            let fine = Fine { level, precision: 0.0, fewest: &fewest, budget: self.limits.budget };
+            let changed = self.run(&self.problem.changed(row, by)?, method, fine)?;
+            // Nor may they part on the way and meet again.
+            let farthest = (run.passed.iter().zip(&changed.passed))
+                .map(|(a, b)| self.problem.apart(&a.1.state, &b.1.state)[0])
+                .fold(0.0, larger);
+            if farthest <= Probe::STEPPED.linear {
+                let changed = [self.places(&changed)];
+                return Ok(Some(self.problem.slopes(by, &self.places(run), &changed).0));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The condition by some changes, with the state moved on the way as rounding does.
+    fn condition_with_care(&mut self, method: Method, run: &Run) -> Result<Distances> {
         let problem = self.problem;
         let level = if method.is_adaptive() { run.level.max(FINE_ENOUGH) } else { run.level };
         let turned = method.turned(problem, problem.span());
         let intervals = (turned / MOVED).clamp(1.0, INTERVALS) as usize;
         let mut work = Work::default();
         let condition = problem.condition(&Probe::STEPPED, |by| {
-            let fine = Fine { level, fewest: &[], budget: 0 };
+            let fine = Fine { level, precision: 0.0, fewest: &[], budget: 0 };
             let places = self.moved(method, (0, 0.0), intervals, fine, &mut work)?;
             let changed =
                 (0..ROWS).map(|row| self.moved(method, (row, by), intervals, fine, &mut work));

@@ -55,6 +55,10 @@ pub(super) const OF_A_STEP: f64 = 1e-3;
 /// More steps of a piece than these are refined by the error allowed for each.
 pub(super) const FEW: f64 = 8.0;
 
+/// To this precision at least the stages of Gauss-Legendre are solved; else to the change of the inputs of
+/// the first run, and 40 times better a level.
+pub(super) const SWEPT_AT_MOST: f64 = 1e-6;
+
 // The condition, as the distance of two runs shows it.
 
 /// The change of the inputs of the first run, as a part of the tolerance, for each radian that a
@@ -72,7 +76,10 @@ pub(super) const REGULAR: f64 = 6.0;
 
 // The condition, as runs of its own show it.
 
-/// So many changes,
+/// A floor so many times above the tolerance, as one change shows it, is refused at once.
+pub(super) const HOPELESS: f64 = 10.0;
+
+/// Where the floor is neither far below the tolerance nor hopelessly above: so many changes,
 pub(super) const ROWS: usize = 5;
 /// each with the state moved on the way, once in so many radians that the body turns: what passes a
 /// saddle must be moved on its way there;
@@ -83,6 +90,12 @@ pub(super) const INTERVALS: f64 = 512.0;
 /// The level of DOP853 there, at least. It answers a small change with a small jump, of its error: at
 /// this level of some 1e-11 a step.
 pub(super) const FINE_ENOUGH: f64 = 5.0;
+
+/// A change may leave the end where all motions wait for a while, as a top does that has all but stopped on
+/// the vertical: they gather there, and part again. So where a change went too far the next two must tell,
+/// or the last: a slope by which the larger change would have moved the end by less than this part of
+/// what is linear is none.
+pub(super) const GATHERED: f64 = 1e-2;
 
 // Closed forms.
 

@@ -197,6 +197,7 @@ impl<'s> Given<'s> {
             form: Form::Stepped {
                 method: delivered.method,
                 level: delivered.run.level,
+                precision: delivered.run.precision,
                 passed,
                 steps: delivered.run.steps,
             },
@@ -211,18 +212,17 @@ impl Given<'_> {
         unnamed.then(|| (self.t_end - self.limits.t_start).abs() / LOOKS)
     }
 
-    /// Why nothing comes of all runs over a torque that nothing declares.
+    /// What to declare, where runs take too much over a torque that nothing declares.
     fn reason(&self, error: Error) -> Error {
-        let limit = match error {
-            Error::LimitReached { limit, .. } => Some(limit),
-            Error::NotDelivered { best, .. } if !best.is_finite() => None,
-            _ => return error,
-        };
-        if self.effects.properties().smooth {
-            return error;
+        match (error, self.looked_every()) {
+            (Error::LimitReached { limit, .. }, Some(every))
+                if !self.effects.properties().smooth =>
+            {
+                let effect = self.effects.names().join(" and ");
+                Error::Undeclared { effect, requested: self.tolerance, every, limit }
+            }
+            (error, _) => error,
         }
-        let effect = self.effects.names().join(" and ");
-        Error::Undeclared { effect, requested: self.tolerance, every: self.looked_every(), limit }
     }
 }
 

@@ -151,8 +151,8 @@ impl<E: AnyEffect> Scene<E> {
     /// determine the end so closely, or no method converges to it;
     /// [`Error::LimitReached`](crate::Error::LimitReached) if it takes more torques than
     /// [`Limits::budget`]; [`Error::Sliding`](crate::Error::Sliding) where a declared switch drives the
-    /// motion back from both sides; [`Error::Undeclared`](crate::Error::Undeclared) where runs do not
-    /// agree, or take too much, over a torque that is not called smooth;
+    /// motion back from both sides; [`Error::Undeclared`](crate::Error::Undeclared) where runs
+    /// take too much over a torque that is not called smooth;
     /// [`Error::StepUnderflow`](crate::Error::StepUnderflow) where the motion itself is singular.
     pub fn solve(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Solved> {
         self.solve_with(start, t_end, tolerance, &Limits::default())

@@ -330,7 +330,7 @@ impl<'e> Problem<'e> {
     /// about its other axes.
     pub(super) fn fastest(&self) -> f64 {
         if self.is_slender() {
-            return self.rate_about(1) + self.body.angular_velocity(&self.start).norm();
+            return self.rate_about(1).max(self.body.angular_velocity(&self.start).norm());
         }
         self.bound_on_rate()
     }

@@ -3,7 +3,9 @@
 //!
 //! The numbers in [`Refinement::refine`] are those of the page `book/src/how_error_control.md`.
 
-use super::constants::{CHANGED, FAR_BELOW, KINKED, LEVEL, MOST_LEVELS, ROUND_OFF, SAFETY, STUCK};
+use super::constants::{
+    CHANGED, FAR_BELOW, KINKED, LEVEL, MOST_LEVELS, ROUND_OFF, SAFETY, STUCK, SWEPT_AT_MOST,
+};
 use super::limits::Limits;
 use super::method::Method;
 use super::problem::{Acting, Distances, Problem};
@@ -150,10 +152,16 @@ impl<'p> Refinement<'p> {
         }
     }
 
+    /// A relative change of the inputs that moves the end of a motion that is only late by some hundredths
+    /// of the tolerance.
+    fn small_change(&self) -> f64 {
+        CHANGED * self.tolerance / (1.0 + self.angle_turned())
+    }
+
     /// The change of the inputs of the first run, where its distance from the second can show both the
     /// error and the condition.
     fn first_change(&self, method: Method) -> Option<f64> {
-        let by = CHANGED * self.tolerance / (1.0 + self.angle_turned());
+        let by = self.small_change();
         let floor = self.floor(method, 0.5 * self.tolerance / by);
         (!self.is_steep() && FAR_BELOW * floor < self.tolerance).then_some(by)
     }
@@ -271,8 +279,9 @@ impl<'p> Refinement<'p> {
         let most = method.finest - if self.may_have_kinks() { 2.0 } else { 1.0 };
         let level = method.level_for(self.problem, self.tolerance / SAFETY);
         let mut level = level.min(most);
+        let precision = self.small_change().min(SWEPT_AT_MOST);
         loop {
-            let fine = Fine { level, fewest: &[], budget: self.limits.budget };
+            let fine = Fine { level, fewest: &[], precision, budget: self.limits.budget };
             match self.run(problem, method, fine) {
                 Err(error) if !stops(&error) && level + 1.0 < method.finest => level += 1.0,
                 run => return run,
@@ -285,7 +294,9 @@ impl<'p> Refinement<'p> {
         let finer = |steps: &Steps| steps.finer(method, ahead);
         let fewest: Vec<Steps> = coarse.steps.iter().map(finer).collect();
         let (level, budget) = (coarse.level + ahead, self.limits.budget);
-        self.run(self.problem, method, Fine { level, fewest: &fewest, budget })
+        // So what the sweeps leave falls as the rest of the error does, and the distance shows both.
+        let precision = coarse.precision * exp(-LEVEL * ahead);
+        self.run(self.problem, method, Fine { level, fewest: &fewest, precision, budget })
     }
 
     /// A run of the whole span within what is left of the budget; its work is counted.

@@ -34,6 +34,11 @@ impl Steps {
         self.sampled.ceil() as u64
     }
 
+    /// The steps of another run in the same steps; an adaptive method takes its own.
+    pub(super) fn again(self, method: Method) -> Self {
+        Self { fewest: if method.is_adaptive() { self.fewest } else { self.made }, ..self }
+    }
+
     /// The steps of a run that is finer by so many levels, on every piece. Runs that took the same
     /// steps over one of them would agree on it, and say nothing of its error.
     pub(super) fn finer(self, method: Method, levels: f64) -> Self {
@@ -52,6 +57,8 @@ impl Steps {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Fine<'f> {
     pub level: f64,
+    /// To which the stages of Gauss-Legendre are solved; 0 for round-off.
+    pub precision: f64,
     /// On each piece so many steps at least; one on those beyond the last.
     pub fewest: &'f [Steps],
     /// So many torques at most.
@@ -76,6 +83,8 @@ impl Stop {
 pub(super) struct Run {
     /// The level of the steps it took: the least of all pieces.
     pub level: f64,
+    /// That of its stages.
+    pub precision: f64,
     /// No step was longer (s).
     pub longest_step: f64,
     pub work: Work,
@@ -106,6 +115,7 @@ impl Method {
         let begun = *spent;
         let mut run = Run {
             level: f64::INFINITY,
+            precision: fine.precision,
             longest_step: 0.0,
             work: Work::default(),
             steps: Vec::new(),
@@ -165,7 +175,7 @@ impl Method {
                 return Err(over);
             }
             least = least.max(of_level.ceil() as u64);
-            Stepper::new(self.named, Resolution::Steps(least))?
+            Stepper::new(self.named, Resolution::Stages(least, fine.precision))?
         };
         let end = match stepper {
             Stepper::Dop853(dop853) if problem.has_laws() => {

@@ -93,7 +93,7 @@ fn jumps_without_a_name_are_found() -> Result<()> {
         let apart = named?.state.attitude.angle_to(&unseen?.state.attitude);
         assert!(apart > 1e-7, "{apart:e}");
     }
-    assert_largest!(over, 6, @"1.02e-3");
+    assert_largest!(over, 6, @"9.57e-4");
     assert_largest!(price, 6, @"3.30");
     Ok(())
 }
@@ -230,7 +230,7 @@ fn roots_of_the_time_are_found() -> Result<()> {
         }
     }
     assert_largest!(over, 6, @"0.0228");
-    assert_largest!(costlier, 6, @"2.08");
+    assert_largest!(costlier, 6, @"1.99");
     Ok(())
 }
 
@@ -293,10 +293,10 @@ fn what_sweeps_leave_adds_up() -> Result<()> {
         // From a thousand steps to a hundred thousand.
         power.push_at(log(left[3] / left[1]) / log(100.0), precision);
     }
-    assert_largest!(covered, 12, @"0.666");
-    assert_largest!(power, 3, @"1.03");
+    assert_largest!(covered, 12, @"0.626");
+    assert_largest!(power, 3, @"1.02");
     assert!(power.smallest() > 0.9, "{}", power.smallest());
-    twin.exceed(3.3, 1);
+    twin.exceed(3.1, 1);
     Ok(())
 }
 
@@ -359,7 +359,7 @@ fn the_price_of_not_knowing_is_bounded() -> Result<()> {
             price(&Problem::new(scene, start, 20.0, end), spin)?;
         }
     }
-    assert_largest!(loose, 6, @"62.1");
-    assert_largest!(tight, 6, @"9.51");
+    assert_largest!(loose, 6, @"67.9");
+    assert_largest!(tight, 6, @"12.1");
     Ok(())
 }

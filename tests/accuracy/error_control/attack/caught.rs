@@ -29,7 +29,7 @@ fn what_was_caught_once_holds() {
     let (counts, ratios) = again(&scenes, hostile::KINDS, hostile::case);
     assert_eq!(counts, [46, 14]);
     // The promise is 1.
-    assert_largest!(ratios, 46, @"0.204");
+    assert_largest!(ratios, 46, @"0.154");
 }
 
 /// Bricks that lost most of their momentum in each of four to six steps, which agreed by chance: 1.3
@@ -40,7 +40,7 @@ fn a_brick_in_thick_oil_holds() {
     let case = |n| resisted::case(n, &chosen);
     let (counts, ratios) = again(&[4418, 5264], resisted::KINDS, case);
     assert_eq!(counts, [4, 0]);
-    assert_largest!(ratios, 4, @"3.76e-5");
+    assert_largest!(ratios, 4, @"3.72e-5");
 }
 
 /// Powers of 3/2 in time that bend against the rest, over which looks passed: 1.25 and 1.38 times

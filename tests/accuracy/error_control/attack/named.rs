@@ -203,7 +203,7 @@ fn no_run_without_end() -> Result<()> {
         Err(
             Error::LimitReached { what: "torques", limit: 1_000_000, .. }
             | Error::StepUnderflow { .. }
-            | Error::Sliding { .. }
+            | Error::Undeclared { limit: 1_000_000, .. }
             | Error::NotDelivered { condition: None, .. },
         ) => refused += 1,
         other => panic!("{other:?}"),
