@@ -33,6 +33,6 @@ fn eulers_equations_hold_with_a_torque() {
             twin.push(left - (turned - torque[i]));
         }
     }
-    assert_largest!(errors, 12, @"5.81e-13");
+    assert_largest!(errors, 12, @"5.35e-13");
     twin.exceed(0.1, 12);
 }

@@ -312,7 +312,7 @@ fn the_bearings_torque_is_what_the_motion_needs() {
     assert_error!((shaft.i3 - shaft.i1) * b * c / shaft.torque().x(), 1.0, 0.0 eps);
     let problem = shaft.driven().unwrap();
     let solved = problem.scene.solve_at(&problem.start, &[problem.end], 1e-12, &Limits::default());
-    assert_error!(problem.error(&solved.unwrap()[0]), 4.9e-14);
+    assert_error!(problem.error(&solved.unwrap()[0]), 4.56e-14);
     let mirrored = Shaft { tilt: -0.5, ..Shaft::of(&Parameters::default()).unwrap() };
     let other = mirrored.driven().unwrap();
     assert!(other.scene.solve(&problem.start, problem.end, 1e-6).is_ok_and(|led| problem.error(&led.state) > 0.1));

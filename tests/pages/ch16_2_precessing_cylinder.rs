@@ -113,7 +113,7 @@ fn e30_the_rate_is_squared() {
         let end = Scene::new(rigid).with(clamp).solve(&start, 1.0, 1e-9).unwrap().state;
         end.attitude.angle_to(&body.held(10.0).unwrap())
     };
-    assert_error!(astray(body.torque()), 4.14e-13);
+    assert_error!(astray(body.torque()), 2.83e-14);
     assert!(astray(body.torque() / 10.0) > 1.0);
 }
 

@@ -1,7 +1,7 @@
 //! The condition: by how much the motion moves per relative change of the inputs.
 
 use super::constants::{
-    FAR_BELOW, FINE_ENOUGH, GATHERED, HOPELESS, INTERVALS, MOVED, REGULAR, ROWS,
+    CHANGED, FAR_BELOW, FINE_ENOUGH, GATHERED, HOPELESS, INTERVALS, MOVED, REGULAR, ROWS,
 };
 use super::method::Method;
 use super::problem::{Distances, Problem};
@@ -129,7 +129,8 @@ impl Refinement<'_> {
         let fewest: Vec<Steps> = run.steps.iter().map(|steps| steps.again(method)).collect();
         let level = if method.is_adaptive() { run.level } else { method.coarsest };
         for &by in &Probe::STEPPED.changes[1..] {
-            let fine = Fine { level, precision: 0.0, fewest: &fewest, budget: self.limits.budget };
+            let precision = CHANGED * by;
+            let fine = Fine { level, precision, fewest: &fewest, budget: self.limits.budget };
             let changed = self.run(&self.problem.changed(row, by)?, method, fine)?;
             // Nor may they part on the way and meet again.
             let farthest = (run.passed.iter().zip(&changed.passed))
@@ -146,12 +147,14 @@ impl Refinement<'_> {
     /// The condition by some changes, with the state moved on the way as rounding does.
     fn condition_with_care(&mut self, method: Method, run: &Run) -> Result<Distances> {
         let problem = self.problem;
-        let level = if method.is_adaptive() { run.level.max(FINE_ENOUGH) } else { run.level };
+        // A motion a level coarser has the same condition.
+        let level = if method.is_adaptive() { run.level.max(FINE_ENOUGH) } else { run.level - 1.0 };
         let turned = method.turned(problem, problem.span());
         let intervals = (turned / MOVED).clamp(1.0, INTERVALS) as usize;
         let mut work = Work::default();
         let condition = problem.condition(&Probe::STEPPED, |by| {
-            let fine = Fine { level, precision: 0.0, fewest: &[], budget: 0 };
+            // What the sweeps leave must not be mistaken for a change.
+            let fine = Fine { level, precision: CHANGED * by, fewest: &[], budget: 0 };
             let places = self.moved(method, (0, 0.0), intervals, fine, &mut work)?;
             let changed =
                 (0..ROWS).map(|row| self.moved(method, (row, by), intervals, fine, &mut work));

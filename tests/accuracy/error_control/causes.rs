@@ -360,6 +360,6 @@ fn the_price_of_not_knowing_is_bounded() -> Result<()> {
         }
     }
     assert_largest!(loose, 6, @"67.9");
-    assert_largest!(tight, 6, @"12.1");
+    assert_largest!(tight, 6, @"10.8");
     Ok(())
 }
