@@ -354,16 +354,20 @@ fn links_and_pipes_are_written_through_and_devices_refused() {
     assert!(names.iter().all(|name| !name.ends_with(".tmp")), "{names:?}");
 }
 
-/// Once for real, as a reader types it: the ladder, with its output going to a pipe
-/// that nobody reads, and to one that is read.
+/// Once for real, as the program that a reader runs: the ladder, with its output going to a pipe that nobody
+/// reads, and to one that is read; and its figures in files.
 #[test]
-#[ignore = "compiles an example as a program, with the kit as readers have it: a part of the gate"]
+#[ignore = "compiles an example as a program: a part of the gate"]
 fn a_real_example_survives_a_closed_pipe_and_refuses_bad_input() {
     use std::process::{Command, Stdio};
+    // With the kit that the tests have compiled; examples are only checked there, unless they are to be fast.
+    let profile = ["--profile", "test", "--config", "profile.test.package.examples.opt-level=1"];
     let run = |arguments: &[&str]| {
         let mut command = Command::new(env!("CARGO"));
-        command.args(["run", "--quiet", "--offline", "--example", "ch16_ex6_ladder", "--"]);
+        command.args(["run", "--quiet", "--offline", "--example", "ch16_ex6_ladder"]);
         command
+            .args(profile)
+            .arg("--")
             .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
             .args(arguments)
             .stdout(Stdio::piped())
@@ -384,6 +388,15 @@ fn a_real_example_survives_a_closed_pipe_and_refuses_bad_input() {
     let refused = run(&["--length", "-3"]).wait_with_output().expect("it ends");
     assert_eq!((refused.status.code(), refused.stdout.len()), (Some(2), 0));
     assert!(String::from_utf8_lossy(&refused.stderr).starts_with("error: length = -3"));
+
+    let folder = std::env::temp_dir().join(format!("ladder-{}", std::process::id()));
+    let drawn =
+        run(&["--svg", folder.to_str().expect("a name")]).wait_with_output().expect("it ends");
+    assert!(drawn.status.success());
+    let figure =
+        std::fs::read_to_string(folder.join("ch16_ex6_ladder__setup.svg")).expect("a figure");
+    assert!(figure.trim_end().ends_with("</svg>"));
+    std::fs::remove_dir_all(folder).expect("its own folder");
 }
 
 kit::parameters! {

@@ -14,8 +14,8 @@ fn hold(attacked: &Attacked, counts: [usize; 2], range: RangeInclusive<f64>) {
 
 #[test]
 fn nothing_is_granted_that_does_not_hold() {
-    let attacked = attacked(0..200, hostile::KINDS, hostile::case).expect("sound scenes");
-    hold(&attacked, [280, 120], 0.035..=0.036);
+    let attacked = attacked(0..100, hostile::KINDS, hostile::case).expect("sound scenes");
+    hold(&attacked, [141, 59], 0.065..=0.066);
 }
 
 /// Pulses and bursts that nothing names are seen where `solve` says that it sees them, and no
@@ -44,19 +44,19 @@ fn kinks_without_a_name_break_no_promise() {
 /// Tables, sampled, saturated and switched laws.
 #[test]
 fn no_control_breaks_the_promise() {
-    let attacked = attacked(0..240, laws::KINDS, laws::case).expect("sound scenes");
-    hold(&attacked, [454, 26], 0.076..=0.077);
+    let attacked = attacked(0..120, laws::KINDS, laws::case).expect("sound scenes");
+    hold(&attacked, [232, 8], 0.014..=0.015);
 }
 
-/// The pulses of millions of steps; all others, and the quickest of these, are tried by the test of
-/// this name in `tests/accuracy`.
+/// Four of the pulses of millions of steps; the quickest and all that is no pulse are tried by the test of this
+/// name in `tests/accuracy`, the others with the ten thousand.
 #[test]
 fn what_was_caught_once_holds() {
     let mut counts = [0; 2];
-    for n in CAUGHT_PULSES.into_iter().filter(|n| *n != QUICKEST_PULSE) {
+    for n in CAUGHT_PULSES.into_iter().filter(|n| *n != QUICKEST_PULSE).take(4) {
         let one = attacked(n..n + 1, hostile::KINDS, hostile::case).expect("a sound scene");
         let more = held(&one);
         counts = [0, 1].map(|i| counts[i] + more[i]);
     }
-    assert_eq!(counts, [12, 12]);
+    assert_eq!(counts, [4, 4]);
 }
