@@ -63,10 +63,11 @@ pub enum Error {
         off: f64,
         allowed: f64,
     },
-    /// The torque jumps with the state, back and forth in every step, and the steps collapse.
+    /// A declared law drives the motion back from both sides of the surface where it switches: the motion
+    /// slides along that surface.
     Sliding { effect: String, t: f64 },
-    /// Runs take more than this `limit` of torques over one that is not called smooth; it was looked at
-    /// once `every` so many seconds.
+    /// Runs take more than this `limit` of torques, and effects are not called smooth and name no narrowest
+    /// feature. The torque was looked at every `every` seconds.
     Undeclared { effect: String, requested: f64, every: f64, limit: u64 },
     /// The scene, the method or the start does not allow these effects.
     Incompatible { effects: String, reason: Cow<'static, str> },
@@ -218,10 +219,10 @@ impl fmt::Display for Error {
                 "\"{effect}\" says {claim}, and {} its torque is off that by {off:.3e} \
                  (at most {} is allowed)", place(*t, *probe), brief(*allowed);
             Sliding { effect, t } =>
-                "sliding motion at a jump of \"{effect}\" near t = {}: the torque jumps with the \
-                 state, back and forth in every step, and the steps collapse; let it pass from one \
-                 value to the other over a small width, as tanh does, give it hysteresis, sample it at \
-                 a rate (`Torque::sampled`), or end the motion there", brief(*t);
+                "sliding motion at a jump of \"{effect}\" near t = {}: the torque drives the motion \
+                 back from both sides of the surface where it switches; let it pass from one value to \
+                 the other over a small width, as tanh does, give it hysteresis, sample it at a rate \
+                 (`Torque::sampled`), or end the motion there", brief(*t);
             Undeclared { effect, requested, every, limit } =>
                 "an error of {requested:e} takes more than the {limit} torques that are allowed: nothing \
                  says that the torque of \"{effect}\" is smooth, and it was looked at only every {} s; \
@@ -320,7 +321,8 @@ impl fmt::Display for Error {
                 "an error of {requested:e} is asked for; best error reached: {best:.1e}";
             NotDelivered { requested, .. } =>
                 "an error of {requested:e} is asked for, and finer and finer runs do not agree: what \
-                 happens depends on digits that doubles do not have";
+                 happens depends on digits that doubles do not have, or on features of a torque that \
+                 nothing declares";
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The condition: by how much the motion moves per relative change of the inputs.
 
 use super::constants::{
-    CHANGED, FAR_BELOW, FINE_ENOUGH, GATHERED, HOPELESS, INTERVALS, MOVED, REGULAR, ROWS,
+    CHANGED, COMPARED, FAR_BELOW, FINE_ENOUGH, GATHERED, MOST_COMPARED, REGULAR, ROWS,
 };
 use super::method::Method;
 use super::problem::{Distances, Problem};
@@ -55,7 +55,7 @@ impl Problem<'_> {
         let (mut too_far, mut waiting): (Option<f64>, Option<Distances>) = (None, None);
         for (n, &by) in probe.changes.iter().enumerate() {
             let (slopes, farthest) = slopes_of(by)?;
-            if farthest > probe.linear {
+            if farthest.is_nan() || farthest > probe.linear {
                 (too_far, waiting) = (Some(by), None);
                 continue;
             }
@@ -103,7 +103,7 @@ impl Refinement<'_> {
     }
 
     /// The condition: by one change of all inputs in the steps of this run, or with care where the
-    /// floor that this puts is near the tolerance.
+    /// floor that this puts is neither far below the tolerance nor far above.
     pub(super) fn condition(&mut self, method: Method, run: &Run) -> Result<Distances> {
         if !self.is_steep() {
             let before = self.work;
@@ -113,7 +113,7 @@ impl Refinement<'_> {
             let is_known = |slopes: &Distances| {
                 self.problem.is_slender()
                     || self.is_far_below(method, slopes[0])
-                    || self.floor(method, slopes[0]) > HOPELESS * self.tolerance
+                    || self.floor(method, slopes[0]) > FAR_BELOW * self.tolerance
             };
             if let Some(slopes) = slopes.filter(is_known) {
                 return Ok(slopes);
@@ -150,7 +150,7 @@ impl Refinement<'_> {
         // A motion a level coarser has the same condition.
         let level = if method.is_adaptive() { run.level.max(FINE_ENOUGH) } else { run.level - 1.0 };
         let turned = method.turned(problem, problem.span());
-        let intervals = (turned / MOVED).clamp(1.0, INTERVALS) as usize;
+        let intervals = (turned / COMPARED).clamp(1.0, MOST_COMPARED) as usize;
         let mut work = Work::default();
         let condition = problem.condition(&Probe::STEPPED, |by| {
             // What the sweeps leave must not be mistaken for a change.

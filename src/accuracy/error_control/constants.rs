@@ -12,15 +12,9 @@
 
 #![warn(clippy::missing_docs_in_private_items)]
 
-use crate::effects::UNNAMED;
-
 // Which method comes first.
 
-/// Under a known resistance a splitting of order 4 costs less above this error, one of order 6 below:
-/// measured on bodies in oil and in air.
-pub(super) const ORDER_FOUR: f64 = 1e-5;
-
-/// Under other smooth torques Gauss-Legendre of order 16 costs less than DOP853 below this error:
+/// Under smooth torques that see more than the axis Gauss-Legendre of order 16 costs less than DOP853 below this error:
 /// measured on satellites, motors and magnets.
 pub(super) const ORDER_SIXTEEN: f64 = 1e-8;
 
@@ -52,6 +46,10 @@ pub(super) const ROUND_OFF: f64 = 16.0;
 /// The error allowed for a step of DOP853 at level 0.
 pub(super) const OF_A_STEP: f64 = 1e-3;
 
+/// So many levels are left to a run whose steps were short from the first: a bump whose width is named
+/// took one more at 1e-11.
+pub(super) const LATER: f64 = 4.0;
+
 /// More steps of a piece than these are refined by the error allowed for each.
 pub(super) const FEW: f64 = 8.0;
 
@@ -65,7 +63,7 @@ pub(super) const SWEPT_AT_MOST: f64 = 1e-6;
 /// motion is late. It moves the end of one that is only late by some hundredths of the tolerance.
 pub(super) const CHANGED: f64 = 0.05;
 
-/// A floor that is so many times below the tolerance need not be known well. A single change of all
+/// A floor that is so many times below the tolerance need not be known well, nor one that is as far above. A single change of all
 /// inputs moves the end by a sum with signs. In one direction that is below 1/30 of its root mean
 /// square in 27 cases of a thousand, in three alike in one of 20 000 (a normal distribution).
 pub(super) const FAR_BELOW: f64 = 30.0;
@@ -76,16 +74,10 @@ pub(super) const REGULAR: f64 = 6.0;
 
 // The condition, as runs of its own show it.
 
-/// A floor so many times above the tolerance, as one change shows it, is refused at once.
-pub(super) const HOPELESS: f64 = 10.0;
-
-/// Where the floor is neither far below the tolerance nor hopelessly above: so many changes,
+/// Where the floor is neither far below the tolerance nor hopelessly above: so many changes are
+/// made, each with the state moved on the way too, as often as runs are compared where every state is asked for
+/// ([`COMPARED`]): what passes a saddle must be moved on its way there.
 pub(super) const ROWS: usize = 5;
-/// each with the state moved on the way, once in so many radians that the body turns: what passes a
-/// saddle must be moved on its way there;
-pub(super) const MOVED: f64 = 2.0;
-/// but so often at most.
-pub(super) const INTERVALS: f64 = 512.0;
 
 /// The level of DOP853 there, at least. It answers a small change with a small jump, of its error: at
 /// this level of some 1e-11 a step.
@@ -123,9 +115,6 @@ pub(super) const MOST_COMPARED: f64 = 128.0;
 pub(super) const PART: u64 = 8;
 
 // Features in time that nothing names, and pulses.
-
-/// A pulse must last one part in so many of the span to be seen if nothing names it.
-pub(super) const LOOKS: f64 = UNNAMED;
 
 /// A pulse whose width is named is taken in so many steps at least.
 pub(super) const STEPS_IN_PULSE: f64 = 2.0;

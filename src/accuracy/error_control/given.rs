@@ -6,7 +6,7 @@
 use super::along::Form;
 use super::changed::ALL_ROWS;
 use super::condition::Probe;
-use super::constants::{CLOSED_FORM, COMPARED, CUT, LOOKS, MOST_COMPARED, MOST_CUTS};
+use super::constants::{CLOSED_FORM, COMPARED, CUT, MOST_COMPARED, MOST_CUTS};
 use super::limits::Limits;
 use super::problem::{Acting, Distances, Problem};
 use super::refine::Refinement;
@@ -15,7 +15,7 @@ use super::{ExactMotion, Solved};
 use crate::accuracy::tolerance_of_attitude;
 use crate::body::{RigidBody, State};
 use crate::effects::erased::AnyEffect;
-use crate::effects::{Checked, NEAR};
+use crate::effects::{Checked, NEAR, UNNAMED};
 use crate::error::{Error, Result, finite};
 use crate::integrators::Work;
 use crate::math::EPS;
@@ -93,7 +93,7 @@ impl<'s> Given<'s> {
         let bound =
             finite("the fastest rate that the energy allows", given.problem().bound_on_rate())?;
         let seen = if properties.on_time && t_end != limits.t_start {
-            given.checked.looked(LOOKS as usize)
+            given.checked.looked(UNNAMED as usize)
         } else {
             Vec::new()
         };
@@ -109,7 +109,7 @@ impl<'s> Given<'s> {
             let rate = given.problem().fastest();
             let cuts = (rate * (t_end - limits.t_start).abs() / CUT).clamp(1.0, MOST_CUTS) as usize;
             let problem = given.problem();
-            let near = NEAR / LOOKS * (t_end - limits.t_start).abs();
+            let near = NEAR / UNNAMED * (t_end - limits.t_start).abs();
             let apart = |cut: &f64| given.breaks.iter().all(|t| (t - cut).abs() > near);
             let cuts: Vec<f64> =
                 (1..cuts).map(|n| problem.time_at(n, cuts)).filter(apart).collect();
@@ -209,7 +209,7 @@ impl Given<'_> {
     /// The time between two looks at the torque, if it may have features that nothing names.
     fn looked_every(&self) -> Option<f64> {
         let unnamed = self.effects.properties().on_time && self.effects.narrowest().is_none();
-        unnamed.then(|| (self.t_end - self.limits.t_start).abs() / LOOKS)
+        unnamed.then(|| (self.t_end - self.limits.t_start).abs() / UNNAMED)
     }
 
     /// What to declare, where runs take too much over a torque that nothing declares.

@@ -1,8 +1,8 @@
 //! The limits of a solution, beside its scene, start, end and tolerance.
 
-use super::constants::{LOOKS, STEPS_IN_PULSE, STEPS_OVER_JUMPS};
+use super::constants::{STEPS_IN_PULSE, STEPS_OVER_JUMPS};
 use crate::effects::erased::AnyEffect;
-use crate::effects::{Checked, is_same};
+use crate::effects::{Checked, UNNAMED, is_same};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::SpaceVector;
 use crate::math::sort_by_number;
@@ -113,7 +113,7 @@ impl Limits<'_> {
             None if effects.properties().on_time => {
                 let span = (t_end - self.t_start).abs();
                 if let Some(looks) = checked.looks_in_step(seen) {
-                    longest = longest.min(span / LOOKS * looks as f64);
+                    longest = longest.min(span / UNNAMED * looks as f64);
                 }
                 if !effects.properties().smooth {
                     longest = longest.min(span / STEPS_OVER_JUMPS);

@@ -80,8 +80,8 @@ pub struct Solved {
     /// The same of the angular velocity.
     pub rates_estimate: f64,
     /// The angle (rad) by which the end changes per relative change of the inputs. Where it leaves
-    /// the floor far below the tolerance it is measured by a single change of all inputs, with the
-    /// error of the coarser run in it. So it is mostly too large, and at most 1.9 times too small,
+    /// the floor far below the tolerance a single change of all inputs tells it; that of the first run has
+    /// the error of that run in it, and tells too much. It is at most 1.9 times too small,
     /// as measured (`a_stepped_condition_covers_that_of_the_closed_form` in
     /// `tests/accuracy/error_control`).
     pub condition: f64,
@@ -153,7 +153,8 @@ impl<E: AnyEffect> Scene<E> {
     /// [`Limits::budget`]; [`Error::Sliding`](crate::Error::Sliding) where a declared switch drives the
     /// motion back from both sides; [`Error::Undeclared`](crate::Error::Undeclared) where runs
     /// take too much over a torque that is not called smooth;
-    /// [`Error::StepUnderflow`](crate::Error::StepUnderflow) where the motion itself is singular.
+    /// [`Error::StepUnderflow`](crate::Error::StepUnderflow) where DOP853 meets a motion that is singular, or
+    /// a jump.
     pub fn solve(&self, start: &State, t_end: f64, tolerance: f64) -> Result<Solved> {
         self.solve_with(start, t_end, tolerance, &Limits::default())
     }

@@ -1,10 +1,10 @@
-//! The error control of what must be stepped: a run, a finer run, and a run with its inputs a little
-//! changed, finer until their distances are small enough.
+//! The error control of what must be stepped: a run with its inputs a little changed, then finer runs, until
+//! the distance of the last two is small enough.
 //!
 //! The numbers in [`Refinement::refine`] are those of the page `book/src/how_error_control.md`.
 
 use super::constants::{
-    CHANGED, FAR_BELOW, KINKED, LEVEL, MOST_LEVELS, ROUND_OFF, SAFETY, STUCK, SWEPT_AT_MOST,
+    CHANGED, FAR_BELOW, KINKED, LATER, LEVEL, MOST_LEVELS, ROUND_OFF, SAFETY, STUCK, SWEPT_AT_MOST,
 };
 use super::limits::Limits;
 use super::method::Method;
@@ -104,6 +104,9 @@ impl<'p> Refinement<'p> {
         // 1. The first run, its inputs a little changed.
         let mut change = self.first_change(method);
         let mut coarse = self.first(method, change)?;
+        // Where steps are short for another reason than the rotation, their order begins later.
+        let later = if method.is_adaptive() { 0.0 } else { coarse.level + LATER };
+        let finest = method.finest.max(later);
         let (mut condition, mut before): (Option<Distances>, Option<Distances>) = (None, None);
         let (mut ahead, mut stuck) = (1.0, 0);
         let (mut nearest, mut reached) = (f64::INFINITY, f64::INFINITY);
@@ -138,15 +141,15 @@ impl<'p> Refinement<'p> {
             }
             reached = reached.min(estimate[0]);
             // 7. Finer.
-            stuck = if apart[0] <= 0.5 * nearest { 0 } else { stuck + 1 };
+            stuck = if apart[0] < 0.5 * nearest { 0 } else { stuck + 1 };
             nearest = nearest.min(apart[0]);
-            if stuck == STUCK || fine.level + 0.1 >= method.finest {
+            if stuck == STUCK || fine.level + 0.1 >= finest {
                 return Err(self.refused(method, &fine, condition, reached));
             }
             let budget = 0.5 * (self.tolerance - left[0]).max(EPS);
             let wanted = log(SAFETY * apart[0] / budget) / (LEVEL * method.falls);
             // Where three runs count, one more is to have room.
-            let room = (method.finest - fine.level) / if self.may_have_kinks() { 2.0 } else { 1.0 };
+            let room = (finest - fine.level) / if self.may_have_kinks() { 2.0 } else { 1.0 };
             ahead = wanted.clamp(1.0, MOST_LEVELS).min(room.max(0.0));
             (coarse, before) = (fine, Some(apart));
         }
@@ -184,19 +187,18 @@ impl<'p> Refinement<'p> {
         known: Option<Distances>,
         reached: f64,
     ) -> Error {
-        match known.map_or_else(|| self.condition(method, run), Ok) {
-            Ok([condition, ..]) => {
-                let floor = self.floor(method, condition);
-                if floor >= self.tolerance {
-                    return self.beyond(floor, condition);
-                }
-                if reached < ROUND_OFF * floor {
-                    return self.beyond(reached, condition);
-                }
-                self.not_delivered(reached)
-            }
-            Err(error) if stops(&error) => error,
-            Err(_) => self.not_delivered(reached),
+        let condition = match known.map_or_else(|| self.condition(method, run), Ok) {
+            Ok([condition, ..]) => condition,
+            Err(error) if stops(&error) => return error,
+            Err(_) => return self.not_delivered(reached),
+        };
+        let floor = self.floor(method, condition);
+        if floor >= self.tolerance {
+            self.beyond(floor, condition)
+        } else if reached < ROUND_OFF * floor {
+            self.beyond(reached, condition)
+        } else {
+            self.not_delivered(if known.is_some() { reached } else { reached + floor })
         }
     }
 

@@ -57,7 +57,7 @@ impl Steps {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Fine<'f> {
     pub level: f64,
-    /// To which the stages of Gauss-Legendre are solved; 0 for round-off.
+    /// To which the stages of Gauss-Legendre are solved.
     pub precision: f64,
     /// On each piece so many steps at least; one on those beyond the last.
     pub fewest: &'f [Steps],

@@ -189,7 +189,7 @@ fn a_satellite_is_stopped_where_its_axis_crosses_the_plane_of_its_orbit() -> Res
         assert_eq!(crossing.rising, other.rising);
         apart.push((crossing.t - other.t).abs() / crossing.t_estimate);
     }
-    assert_largest!(apart, 10, @"0.110");
+    assert_largest!(apart, 10, @"0.117");
     // From stop to stop: the start of each motion is no crossing of it.
     let (mut t_start, mut from, mut stops) = (0.0, start, Vec::new());
     loop {
@@ -207,7 +207,7 @@ fn a_satellite_is_stopped_where_its_axis_crosses_the_plane_of_its_orbit() -> Res
     for (stop, crossing) in stops.iter().zip(&crossings) {
         apart.push((stop - crossing.t).abs() / crossing.t_estimate);
     }
-    assert_largest!(apart, 10, @"0.0114");
+    assert_largest!(apart, 10, @"0.0122");
     Ok(())
 }
 

@@ -44,16 +44,16 @@ fn no_error_exceeds_its_request() {
         assert!(most <= 1.0, "{tolerance:e}: {most:e}");
         assert!(spread.estimate(1.0) <= 1.0, "{tolerance:e}");
         // Not needlessly small. Measured: from 4e-6 at 1e-3, where the coarsest steps
-        // are better than that already, to 1.4e-2 at 1e-13.
+        // are better than that already, to 1.5e-2 at 1e-13.
         assert!(median >= 3e-6, "{tolerance:e}: {median:e}");
         // Measured: 2.0 from 1e-3 to 1e-10, 7.7 at 1e-12.
         assert!(*price <= 15.0, "{tolerance:e}: {price}");
-        // Measured: 0.2 % at 1e-3, 47 % at 1e-13, where doubles end.
+        // Measured: 0.2 % at 1e-3, 48 % at 1e-13, where doubles end.
         let allowed = if *tolerance >= 1e-9 { 0.02 } else { 0.6 };
         assert!((*refused as f64) <= allowed * SCENES as f64, "{tolerance:e}: {refused}");
     }
     // The promise is 1.
-    assert_largest!(ratios_of_all, 6153, @"0.645");
+    assert_largest!(ratios_of_all, 6149, @"0.645");
     assert_eq!(asked, 11 * SCENES as usize);
     assert_eq!(
         cases.iter().map(|case| case.kind).collect::<std::collections::BTreeSet<_>>().len(),

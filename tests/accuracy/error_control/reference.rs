@@ -197,11 +197,11 @@ fn stepping_delivers_on_free_bodies_and_tops() {
 #[test]
 fn stepping_delivers_on_heavy_asymmetric_bodies() {
     let kinds = ["heavy_asymmetric"];
-    passed(&tally("heavy_asymmetric.json", &kinds, false, 1e300), [1261, 37], "0.65");
+    passed(&tally("heavy_asymmetric.json", &kinds, false, 1e300), [1262, 36], "0.18");
 }
 
-/// The condition of a stepped motion, which one changed motion or two tell, beside that of its
-/// closed form, which all twelve do: smaller by little where two rows of the design estimate it.
+/// The condition of a stepped motion, which one changed motion tells, beside that of its closed form,
+/// which all twelve rows of the design do.
 #[test]
 fn a_stepped_condition_covers_that_of_the_closed_form() {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("data");
@@ -231,6 +231,6 @@ fn a_stepped_condition_covers_that_of_the_closed_form() {
             }
         }
     }
-    assert_largest!(over, 92, @"1.87");
+    assert_largest!(over, 92, @"1.53");
     twin.exceed(1.0, 92);
 }
