@@ -18,7 +18,7 @@ const PAIRS: [(usize, usize); 3] = [(0, 2), (1, 2), (0, 1)];
 
 /// How many flights: a few, or more in the gate.
 fn asked() -> u32 {
-    let usual = if std::env::var("PROPERTY_CASES").is_ok() { 60 } else { 16 };
+    let usual = if std::env::var("PROPERTY_CASES").is_ok() { 40 } else { 16 };
     std::env::var("FLIGHTS").map_or(usual, |text| text.parse().expect("a number"))
 }
 
