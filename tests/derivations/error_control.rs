@@ -8,7 +8,7 @@ use rotation_dynamics::exact::free_body::FreeBody;
 use rotation_dynamics::frame::{BodyVector, SpaceVector};
 use rotation_dynamics::inertia::PrincipalMoments;
 use rotation_dynamics::integrators::{Integrator, Rk4};
-use rotation_dynamics::math::{EPS, exp, log, pow};
+use rotation_dynamics::math::{EPS, pow};
 use rotation_dynamics::scene::Scene;
 use std::collections::BTreeMap;
 use std::fs;
