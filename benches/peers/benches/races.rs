@@ -30,9 +30,7 @@ fn races(c: &mut Criterion) {
             if claim.key != problem.key || claim.error != CLAIMED {
                 continue;
             }
-            let same = all
-                .iter()
-                .find(|c| c.name() == claim.name && c.form == claim.form);
+            let same = all.iter().find(|c| c.name() == claim.name && c.form == claim.form);
             let contestant = same.expect("who is in the record can race");
             let run = || (contestant.run)(claim.setting).expect("a run");
             let error = problem.error(&run()).expect("an attitude");

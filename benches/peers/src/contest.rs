@@ -159,18 +159,14 @@ pub(crate) fn own(
     form: &'static str,
     run: impl Fn(u64) -> rotation_dynamics::Result<Attitude> + 'static,
 ) -> Contestant {
-    stepping((OURS, method), form, move |steps| {
-        run(steps).map_err(in_words)
-    })
+    stepping((OURS, method), form, move |steps| run(steps).map_err(in_words))
 }
 
 pub(crate) fn own_adaptive(
     form: &'static str,
     run: impl Fn(f64) -> rotation_dynamics::Result<Attitude> + 'static,
 ) -> Contestant {
-    adaptive((OURS, "DOP853"), form, move |tolerance| {
-        run(tolerance).map_err(in_words)
-    })
+    adaptive((OURS, "DOP853"), form, move |tolerance| run(tolerance).map_err(in_words))
 }
 
 pub(crate) fn gauss(
@@ -199,16 +195,8 @@ pub(crate) fn peers<const N: usize, F: Form<N>>(form: F, end: f64) -> Vec<Contes
         ("numeris", "RKV98", numeris::rkv98),
         ("ode_solvers", "Dop853", ode_solvers::dop853),
         ("ode_solvers", "Dopri5", ode_solvers::dopri5),
-        (
-            "differential-equations",
-            "DOP853",
-            differential_equations::dop853,
-        ),
-        (
-            "differential-equations",
-            "RKV98",
-            differential_equations::rkv98,
-        ),
+        ("differential-equations", "DOP853", differential_equations::dop853),
+        ("differential-equations", "RKV98", differential_equations::rkv98),
         ("ivp", "DOP853", ivp::dop853),
         ("diffsol", "Tsit45", diffsol::tsit45),
     ];
@@ -236,15 +224,11 @@ pub fn contestants(problem: &'static Problem) -> rotation_dynamics::Result<Vec<C
         Motion::Free { .. } => {
             let form = FreeMomentum::new(problem)?;
             let name = <FreeMomentum as Form<7>>::NAME;
-            all.push(gauss(name, move |method| {
-                ours::free_on_lanes(problem, method)
-            }));
+            all.push(gauss(name, move |method| ours::free_on_lanes(problem, method)));
             all.push(own_adaptive(name, move |tolerance| {
                 ours::free(problem, &ours::dop853(tolerance)?)
             }));
-            all.push(own("RK4", name, move |n| {
-                ours::free(problem, &ours::rk4(n)?)
-            }));
+            all.push(own("RK4", name, move |n| ours::free(problem, &ours::rk4(n)?)));
             all.push(own("Munthe-Kaas 4", "q, L", move |n| {
                 ours::free_scene(problem, &ours::munthe_kaas(n)?)
             }));
@@ -254,27 +238,21 @@ pub fn contestants(problem: &'static Problem) -> rotation_dynamics::Result<Vec<C
         Motion::Top { .. } if problem.angles => {
             let form = TopAngles::new(problem)?;
             let name = <TopAngles as Form<4>>::NAME;
-            all.push(gauss(name, move |method| {
-                ours::form_on_lanes(form, end, method)
-            }));
+            all.push(gauss(name, move |method| ours::form_on_lanes(form, end, method)));
             all.push(own_adaptive(name, move |tolerance| {
                 ours::form(form, end, &ours::dop853(tolerance)?)
             }));
             all.push(own_adaptive("theta, phi, zeta, t", move |tolerance| {
                 ours::angles_at_pace(form, end, &ours::dop853(tolerance)?)
             }));
-            all.push(own("RK4", name, move |n| {
-                ours::form(form, end, &ours::rk4(n)?)
-            }));
+            all.push(own("RK4", name, move |n| ours::form(form, end, &ours::rk4(n)?)));
             all.extend(peers(form, end));
         }
         Motion::Top { .. } => {
             let form = TopWithoutSpin::new(problem)?;
             let name = <TopWithoutSpin as Form<6>>::NAME;
             all.push(gauss(name, move |method| ours::spin_free(problem, method)));
-            all.push(gauss("q, l", move |method| {
-                ours::top_on_its_axes(problem, method)
-            }));
+            all.push(gauss("q, l", move |method| ours::top_on_its_axes(problem, method)));
             for scheme in [
                 Scheme::SRKN6,
                 Scheme::SRKN14,
@@ -291,13 +269,10 @@ pub fn contestants(problem: &'static Problem) -> rotation_dynamics::Result<Vec<C
                 ours::form(form, end, &ours::dop853(tolerance)?)
             }));
             let on_axes = TopMomentum::new(problem)?;
-            all.push(own_adaptive(
-                <TopMomentum as Form<7>>::NAME,
-                move |tolerance| ours::form(on_axes, end, &ours::dop853(tolerance)?),
-            ));
-            all.push(own("RK4", name, move |n| {
-                ours::spin_free(problem, &ours::rk4(n)?)
+            all.push(own_adaptive(<TopMomentum as Form<7>>::NAME, move |tolerance| {
+                ours::form(on_axes, end, &ours::dop853(tolerance)?)
             }));
+            all.push(own("RK4", name, move |n| ours::spin_free(problem, &ours::rk4(n)?)));
             all.push(own("Munthe-Kaas 4", "q, L", move |n| {
                 ours::top(problem, &ours::munthe_kaas(n)?)
             }));
@@ -307,9 +282,7 @@ pub fn contestants(problem: &'static Problem) -> rotation_dynamics::Result<Vec<C
     }
     if !problem.angles {
         all.push(stepping(("rapier3d", ""), "-", move |n| {
-            rapier::steps(problem, n)
-                .and_then(Attitude::from_quaternion)
-                .map_err(in_words)
+            rapier::steps(problem, n).and_then(Attitude::from_quaternion).map_err(in_words)
         }));
     }
     Ok(all)

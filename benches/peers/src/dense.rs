@@ -56,9 +56,7 @@ impl Sampler {
 /// The times of the samples: evenly spaced from 0.
 pub fn times(problem: &Problem) -> Vec<f64> {
     let step = problem.period / PER_PERIOD as f64;
-    (0..=PERIODS * PER_PERIOD)
-        .map(|n| n as f64 * step)
-        .collect()
+    (0..=PERIODS * PER_PERIOD).map(|n| n as f64 * step).collect()
 }
 
 fn in_words(error: rotation_dynamics::Error) -> String {
@@ -109,9 +107,7 @@ fn stepping<const N: usize, F: Form<N>>(
         }),
         error: Box::new(move || {
             let filled = filled.borrow();
-            let attitudes = filled
-                .iter()
-                .map(|q| Attitude::from_quaternion(*q).map_err(in_words));
+            let attitudes = filled.iter().map(|q| Attitude::from_quaternion(*q).map_err(in_words));
             largest(attitudes, &wanted)
         }),
     })
@@ -156,12 +152,7 @@ fn peers<const N: usize, F: Form<N>>(
     Ok(vec![
         stepping((OURS, "DOP853"), form, problem, own_dop853)?,
         stepping(("numeris", "RKV98"), form, problem, numeris::rkv98_dense)?,
-        stepping(
-            ("ode_solvers", "Dop853"),
-            form,
-            problem,
-            ode_solvers::dop853_dense,
-        )?,
+        stepping(("ode_solvers", "Dop853"), form, problem, ode_solvers::dop853_dense)?,
         stepping(
             ("differential-equations", "DOP853"),
             form,

@@ -44,12 +44,7 @@ impl<const N: usize, F: Form<N>> Ode<N> for Own<F> {
 #[inline(always)]
 fn turned([w, x, y, z]: [f64; 4], [p, q, r]: [f64; 3]) -> [f64; 4] {
     let (p, q, r) = (0.5 * p, 0.5 * q, 0.5 * r);
-    [
-        -(x * p + y * q + z * r),
-        w * p + y * r - z * q,
-        w * q + z * p - x * r,
-        w * r + x * q - y * p,
-    ]
+    [-(x * p + y * q + z * r), w * p + y * r - z * q, w * q + z * p - x * r, w * r + x * q - y * p]
 }
 
 /// Quaternion and momentum on the body axes, of a free body.
@@ -68,10 +63,7 @@ impl FreeMomentum {
         let (body, start) = problem.start()?;
         let [w, x, y, z] = start.attitude.quaternion();
         let [l1, l2, l3] = body.angular_momentum(&start).to_array();
-        Ok(Self {
-            inverse: problem.moments().map(|i| 1.0 / i),
-            start: [w, x, y, z, l1, l2, l3],
-        })
+        Ok(Self { inverse: problem.moments().map(|i| 1.0 / i), start: [w, x, y, z, l1, l2, l3] })
     }
 }
 
@@ -83,15 +75,7 @@ impl Form<7> for FreeMomentum {
         let [a, b, c] = self.inverse;
         let (p, q, r) = (a * l1, b * l2, c * l3);
         let [dw, dx, dy, dz] = turned([w, x, y, z], [p, q, r]);
-        [
-            dw,
-            dx,
-            dy,
-            dz,
-            l2 * r - l3 * q,
-            l3 * p - l1 * r,
-            l1 * q - l2 * p,
-        ]
+        [dw, dx, dy, dz, l2 * r - l3 * q, l3 * p - l1 * r, l1 * q - l2 * p]
     }
 
     fn start(&self) -> [f64; 7] {
@@ -134,11 +118,8 @@ impl Form<4> for FreeQuaternion {
     fn rates(&self, _t: f64, &[w, x, y, z]: &[f64; 4]) -> [f64; 4] {
         let [lx, ly, lz] = self.momentum;
         // L on the body axes: v + 2 u x (u x v - w v) with u = (x, y, z).
-        let (cx, cy, cz) = (
-            y * lz - z * ly - w * lx,
-            z * lx - x * lz - w * ly,
-            x * ly - y * lx - w * lz,
-        );
+        let (cx, cy, cz) =
+            (y * lz - z * ly - w * lx, z * lx - x * lz - w * ly, x * ly - y * lx - w * lz);
         let body = [
             lx + 2.0 * (y * cz - z * cy),
             ly + 2.0 * (z * cx - x * cz),
@@ -173,11 +154,7 @@ impl TopMomentum {
     pub fn new(problem: &Problem) -> Result<Self> {
         let (_, start) = FreeMomentum::new(problem).map(|form| (form.inverse, form.start))?;
         let (weight, _) = top(problem)?;
-        Ok(Self {
-            inverse: problem.moments().map(|i| 1.0 / i),
-            weight,
-            start,
-        })
+        Ok(Self { inverse: problem.moments().map(|i| 1.0 / i), weight, start })
     }
 }
 
@@ -290,20 +267,10 @@ impl TopAngles {
     pub fn new(problem: &Problem) -> Result<Self> {
         let (c, [a, b]) = top(problem)?;
         let theta = match problem.motion {
-            Motion::Top {
-                from: Begin::Rest(theta),
-                ..
-            } => theta,
+            Motion::Top { from: Begin::Rest(theta), .. } => theta,
             _ => problem.exact()?.attitude(0.0).euler_angles().theta,
         };
-        Ok(Self {
-            a,
-            b,
-            c,
-            root: a.sqrt(),
-            spin: 1.0 / a.sqrt(),
-            start: [theta, 0.0, 0.0, 0.0],
-        })
+        Ok(Self { a, b, c, root: a.sqrt(), spin: 1.0 / a.sqrt(), start: [theta, 0.0, 0.0, 0.0] })
     }
 }
 

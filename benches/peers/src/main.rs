@@ -46,11 +46,7 @@ fn run() -> Result<(), String> {
 
 /// The races on motions with a closed form.
 fn closed() -> Result<(), String> {
-    let mut races = Races {
-        ends: Vec::new(),
-        dense: Vec::new(),
-        late: late()?,
-    };
+    let mut races = Races { ends: Vec::new(), dense: Vec::new(), late: late()? };
     for problem in &PROBLEMS {
         races.ends.push(run_to_the_end(problem)?);
     }

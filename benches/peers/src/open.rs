@@ -4,10 +4,7 @@
 //! `references.py`: two Taylor series with different equations, orders and steps at 50 digits,
 //! which agree to more than 40 and share no code with this library.
 
-#![allow(
-    clippy::excessive_precision,
-    reason = "the references' digits, as they came"
-)]
+#![allow(clippy::excessive_precision, reason = "the references' digits, as they came")]
 
 use crate::problem::{Motion, Problem};
 use rotation_dynamics::attitude::Attitude;
@@ -46,11 +43,7 @@ const TURN: f64 = 4.588_550_2;
 const ANY_BODY: Problem = Problem {
     key: "heavy_body",
     title: "heavy body, I = (1, 1.3, 1.7), m g l = 0.25, 300.4 turns",
-    motion: Motion::Open {
-        moments: MOMENTS,
-        rates: RATES,
-        under: Under::Weight(0.25),
-    },
+    motion: Motion::Open { moments: MOMENTS, rates: RATES, under: Under::Weight(0.25) },
     angles: false,
     period: TURN,
     end: 1378.25,
@@ -89,11 +82,7 @@ pub const OPEN: [Problem; 4] = [
         key: "satellite",
         title: "satellite, I = (1, 1.3, 1.7), under the gradient of gravity, n0 = 0.125, \
                 27.4 orbits, 300.4 turns",
-        motion: Motion::Open {
-            moments: MOMENTS,
-            rates: RATES,
-            under: Under::Gradient(0.125),
-        },
+        motion: Motion::Open { moments: MOMENTS, rates: RATES, under: Under::Gradient(0.125) },
         oracle: [
             0.743_462_020_455_281_899_952_22,
             0.618_581_173_486_060_178_720_85,
@@ -127,10 +116,7 @@ pub const OPEN: [Problem; 4] = [
 /// None for the problems of this file.
 pub fn start([i1, i2, i3]: [f64; 3], rates: [f64; 3]) -> Result<(RigidBody, State)> {
     let body = RigidBody::new(PrincipalMoments::new(i1, i2, i3)?);
-    let start = body.state(
-        Attitude::from_quaternion(LYING)?,
-        BodyVector::from_array(rates),
-    )?;
+    let start = body.state(Attitude::from_quaternion(LYING)?, BodyVector::from_array(rates))?;
     Ok((body, start))
 }
 
@@ -155,10 +141,7 @@ pub fn damped(body: RigidBody, weight: f64, friction: f64) -> Result<Scene<impl 
 /// # Errors
 /// None for the problems of this file.
 pub fn satellite(body: RigidBody, mean_motion: f64) -> Result<Scene<impl Effect>> {
-    let (normal, towards) = (
-        SpaceVector::new(0.0, 0.0, 1.0),
-        SpaceVector::new(-1.0, 0.0, 0.0),
-    );
+    let (normal, towards) = (SpaceVector::new(0.0, 0.0, 1.0), SpaceVector::new(-1.0, 0.0, 0.0));
     Ok(Scene::new(body).with(GravityGradient::on_orbit(mean_motion, normal, towards)?))
 }
 

@@ -78,12 +78,7 @@ pub(crate) fn contestants(problem: &'static Problem, under: Under) -> Result<Vec
             ours.push(in_space(&scene, start, end));
         }
         Under::Drive(torque, rate) => {
-            carried(
-                DrivenByOscillator::new(problem)?,
-                end,
-                &mut ours,
-                &mut peers,
-            );
+            carried(DrivenByOscillator::new(problem)?, end, &mut ours, &mut peers);
             carried(Driven::new(problem)?, end, &mut ours, &mut peers);
             let scene = Rc::new(open::driven(body, torque, rate));
             ours.push(in_space(&scene, start, end));
@@ -100,22 +95,16 @@ fn carried<const N: usize, F: Form<N> + StageOde<N>>(
     ours: &mut Vec<Contestant>,
     others: &mut Vec<Contestant>,
 ) {
-    ours.push(gauss(F::NAME, move |method| {
-        ours::form_of_lanes(form, end, method)
-    }));
+    ours.push(gauss(F::NAME, move |method| ours::form_of_lanes(form, end, method)));
     ours.push(own_adaptive(F::NAME, move |tolerance| {
         ours::form(form, end, &ours::dop853(tolerance)?)
     }));
-    ours.push(own("RK4", F::NAME, move |n| {
-        ours::form(form, end, &ours::rk4(n)?)
-    }));
+    ours.push(own("RK4", F::NAME, move |n| ours::form(form, end, &ours::rk4(n)?)));
     others.extend(peers(form, end));
 }
 
 /// A scene as it is, by Gauss-Legendre: its torque is asked for one stage after the other.
 fn in_space<E: Effect + 'static>(scene: &Rc<Scene<E>>, start: State, end: f64) -> Contestant {
     let scene = scene.clone();
-    gauss("scene", move |method| {
-        Ok(method.advance(&*scene, 0.0, &start, end)?.0.attitude)
-    })
+    gauss("scene", move |method| Ok(method.advance(&*scene, 0.0, &start, end)?.0.attitude))
 }

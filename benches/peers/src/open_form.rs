@@ -15,12 +15,7 @@ use rotation_dynamics::{Error, Result};
 /// q (0, h).
 #[inline(always)]
 fn turned<L: Lane>([w, x, y, z]: [L; 4], [p, q, r]: [L; 3]) -> [L; 4] {
-    [
-        -(x * p + y * q + z * r),
-        w * p + y * r - z * q,
-        w * q + z * p - x * r,
-        w * r + x * q - y * p,
-    ]
+    [-(x * p + y * q + z * r), w * p + y * r - z * q, w * q + z * p - x * r, w * r + x * q - y * p]
 }
 
 /// cos and sin of rate t, one after the other.
@@ -51,11 +46,7 @@ impl Body {
         let [p, q, r] = rates.map(|rate| 0.5 * rate);
         Self {
             moments,
-            euler: [
-                2.0 * (i2 - i3) / i1,
-                2.0 * (i3 - i1) / i2,
-                2.0 * (i1 - i2) / i3,
-            ],
+            euler: [2.0 * (i2 - i3) / i1, 2.0 * (i3 - i1) / i2, 2.0 * (i1 - i2) / i3],
             start: [w, x, y, z, p, q, r],
         }
     }
@@ -63,11 +54,7 @@ impl Body {
     /// The body of a problem and what acts on it.
     fn of(problem: &Problem) -> Result<(Self, Under)> {
         match problem.motion {
-            Motion::Open {
-                moments,
-                rates,
-                under,
-            } => Ok((Self::new(moments, rates), under)),
+            Motion::Open { moments, rates, under } => Ok((Self::new(moments, rates), under)),
             _ => Err(no_closed_form()),
         }
     }
@@ -230,11 +217,8 @@ impl StageOde<6> for HeavyInSpace {
     fn derivatives<L: Lane>(&self, _t: L, &[w, x, y, z, lx, ly]: &[L; 6]) -> [L; 6] {
         let lz = L::of(self.vertical);
         // L on the body axes: v + 2 u x (u x v - w v) with u = (x, y, z).
-        let (cx, cy, cz) = (
-            y * lz - z * ly - w * lx,
-            z * lx - x * lz - w * ly,
-            x * ly - y * lx - w * lz,
-        );
+        let (cx, cy, cz) =
+            (y * lz - z * ly - w * lx, z * lx - x * lz - w * ly, x * ly - y * lx - w * lz);
         let [a, b, c] = self.half;
         let h = [
             (lx + (y * cz - z * cy) * 2.0) * a,
@@ -251,9 +235,7 @@ impl StageOde<6> for HeavyInSpace {
     }
 }
 
-form!(HeavyInSpace, 6, "q, L", |_, _, &[w, x, y, z, ..]| [
-    w, x, y, z
-]);
+form!(HeavyInSpace, 6, "q, L", |_, _, &[w, x, y, z, ..]| [w, x, y, z]);
 
 /// A top with a bearing, without its spin: S' = S (0, m), and m = L/(2 I1) on axes that turn
 /// with L/I1, on which it changes by the torque alone. The spin, the integral of what decays
@@ -293,15 +275,7 @@ impl StageOde<7> for DampedWithoutSpin {
     fn derivatives<L: Lane>(&self, _t: L, &[w, x, y, z, p, q, r]: &[L; 7]) -> [L; 7] {
         let [dw, dx, dy, dz] = turned([w, x, y, z], [p, q, r]);
         let k = self.weight;
-        [
-            dw,
-            dx,
-            dy,
-            dz,
-            (y * z + w * x) * k,
-            (w * y - x * z) * k,
-            -(r * self.friction),
-        ]
+        [dw, dx, dy, dz, (y * z + w * x) * k, (w * y - x * z) * k, -(r * self.friction)]
     }
 
     fn scale(&self, y: &[f64; 7]) -> [f64; 7] {
@@ -309,17 +283,12 @@ impl StageOde<7> for DampedWithoutSpin {
     }
 }
 
-form!(
-    DampedWithoutSpin,
-    7,
-    "S, m",
-    |form, t, &[w, x, y, z, ..]| {
-        let k = form.friction;
-        let spin = form.spin * (1.0 - exp(-k * t)) / k;
-        let (s, c) = sincos(0.5 * spin);
-        [w * c - z * s, x * c + y * s, y * c - x * s, z * c + w * s]
-    }
-);
+form!(DampedWithoutSpin, 7, "S, m", |form, t, &[w, x, y, z, ..]| {
+    let k = form.friction;
+    let spin = form.spin * (1.0 - exp(-k * t)) / k;
+    let (s, c) = sincos(0.5 * spin);
+    [w * c - z * s, x * c + y * s, y * c - x * s, z * c + w * s]
+});
 
 /// Quaternion and rates of a satellite; the direction to the attracting body is that of the time.
 #[derive(Debug, Clone, Copy)]
@@ -406,11 +375,8 @@ impl StageOde<7> for SatelliteOnOrbit {
         let ([dw, dx, dy, dz], free) = self.inner.body.free([w, x, y, z], [p, q, r]);
         // Less (0, 0, 0, n0/2) p.
         let n = 0.5 * self.inner.mean_motion;
-        let toward = [
-            (w * w + x * x) - (y * y + z * z),
-            (x * y - w * z) * 2.0,
-            (x * z + w * y) * 2.0,
-        ];
+        let toward =
+            [(w * w + x * x) - (y * y + z * z), (x * y - w * z) * 2.0, (x * z + w * y) * 2.0];
         let [dp, dq, dr] = self.inner.pulled(free, toward);
         [dw + z * n, dx + y * n, dy - x * n, dz - w * n, dp, dq, dr]
     }
@@ -457,15 +423,7 @@ impl Driven {
     fn pushed<L: Lane>(&self, cosine: L, q: [L; 4], h: [L; 3]) -> [L; 7] {
         let ([dw, dx, dy, dz], [dp, dq, dr]) = self.body.free(q, h);
         let [a, b, c] = self.drive;
-        [
-            dw,
-            dx,
-            dy,
-            dz,
-            dp + cosine * a,
-            dq + cosine * b,
-            dr + cosine * c,
-        ]
+        [dw, dx, dy, dz, dp + cosine * a, dq + cosine * b, dr + cosine * c]
     }
 }
 
@@ -499,10 +457,7 @@ impl DrivenByOscillator {
     pub fn new(problem: &Problem) -> Result<Self> {
         let inner = Driven::new(problem)?;
         let [w, x, y, z, p, q, r] = inner.start;
-        Ok(Self {
-            inner,
-            start: [w, x, y, z, p, q, r, 1.0, 0.0],
-        })
+        Ok(Self { inner, start: [w, x, y, z, p, q, r, 1.0, 0.0] })
     }
 }
 
@@ -519,12 +474,4 @@ impl StageOde<9> for DrivenByOscillator {
     }
 }
 
-form!(DrivenByOscillator, 9, "q, h, cos, sin", |_,
-                                                _,
-                                                &[
-    w,
-    x,
-    y,
-    z,
-    ..,
-]| [w, x, y, z]);
+form!(DrivenByOscillator, 9, "q, h, cos, sin", |_, _, &[w, x, y, z, ..]| [w, x, y, z]);

@@ -27,9 +27,7 @@ pub fn text(races: &[Race]) -> Outcome<String> {
     )
     .map_err(in_words)?;
     // The game engine reaches none of these errors and is not asked.
-    let carrying: Vec<&str> = (PEERS.into_iter())
-        .filter(|peer| *peer != "rapier3d")
-        .collect();
+    let carrying: Vec<&str> = (PEERS.into_iter()).filter(|peer| *peer != "rapier3d").collect();
     let mut tables = vec![condition_table(&carrying, races.iter())?];
     for (problem, race) in OPEN.iter().zip(races) {
         tables.push(problem_table(problem.key, race)?);
@@ -119,10 +117,7 @@ fn target_table(races: &[Race]) -> Outcome<Table> {
         for (target, wanted) in [(1, 3.0), (2, 5.0)] {
             let gain = Rivals::of(race, target).gain();
             add(
-                format!(
-                    "{name}: stepping against the fastest peer at {}",
-                    head(TARGETS[target])
-                ),
+                format!("{name}: stepping against the fastest peer at {}", head(TARGETS[target])),
                 &format!(">= {wanted}"),
                 gain,
                 gain.is_some_and(|gain| gain >= wanted),
@@ -138,10 +133,7 @@ fn target_table(races: &[Race]) -> Outcome<Table> {
         for target in [1, 2] {
             let gain = dop853(race, target);
             add(
-                format!(
-                    "{name}: DOP853 against that of ode_solvers at {}",
-                    head(TARGETS[target])
-                ),
+                format!("{name}: DOP853 against that of ode_solvers at {}", head(TARGETS[target])),
                 ">= 1",
                 gain,
                 gain.is_some_and(|gain| gain >= 1.0),
@@ -172,9 +164,7 @@ fn run_table(races: &[Race]) -> Outcome<Table> {
 
 fn push_runs(table: &mut Table, key: &str, race: &Race) -> Outcome<()> {
     for line in &race.lines {
-        table
-            .push(run_cells(key, line, TARGETS))
-            .map_err(in_words)?;
+        table.push(run_cells(key, line, TARGETS)).map_err(in_words)?;
     }
     Ok(())
 }

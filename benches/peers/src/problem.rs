@@ -11,10 +11,7 @@
 //!
 //! Motions without a closed form: [`open`].
 
-#![allow(
-    clippy::excessive_precision,
-    reason = "the oracle's digits, as it gave them"
-)]
+#![allow(clippy::excessive_precision, reason = "the oracle's digits, as it gave them")]
 
 use crate::open::{self, OPEN, Under, no_closed_form};
 use rotation_dynamics::attitude::Attitude;
@@ -35,11 +32,7 @@ pub enum Motion {
     /// The notes' reduced top: I1 = 1, I3 = a, m g l = c, time in units of t'.
     Top { a: f64, b: f64, c: f64, from: Begin },
     /// A body with these moments and rates, from [`open::LYING`], under what has no closed form.
-    Open {
-        moments: [f64; 3],
-        rates: [f64; 3],
-        under: Under,
-    },
+    Open { moments: [f64; 3], rates: [f64; 3], under: Under },
 }
 
 /// How a top starts, at phi = zeta = 0.
@@ -73,12 +66,7 @@ pub struct Problem {
 const NOTES: Problem = Problem {
     key: "heavy_top",
     title: "heavy top of the notes (a = 2, b = 1.2, c = 0.2, E~ = 0.55), 1000 1/3 nutations",
-    motion: Motion::Top {
-        a: 2.0,
-        b: 1.2,
-        c: 0.2,
-        from: Begin::Energy(0.55),
-    },
+    motion: Motion::Top { a: 2.0, b: 1.2, c: 0.2, from: Begin::Energy(0.55) },
     angles: false,
     period: 3.870867767209271,
     end: 3872.1580564650076,
@@ -93,12 +81,7 @@ const NOTES: Problem = Problem {
 const POLE: Problem = Problem {
     key: "pole",
     title: "heavy top that passes 1e-4 rad from the pole, 1000 1/3 nutations",
-    motion: Motion::Top {
-        a: 2.0,
-        b: 1.0000741569847473,
-        c: 0.2,
-        from: Begin::Rest(1e-4),
-    },
+    motion: Motion::Top { a: 2.0, b: 1.0000741569847473, c: 0.2, from: Begin::Rest(1e-4) },
     angles: false,
     period: 3.7567162472243294,
     end: 3757.9684859734043,
@@ -115,10 +98,7 @@ pub const PROBLEMS: [Problem; 7] = [
     Problem {
         key: "free_body",
         title: "free body, I = (1, 2, 8/3), L = (0.8, 0.8, 0.9), 1000 1/3 periods of its rates",
-        motion: Motion::Free {
-            moments: [1.0, 2.0, 8.0 / 3.0],
-            rates: [0.8, 0.4, 0.3375],
-        },
+        motion: Motion::Free { moments: [1.0, 2.0, 8.0 / 3.0], rates: [0.8, 0.4, 0.3375] },
         angles: false,
         period: 14.690133265961897,
         end: 14695.029977050552,
@@ -139,12 +119,7 @@ pub const PROBLEMS: [Problem; 7] = [
     Problem {
         key: "fast_top",
         title: "fast top, c = 1e-4, released at theta = 1 (cusps), one precession: 19998.4 nutations",
-        motion: Motion::Top {
-            a: 2.0,
-            b: 0.5403023058681398,
-            c: 1e-4,
-            from: Begin::Rest(1.0),
-        },
+        motion: Motion::Top { a: 2.0, b: 0.5403023058681398, c: 1e-4, from: Begin::Rest(1.0) },
         angles: false,
         period: 4.443122984004142,
         end: 88855.25851305545,
@@ -156,19 +131,11 @@ pub const PROBLEMS: [Problem; 7] = [
         ],
     },
     POLE,
-    Problem {
-        key: "pole_angles",
-        title: "the same in theta, phi and zeta",
-        angles: true,
-        ..POLE
-    },
+    Problem { key: "pole_angles", title: "the same in theta, phi and zeta", angles: true, ..POLE },
     Problem {
         key: "flips",
         title: "free body from 1e-4 rad off the intermediate axis, to the middle of its tenth flip",
-        motion: Motion::Free {
-            moments: [1.0, 2.0, 8.0 / 3.0],
-            rates: [1e-4, 1.0, 0.0],
-        },
+        motion: Motion::Free { moments: [1.0, 2.0, 8.0 / 3.0], rates: [1e-4, 1.0, 0.0] },
         angles: false,
         period: 83.88050342238517,
         end: 398.4323912563296,
@@ -260,10 +227,7 @@ impl Problem {
         }
         let [i1, i2, i3] = self.moments();
         let body = RigidBody::new(PrincipalMoments::new(i1, i2, i3)?);
-        let Kinematics {
-            attitude,
-            angular_velocity: rates,
-        } = self.exact()?.kinematics(0.0);
+        let Kinematics { attitude, angular_velocity: rates } = self.exact()?.kinematics(0.0);
         Ok((body, body.state(attitude, rates)?))
     }
 

@@ -161,10 +161,7 @@ pub fn along_the_way(problem: &'static Problem) -> Result<Race, String> {
 /// What all times are compared with: the closed form, or where there is none our fastest run
 /// that reaches the largest error.
 fn base(runners: &[Runner], outcomes: &[Outcome]) -> Result<(usize, Setting, f64), String> {
-    if runners
-        .first()
-        .is_some_and(|first| first.ladder == Ladder::Exact)
-    {
+    if runners.first().is_some_and(|first| first.ladder == Ladder::Exact) {
         return Ok((0, Setting::Exact, 0.0));
     }
     let ours = (0..runners.len()).filter(|&n| runners[n].peer == OURS);
@@ -195,9 +192,8 @@ fn race(runners: &[Runner], problem: &Problem, targets: [f64; 4]) -> Result<Race
         for name in &names {
             let of_name = || (0..runners.len()).filter(|&n| &runners[n].name == name);
             let found = |n: usize| outcomes[n].found[target];
-            let least = of_name()
-                .filter_map(|n| Some(found(n)?.seconds))
-                .fold(f64::INFINITY, f64::min);
+            let least =
+                of_name().filter_map(|n| Some(found(n)?.seconds)).fold(f64::INFINITY, f64::min);
             for n in of_name() {
                 let Some(found) = found(n).filter(|f| f.seconds <= HOPELESS * least) else {
                     continue;
@@ -229,12 +225,7 @@ fn race(runners: &[Runner], problem: &Problem, targets: [f64; 4]) -> Result<Race
     let tasks: Vec<Task> = tasks.iter().map(|task| task as Task).collect();
     let measured = interleaved(&tasks, rounds).map_err(|e| e.to_string())?;
 
-    let mut race = Race {
-        names,
-        lines: Vec::new(),
-        failures: Vec::new(),
-        rounds,
-    };
+    let mut race = Race { names, lines: Vec::new(), failures: Vec::new(), rounds };
     for (target, &bound) in targets.iter().enumerate() {
         for name in &race.names {
             // A setting found for a smaller error may well be the faster one.

@@ -18,14 +18,8 @@ pub const COMMAND: &str = "cargo run --release --manifest-path benches/peers/Car
 pub const DENSE: [&str; 2] = ["free_body", "heavy_top"];
 
 /// The peers, as this crate's lock file names them.
-pub(crate) const PEERS: [&str; 6] = [
-    "numeris",
-    "ode_solvers",
-    "differential-equations",
-    "ivp",
-    "diffsol",
-    "rapier3d",
-];
+pub(crate) const PEERS: [&str; 6] =
+    ["numeris", "ode_solvers", "differential-equations", "ivp", "diffsol", "rapier3d"];
 
 /// The version of a crate in the lock file.
 fn version(name: &str) -> Option<&'static str> {
@@ -79,12 +73,7 @@ pub fn text(races: &Races) -> Outcome<String> {
     for (key, race) in DENSE.iter().zip(&races.dense) {
         let samples = (PERIODS * PER_PERIOD + 1) as f64;
         let times = |line: &Line| short(1e9 * line.seconds / samples, 2);
-        tables.push(times_table(
-            &format!("dense_{key}"),
-            race,
-            dense::TARGETS,
-            times,
-        )?);
+        tables.push(times_table(&format!("dense_{key}"), race, dense::TARGETS, times)?);
     }
     tables.push(ratio_table(races)?);
     tables.push(target_table(races)?);
@@ -223,14 +212,7 @@ fn target_table(races: &Races) -> Outcome<Table> {
         let sign = if at_least { ">=" } else { "<=" };
         let cells = [
             target.to_owned(),
-            format!(
-                "{sign} {}",
-                if wanted < 1e-3 {
-                    head(wanted)
-                } else {
-                    wanted.to_string()
-                }
-            ),
+            format!("{sign} {}", if wanted < 1e-3 { head(wanted) } else { wanted.to_string() }),
             measured.map_or("-".into(), |measured| short(measured, 2)),
             if met { "met" } else { "missed" }.to_owned(),
         ];
@@ -267,12 +249,7 @@ fn target_table(races: &Races) -> Outcome<Table> {
             let line = race(key)?.fastest(target, |l| l.is_ours() == ours && !l.is_exact())?;
             Some(line.error)
         };
-        add(
-            &format!("{name}: error that our stepping reaches / rad"),
-            1e-11,
-            at(3, true),
-            false,
-        )?;
+        add(&format!("{name}: error that our stepping reaches / rad"), 1e-11, at(3, true), false)?;
     }
     add(
         "heavy top: one sample after 1e6 periods, in units of one after 1",
@@ -281,9 +258,8 @@ fn target_table(races: &Races) -> Outcome<Table> {
         false,
     )?;
     let samples = (PERIODS * PER_PERIOD + 1) as f64;
-    for (n, (name, [single, batch])) in [("free body", [70.0, 25.0]), ("heavy top", [32.0, 12.0])]
-        .into_iter()
-        .enumerate()
+    for (n, (name, [single, batch])) in
+        [("free body", [70.0, 25.0]), ("heavy top", [32.0, 12.0])].into_iter().enumerate()
     {
         let Some(race) = races.dense.get(n) else {
             continue;
@@ -292,25 +268,14 @@ fn target_table(races: &Races) -> Outcome<Table> {
             let counts = |line: &Line| line.is_exact() && line.name.ends_with(part);
             Some(1e9 * race.fastest(0, counts)?.seconds / samples)
         };
-        add(
-            &format!("{name}: ns per sample, one by one"),
-            single,
-            time("one by one"),
-            false,
-        )?;
-        add(
-            &format!("{name}: ns per sample, in a batch"),
-            batch,
-            time("batch"),
-            false,
-        )?;
+        add(&format!("{name}: ns per sample, one by one"), single, time("one by one"), false)?;
+        add(&format!("{name}: ns per sample, in a batch"), batch, time("batch"), false)?;
         let peer = race.fastest(0, |line| !line.is_ours());
         let exact = race.fastest(0, Line::is_exact);
         add(
             &format!("{name}: samples in closed form against the fastest peer at 1e-3"),
             1.0,
-            peer.zip(exact)
-                .map(|(peer, exact)| peer.ratio / exact.ratio),
+            peer.zip(exact).map(|(peer, exact)| peer.ratio / exact.ratio),
             true,
         )?;
     }
@@ -332,16 +297,12 @@ fn run_table(races: &Races) -> Outcome<Table> {
     let mut table = table("runs", RUNS)?;
     let ends = PROBLEMS.iter().map(|problem| problem.key.to_owned());
     let dense = DENSE.iter().map(|key| format!("dense_{key}"));
-    let keys = ends
-        .zip(&races.ends)
-        .map(|(key, race)| (key, race, TARGETS));
+    let keys = ends.zip(&races.ends).map(|(key, race)| (key, race, TARGETS));
     let dense = dense.zip(&races.dense);
     let dense = dense.map(|(key, race)| (key, race, dense::TARGETS));
     for (key, race, targets) in keys.chain(dense) {
         for line in &race.lines {
-            table
-                .push(run_cells(&key, line, targets))
-                .map_err(in_words)?;
+            table.push(run_cells(&key, line, targets)).map_err(in_words)?;
         }
     }
     Ok(table)
@@ -419,9 +380,7 @@ pub fn again(key: &str, claims: &[Claim]) -> Outcome<Vec<(f64, Claim)>> {
         let problem = Problem::named(key).ok_or(format!("no problem {key}"))?;
         let all = contestants(problem).map_err(in_words)?;
         for claim in claims {
-            let contestant = all
-                .iter()
-                .find(|c| c.name() == claim.name && c.form == claim.form);
+            let contestant = all.iter().find(|c| c.name() == claim.name && c.form == claim.form);
             let contestant = contestant.ok_or_else(|| format!("nobody does {claim:?}"))?;
             let end = (contestant.run)(claim.setting)?;
             delivered.push((problem.error(&end).map_err(in_words)?, claim.clone()));

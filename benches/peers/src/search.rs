@@ -89,19 +89,14 @@ impl Search<'_> {
         let found = error.as_ref().is_ok_and(|error| *error < LOST);
         if seconds > PATIENCE {
             self.long_runs.set(self.long_runs.get() + 1);
-            self.impatient
-                .set(found || self.long_runs.get() > LONG_RUNS);
+            self.impatient.set(found || self.long_runs.get() > LONG_RUNS);
         }
         let error = error.ok()?;
         if seconds < SHORT {
             seconds = seconds.min(timed().1).min(timed().1);
         }
         self.least.set(self.least.get().min(error));
-        Some(Found {
-            setting,
-            error,
-            seconds,
-        })
+        Some(Found { setting, error, seconds })
     }
 
     /// Climbs from the cheapest rung by strides until every target is reached or a run
@@ -178,11 +173,7 @@ pub fn search(ladder: Ladder, problem: &Problem, targets: [f64; 4], measure: Mea
             let found = search.run(Setting::Exact);
             targets.map(|target| found.filter(|found| found.error <= target))
         }
-        Ladder::Tolerances => search.climb(&Rungs {
-            setting: &tolerance,
-            count: 160,
-            stride: 10,
-        }),
+        Ladder::Tolerances => search.climb(&Rungs { setting: &tolerance, count: 160, stride: 10 }),
         Ladder::Steps => search.climb(&Rungs {
             setting: &|rung| Setting::Steps(steps(rung, problem)),
             count: 80,
@@ -200,9 +191,5 @@ pub fn search(ladder: Ladder, problem: &Problem, targets: [f64; 4], measure: Mea
             found
         }
     };
-    Outcome {
-        found,
-        least: search.least.get(),
-        impatient: search.impatient.get(),
-    }
+    Outcome { found, least: search.least.get(), impatient: search.impatient.get() }
 }

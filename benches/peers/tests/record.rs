@@ -59,13 +59,8 @@ reached!(
 
 #[test]
 fn every_line_is_checked() {
-    let ends = PROBLEMS
-        .iter()
-        .chain(&OPEN)
-        .map(|problem| problem.key.to_owned());
-    let all: Vec<String> = ends
-        .chain(DENSE.map(|key| format!("dense_{key}")))
-        .collect();
+    let ends = PROBLEMS.iter().chain(&OPEN).map(|problem| problem.key.to_owned());
+    let all: Vec<String> = ends.chain(DENSE.map(|key| format!("dense_{key}"))).collect();
     assert_eq!(all, CHECKED);
     for claim in lines() {
         assert!(CHECKED.contains(&claim.key.as_str()), "{claim:?}");
@@ -80,10 +75,7 @@ fn a_damaged_setting_is_found() {
         for claim in lines().iter().filter(|claim| claim.key == key) {
             if let Setting::Tolerance(tolerance) = claim.setting {
                 let setting = Setting::Tolerance(1e3 * tolerance);
-                damaged.push(Claim {
-                    setting,
-                    ..claim.clone()
-                });
+                damaged.push(Claim { setting, ..claim.clone() });
             }
         }
         let delivered = again(key, &damaged).expect("they run");

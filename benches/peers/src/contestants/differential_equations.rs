@@ -96,10 +96,7 @@ pub fn dop853<const N: usize, F: Form<N>>(
     end: f64,
     tolerance: f64,
 ) -> Result<[f64; N], String> {
-    let method = ExplicitRungeKutta::dop853()
-        .rtol(0.0)
-        .atol(tolerance)
-        .max_steps(MOST_STEPS);
+    let method = ExplicitRungeKutta::dop853().rtol(0.0).atol(tolerance).max_steps(MOST_STEPS);
     at_end(method, form, end)
 }
 
@@ -112,10 +109,7 @@ pub fn rkv98<const N: usize, F: Form<N>>(
     end: f64,
     tolerance: f64,
 ) -> Result<[f64; N], String> {
-    let method = ExplicitRungeKutta::rkv988e()
-        .rtol(0.0)
-        .atol(tolerance)
-        .max_steps(MOST_STEPS);
+    let method = ExplicitRungeKutta::rkv988e().rtol(0.0).atol(tolerance).max_steps(MOST_STEPS);
     at_end(method, form, end)
 }
 
@@ -130,17 +124,9 @@ pub fn dop853_dense<const N: usize, F: Form<N>>(
     tolerance: f64,
 ) -> Result<(), String> {
     let end = *times.last().ok_or("no times")?;
-    let mut method = ExplicitRungeKutta::dop853()
-        .rtol(0.0)
-        .atol(tolerance)
-        .max_steps(MOST_STEPS);
+    let mut method = ExplicitRungeKutta::dop853().rtol(0.0).atol(tolerance).max_steps(MOST_STEPS);
     let start = form.start();
-    let mut samples = Samples {
-        form,
-        times,
-        out,
-        done: 0,
-    };
+    let mut samples = Samples { form, times, out, done: 0 };
     solve_ode(&mut method, &Rates(form), 0.0, end, &start, &mut samples).map_err(reason)?;
     match samples.done == times.len() {
         true => Ok(()),

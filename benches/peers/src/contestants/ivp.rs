@@ -66,13 +66,7 @@ fn watched<'a, const N: usize, F: Form<N>>(
         dense_output: !times.is_empty(),
         ..DOP853::default()
     };
-    let mut watch = Watch {
-        form,
-        last: form.start(),
-        times,
-        out,
-        done: 0,
-    };
+    let mut watch = Watch { form, last: form.start(), times, out, done: 0 };
     let result = method
         .solve(
             &System(Rates(form)),

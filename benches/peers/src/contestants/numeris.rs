@@ -49,10 +49,7 @@ pub fn rkv98_dense<const N: usize, F: Form<N>>(
     let end = *times.last().ok_or("no times")?;
     let start = Vector::from_array(form.start());
     let rates = |t, y: &Vector<f64, N>| Vector::from_array(form.rates(t, &array(y)));
-    let settings = AdaptiveSettings {
-        dense_output: true,
-        ..settings(tolerance)
-    };
+    let settings = AdaptiveSettings { dense_output: true, ..settings(tolerance) };
     let solution: Solution<f64, N, 1> =
         RKV98::integrate(0.0, end, &start, rates, &settings).map_err(reason)?;
     let states = RKV98::interpolate_batch(times, &solution).map_err(reason)?;

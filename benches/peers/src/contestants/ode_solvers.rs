@@ -94,11 +94,7 @@ pub fn dop853_dense<const N: usize, F: Form<N>>(
     let mut solver = solver!(Dop853, form, end, dt, tolerance, dense, 0.0, 0.333, 6.0);
     solver.integrate().map_err(why)?;
     if solver.y_out().len() < times.len() {
-        return Err(format!(
-            "{} of {} samples",
-            solver.y_out().len(),
-            times.len()
-        ));
+        return Err(format!("{} of {} samples", solver.y_out().len(), times.len()));
     }
     for ((state, &t), out) in solver.y_out().iter().zip(times).zip(out) {
         *out = form.quaternion(t, &state.data.0[0]);

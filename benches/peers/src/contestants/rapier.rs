@@ -14,11 +14,7 @@ pub fn steps(problem: &Problem, steps: u64) -> Result<[f64; 4]> {
     let [i1, i2, i3] = problem.moments().map(|i| i as f32);
     let rates = start.attitude.to_space(body.angular_velocity(&start));
     let [x, y, z] = rates.to_array().map(|w| w as f32);
-    let turn = start
-        .attitude
-        .rotation_vector()
-        .to_array()
-        .map(|c| c as f32);
+    let turn = start.attitude.rotation_vector().to_array().map(|c| c as f32);
     let weight = match problem.motion {
         Motion::Top { c, .. } => c as f32,
         Motion::Free { .. } | Motion::Open { .. } => 0.0,
