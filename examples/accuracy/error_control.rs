@@ -119,7 +119,7 @@ fn band(spreads: &[Spread], of: Quantile) -> Vec<(f64, f64)> {
 fn errors(spreads: &[Spread], y: &str, median: &str) -> Panel {
     let errors = Curve::new(line(spreads, Spread::quantile, 0.5), Ink::Ink);
     let requested = Axis::log("error requested / rad");
-    Panel::over_axes(requested, Axis::log(y).range(1e-5, 10.0))
+    Panel::over_axes(requested, Axis::log(y).range(1e-6, 10.0))
         .size(340, 300)
         .level(1.0, Ink::Wrong, "broken promise")
         .area(band(spreads, Spread::quantile), Ink::Frame)

@@ -14,8 +14,8 @@
 
 // Which method comes first.
 
-/// Under smooth torques that see more than the axis Gauss-Legendre of order 16 costs less than DOP853 below this error:
-/// measured on satellites, motors and magnets.
+/// Under smooth torques that see more than the axis Gauss-Legendre of order 16 costs less than DOP853
+/// below this error: measured on satellites, motors and magnets.
 pub(super) const ORDER_SIXTEEN: f64 = 1e-8;
 
 // The distance of two runs.
@@ -63,8 +63,8 @@ pub(super) const SWEPT_AT_MOST: f64 = 1e-6;
 /// motion is late. It moves the end of one that is only late by some hundredths of the tolerance.
 pub(super) const CHANGED: f64 = 0.05;
 
-/// A floor that is so many times below the tolerance need not be known well, nor one that is as far above. A single change of all
-/// inputs moves the end by a sum with signs. In one direction that is below 1/30 of its root mean
+/// A floor that is so many times below the tolerance need not be known well, nor one that is as far
+/// above. A single change of all inputs moves the end by a sum with signs. In one direction that is below 1/30 of its root mean
 /// square in 27 cases of a thousand, in three alike in one of 20 000 (a normal distribution).
 pub(super) const FAR_BELOW: f64 = 30.0;
 
@@ -74,8 +74,8 @@ pub(super) const REGULAR: f64 = 6.0;
 
 // The condition, as runs of its own show it.
 
-/// Where the floor is neither far below the tolerance nor hopelessly above: so many changes are
-/// made, each with the state moved on the way too, as often as runs are compared where every state is asked for
+/// Where the floor is neither far below the tolerance nor far above, so many changes are made, each with
+/// the state moved on the way too, as often as runs are compared where every state is asked for
 /// ([`COMPARED`]): what passes a saddle must be moved on its way there.
 pub(super) const ROWS: usize = 5;
 

@@ -178,7 +178,7 @@ impl Method {
         log(steps / base) * self.order() / LEVEL
     }
 
-    /// Torques that a step takes, at most.
+    /// Torques that a step takes: of Gauss-Legendre in a dozen sweeps.
     pub(super) const fn torques(self) -> f64 {
         match self.named {
             Named::GaussLegendre16 => 8.0 * 12.0,
