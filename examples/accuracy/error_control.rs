@@ -136,7 +136,7 @@ figures! { _: &Parameters, spreads = random()?;
         .note(1e-12, 2e-3, Ink::Frame, "quartiles", Side::Below);
 
     /// Estimate and error over the error requested against the request, from 1e-3 to 1e-13, for
-    /// two hundred random scenes: the median of the estimates lies at some tenths, that of the
+    /// two hundred random scenes: the median of the estimates lies near a tenth, that of the
     /// errors a hundred times and more below, but for the smallest requests
     estimates: errors(&spreads, "over the error requested", "error")
         .area(band(&spreads, Spread::estimate), Ink::Frame)
