@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::exact::free_body::FreeBody;
 use crate::frame::{BodyVector, SpaceVector};
 use crate::inertia::PrincipalMoments;
-use crate::math::exp;
+use crate::math::{exp, sort_by_number};
 use nalgebra::{DVector, Matrix3, SymmetricEigen, Vector3};
 
 /// What may be added to a free body whose principal axes are the sensor's.
@@ -96,10 +96,9 @@ pub(super) struct Named {
 
 impl Model {
     pub(super) fn new(corrections: &[Correction]) -> Self {
-        let mut corrections = corrections.to_vec();
-        corrections.sort_unstable_by_key(|c| (c.numbers(), *c));
-        corrections.dedup();
-        Self { corrections }
+        let mut all = Correction::ALL;
+        sort_by_number(&mut all, |one| one.numbers() as f64);
+        Self { corrections: all.into_iter().filter(|one| corrections.contains(one)).collect() }
     }
 
     /// All combinations of these corrections, the simpler ones first.
@@ -108,7 +107,7 @@ impl Model {
         let chosen = |bits: u32| (0..all.len()).filter(move |k| bits >> k & 1 == 1);
         let of = |bits: u32| Self { corrections: chosen(bits).map(|k| all[k]).collect() };
         let mut combinations: Vec<Self> = (0..1_u32 << all.len()).map(of).collect();
-        combinations.sort_by_key(Self::numbers);
+        sort_by_number(&mut combinations, |one| one.numbers() as f64);
         combinations
     }
 

@@ -4,7 +4,7 @@ use super::course::{self, Numbers, STEP};
 use super::{Candidate, Flight, Swing, principal};
 use crate::error::{Error, Result};
 use crate::frame::DesignVector;
-use crate::math::exp;
+use crate::math::{exp, sort_by_number};
 use core::fmt;
 use core::ops::Range;
 
@@ -75,7 +75,7 @@ impl Swing {
             let along: Vec<f64> = rates.iter().map(|rate| rate.dot(&axis)).collect();
             rows.extend(in_row(times, &along));
         }
-        rows.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        sort_by_number(&mut rows, |(rates, _)| -rates);
         for core in rows.iter().take(TRIED).flat_map(|(_, tries)| tries) {
             if let Some(found) = grown(times, rates, core.clone()) {
                 return Ok(found);
@@ -98,7 +98,7 @@ impl Swing {
 /// a fit may begin, the best one first.
 fn in_row(times: &[f64], rates: &[f64]) -> Vec<(f64, Vec<Range<usize>>)> {
     let quantile = |mut of: Vec<f64>, part: f64| {
-        of.sort_by(f64::total_cmp);
+        sort_by_number(&mut of, |one| *one);
         of[(part * (of.len() - 1) as f64) as usize]
     };
     let zero = quantile(rates.to_vec(), 0.5);
