@@ -1,6 +1,6 @@
 //! `solve`'s promise all along the way.
 
-use super::constants::PART;
+use super::constants::FEW;
 use super::given::{Given, Places};
 use super::method::Method;
 use super::refine::stops;
@@ -162,7 +162,7 @@ impl Motion for SolvedMotion<'_> {
 
     fn try_state(&self, t: f64) -> Result<State> {
         self.inside(t)?;
-        self.state(t, &mut self.found(PART))
+        self.state(t, &mut self.found(FEW))
     }
 
     fn try_states(&self, times: &[f64]) -> Result<Vec<State>> {
@@ -179,7 +179,7 @@ impl Motion for SolvedMotion<'_> {
         if to < from {
             order.reverse();
         }
-        let mut found = self.found(PART);
+        let mut found = self.found(FEW);
         let mut states = Vec::with_capacity(times.len());
         for index in order {
             match self.state(times[index], &mut found) {

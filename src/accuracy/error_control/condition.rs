@@ -1,8 +1,6 @@
 //! The condition: by how much the motion moves per relative change of the inputs.
 
-use super::constants::{
-    CHANGED, COMPARED, FAR_BELOW, FINE_ENOUGH, GATHERED, MOST_COMPARED, REGULAR, ROWS,
-};
+use super::constants::{CHANGED, COMPARED, FAR_BELOW, FINE_ENOUGH, MOST_COMPARED, REGULAR, ROWS};
 use super::method::Method;
 use super::problem::{Distances, Problem};
 use super::refine::Refinement;
@@ -41,7 +39,8 @@ impl Problem<'_> {
     /// the motion changes most. `motions` tells where the motion is at those places, and where it
     /// is with all inputs changed by so much, up or down by the signs of some rows.
     ///
-    /// Infinite if the smallest change that doubles hold is one too many.
+    /// Infinite if the smallest change that doubles hold is one too many, or does not account for how far
+    /// the one before went.
     pub(super) fn condition(
         &self,
         probe: &Probe,
@@ -51,7 +50,9 @@ impl Problem<'_> {
             let (places, changed) = motions(by)?;
             Ok(self.slopes(by, &places, &changed))
         };
-        // The change that went too far, and the slopes of the one after it, which the next is to bear out.
+        // A change may leave the end where all motions wait for a while, as a top does that has all but
+        // stopped on the vertical: they gather there, and part again. So where a change went too far, the
+        // next two are to tell the slopes, or the last if it accounts for half of how far that one went.
         let (mut too_far, mut waiting): (Option<f64>, Option<Distances>) = (None, None);
         for (n, &by) in probe.changes.iter().enumerate() {
             let (slopes, farthest) = slopes_of(by)?;
@@ -63,9 +64,7 @@ impl Problem<'_> {
             let slopes = match (too_far, waiting) {
                 (None, _) => slopes,
                 (_, Some(waiting)) => larger_of(slopes, waiting),
-                (Some(before), None)
-                    if is_last && slopes[0] * before >= GATHERED * probe.linear =>
-                {
+                (Some(before), None) if is_last && 2.0 * farthest * before >= probe.linear * by => {
                     slopes
                 }
                 _ => {

@@ -34,28 +34,19 @@ pub(super) const SAFETY: f64 = 2.0;
 /// its request.
 pub(super) const KINKED: f64 = 8.0;
 
-/// Levels from a run to the next, at most.
+/// Levels from a run to the next, at most. One more is left to a run whose steps were short from the first:
+/// with as many, one of 2000 pulses that nothing names was above 1e-12.
 pub(super) const MOST_LEVELS: f64 = 3.0;
 
 /// A method ends where so many distances in a row stay above half the smallest.
 pub(super) const STUCK: u32 = 3;
 
-/// A distance that runs do not get below, no more than so many times the floor, is round-off.
-pub(super) const ROUND_OFF: f64 = 16.0;
-
 /// The error allowed for a step of DOP853 at level 0.
 pub(super) const OF_A_STEP: f64 = 1e-3;
 
-/// So many levels are left to a run whose steps were short from the first: a bump whose width is named
-/// took one more at 1e-11.
-pub(super) const LATER: f64 = 4.0;
-
-/// More steps of a piece than these are refined by the error allowed for each.
-pub(super) const FEW: f64 = 8.0;
-
-/// To this precision at least the stages of Gauss-Legendre are solved; else to the change of the inputs of
-/// the first run, and 40 times better a level.
-pub(super) const SWEPT_AT_MOST: f64 = 1e-6;
+/// More steps of a piece than these are refined by the error allowed for each. A stretch between two
+/// known states is stepped in parts of so many, of which every state is found from the last before it.
+pub(super) const FEW: u64 = 8;
 
 // The condition, as the distance of two runs shows it.
 
@@ -64,8 +55,9 @@ pub(super) const SWEPT_AT_MOST: f64 = 1e-6;
 pub(super) const CHANGED: f64 = 0.05;
 
 /// A floor that is so many times below the tolerance need not be known well, nor one that is as far
-/// above. A single change of all inputs moves the end by a sum with signs. In one direction that is below 1/30 of its root mean
-/// square in 27 cases of a thousand, in three alike in one of 20 000 (a normal distribution).
+/// above. A single change of all inputs moves the end by a sum with signs. In one direction that is below
+/// 1/30 of its root mean square in 27 cases of a thousand, in three alike in one of 20 000 (a normal
+/// distribution). A distance that runs do not get below, and no more than so many floors, is round-off.
 pub(super) const FAR_BELOW: f64 = 30.0;
 
 /// A motion whose condition is at most this many times the condition of a motion that is only late
@@ -82,12 +74,6 @@ pub(super) const ROWS: usize = 5;
 /// The level of DOP853 there, at least. It answers a small change with a small jump, of its error: at
 /// this level of some 1e-11 a step.
 pub(super) const FINE_ENOUGH: f64 = 5.0;
-
-/// A change may leave the end where all motions wait for a while, as a top does that has all but stopped on
-/// the vertical: they gather there, and part again. So where a change went too far the next two must tell,
-/// or the last: a slope by which the larger change would have moved the end by less than this part of
-/// what is linear is none.
-pub(super) const GATHERED: f64 = 1e-2;
 
 // Closed forms.
 
@@ -109,10 +95,6 @@ pub(super) const MOST_CUTS: f64 = 8.0;
 pub(super) const COMPARED: f64 = 3.0;
 /// at so many places at most.
 pub(super) const MOST_COMPARED: f64 = 128.0;
-
-/// A stretch between two known states is stepped in parts of so many steps of the run, of which every
-/// state between them is found from the last before it.
-pub(super) const PART: u64 = 8;
 
 // Features in time that nothing names, and pulses.
 

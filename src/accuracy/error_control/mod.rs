@@ -138,8 +138,8 @@ impl<E: AnyEffect> Scene<E> {
     /// ```
     ///
     /// Accuracy, as measured on 600 random scenes at eleven tolerances (`tests/accuracy/error_control`),
-    /// all stepped: the median of delivered over requested is 4e-6 at 1e-3, 3e-5 at 1e-9 and 1.5e-2
-    /// at 1e-13; the largest was 0.64. Refused are 0.2 % at 1e-3, 1.3 % at 1e-9, 13 % at 1e-12 and 48 %
+    /// all stepped: the median of delivered over requested is 7e-6 at 1e-3, 3e-5 at 1e-9 and 1.5e-2
+    /// at 1e-13; the largest was 0.64. Refused are 0.2 % at 1e-3, 1.3 % at 1e-9, 14 % at 1e-12 and 48 %
     /// at 1e-13.
     ///
     /// # Errors

@@ -3,9 +3,7 @@
 //!
 //! The numbers in [`Refinement::refine`] are those of the page `book/src/how_error_control.md`.
 
-use super::constants::{
-    CHANGED, FAR_BELOW, KINKED, LATER, LEVEL, MOST_LEVELS, ROUND_OFF, SAFETY, STUCK, SWEPT_AT_MOST,
-};
+use super::constants::{CHANGED, FAR_BELOW, KINKED, LEVEL, MOST_LEVELS, SAFETY, STUCK};
 use super::limits::Limits;
 use super::method::Method;
 use super::problem::{Acting, Distances, Problem};
@@ -105,7 +103,7 @@ impl<'p> Refinement<'p> {
         let mut change = self.first_change(method);
         let mut coarse = self.first(method, change)?;
         // Where steps are short for another reason than the rotation, their order begins later.
-        let later = if method.is_adaptive() { 0.0 } else { coarse.level + LATER };
+        let later = if method.is_adaptive() { 0.0 } else { coarse.level + MOST_LEVELS + 1.0 };
         let finest = method.finest.max(later);
         let (mut condition, mut before): (Option<Distances>, Option<Distances>) = (None, None);
         let (mut ahead, mut stuck) = (1.0, 0);
@@ -195,7 +193,7 @@ impl<'p> Refinement<'p> {
         let floor = self.floor(method, condition);
         if floor >= self.tolerance {
             self.beyond(floor, condition)
-        } else if reached < ROUND_OFF * floor {
+        } else if reached < FAR_BELOW * floor {
             self.beyond(reached, condition)
         } else {
             self.not_delivered(if known.is_some() { reached } else { reached + floor })
@@ -281,7 +279,8 @@ impl<'p> Refinement<'p> {
         let most = method.finest - if self.may_have_kinks() { 2.0 } else { 1.0 };
         let level = method.level_for(self.problem, self.tolerance / SAFETY);
         let mut level = level.min(most);
-        let precision = self.small_change().min(SWEPT_AT_MOST);
+        // What the sweeps leave is then below what the change of the inputs does.
+        let precision = self.small_change();
         loop {
             let fine = Fine { level, fewest: &[], precision, budget: self.limits.budget };
             match self.run(problem, method, fine) {

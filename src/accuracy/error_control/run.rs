@@ -42,7 +42,7 @@ impl Steps {
     /// The steps of a run that is finer by so many levels, on every piece. Runs that took the same
     /// steps over one of them would agree on it, and say nothing of its error.
     pub(super) fn finer(self, method: Method, levels: f64) -> Self {
-        let asked = self.asked.max(FEW.min(self.made as f64)) * method.more_steps(levels);
+        let asked = self.asked.max((FEW as f64).min(self.made as f64)) * method.more_steps(levels);
         let fewest = if method.is_adaptive() { asked.ceil() as u64 } else { 1 };
         Self {
             made: 0,
