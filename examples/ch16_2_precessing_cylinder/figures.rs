@@ -53,7 +53,7 @@ figures! { p: &Parameters;
         panel
     };
 
-    /// Tilt against time after the release, in turns of the shaft before it, for three ways of
+    /// Tilt against time after the release, in turns of the fork before it, for three ways of
     /// letting go. The three start alike. In the fork the axis swings over to the mirror image of
     /// its tilt and back, sooner with a motor; free of everything it turns back earlier.
     let_go: {
