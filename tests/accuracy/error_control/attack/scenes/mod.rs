@@ -45,7 +45,7 @@ fn reason(error: &Error) -> Option<&'static str> {
     Some(match error {
         Error::NotDelivered { condition: Some(_), .. } => "beyond the condition",
         Error::NotDelivered { condition: None, .. } => "not delivered",
-        Error::LimitReached { what: "torques", .. } | Error::Undeclared { .. } => "over the budget",
+        Error::LimitReached { what: "torques", .. } => "over the budget",
         Error::Contradiction { .. } => "contradiction",
         Error::Sliding { .. } => "sliding",
         _ => return None,
